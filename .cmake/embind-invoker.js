@@ -1,6 +1,6 @@
-// How embind calls a bound function where there is no `new Function`. Emscripten 3.1.6 keeps the arguments of a call in lists that belong to
-// the bound function: a `val` that is called back and calls the same function again frees a text twice. Here each call has its own. What
-// fails is thrown as the error that the option `fail` of the factory makes of it.
+// Calls bound functions of embind without `new Function`. Emscripten 3.1.6 stores the arguments of a call in lists that belong to the bound
+// function: if a callback `val` calls the same function again, a string is freed twice. Here each call has lists of its own. Errors are
+// converted by the option `fail` of the factory and thrown.
 mergeInto(LibraryManager.library, {
   $craftInvokerFunction__deps: ['$runDestructors', '$throwBindingError'],
   $craftInvokerFunction: function (humanName, argTypes, classType, invoker, target) {

@@ -1,5 +1,5 @@
-// How embind converts a std::string: by the browser's own encoder and decoder, but for short ASCII, where a loop takes a third of the time.
-// Emscripten 3.1.6 scans the bytes twice in JavaScript, at 3 to 4 ns a byte, loses the character after a lone surrogate, and does not check
+// Converts std::string for embind: by the browser's own encoder and decoder, except short ASCII, for which a loop takes a third of the time.
+// Emscripten 3.1.6 scans the bytes twice in JavaScript, at 3 to 4 ns per byte, loses the character after a lone surrogate, and doesn't check
 // the memory that it allocates.
 mergeInto(LibraryManager.library, {
   $shortText: 64,

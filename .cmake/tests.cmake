@@ -5,10 +5,10 @@ enable_testing()
 file(GLOB test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/cpp/*.cpp)
 add_executable(warpjet_tests ${test_sources})
 target_include_directories(warpjet_tests PRIVATE tests/cpp)
-# Tests read JSON too.
+# Tests also parse JSON.
 target_include_directories(warpjet_tests SYSTEM PRIVATE ${libraries_folder})
 target_link_libraries(warpjet_tests PRIVATE warpjet_mesh warpjet_glsl warpjet_core GTest::gtest_main)
-# A process for each eighth of them, not for each: under the sanitizers a process takes longer to start than most tests.
+# One process per eighth of the tests, not per test: under the sanitizers a process takes longer to start than most tests.
 set(shards 8)
 foreach(shard RANGE 1 ${shards})
   math(EXPR index "${shard} - 1")
@@ -17,20 +17,20 @@ foreach(shard RANGE 1 ${shards})
                        ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
 endforeach()
 
-# A dozen files at once, since reading the headers is most of the time of each: a third of the time in all. The wasm build has
-# each by itself, and finds an include that is missing.
+# Compiles a dozen files at once, since most of the time is spent on headers: this takes a third of the time. The wasm build
+# compiles each file separately, which detects missing includes.
 set_target_properties(warpjet_core warpjet_glsl PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-# What reads the table of formulas is compiled by itself, so that a changed formula compiles only that again.
+# Files that include the table of formulas are compiled separately, so that a changed formula recompiles only those.
 set_source_files_properties(src/diff/partials.cpp src/emit/lower.cpp src/emit/names.cpp src/ops/ops.cpp src/ops/range.cpp
                             src/ops/spelling.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 # Names in these files' anonymous namespaces collide with those of others.
-set_source_files_properties(src/diff/differentiator.cpp src/diff/together.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/code_writer.cpp
+set_source_files_properties(src/diff/differentiator.cpp src/diff/combine_terms.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/code_writer.cpp
                             src/eval/each_lane.cpp src/eval/idioms.cpp src/eval/machine_code.cpp src/eval/stages.cpp
-                            src/frame/frame.cpp src/graph/match.cpp src/ops/interval.cpp src/ops/interval_functions.cpp src/ops/interval_steps.cpp src/graph/print.cpp src/graph/turns.cpp src/texture/texture.cpp
+                            src/frame/separation.cpp src/graph/match.cpp src/ops/interval.cpp src/ops/interval_functions.cpp src/ops/interval_steps.cpp src/graph/print.cpp src/graph/rotations.cpp src/texture/texture.cpp
                             src/warp/orientation.cpp src/warp/polynomial.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
-# The core once more, with rows of its own in a copy of the table; the sanitizers have enough in the core itself.
+# The core once more, with additional rows in a copy of the table; the sanitizers only check the core itself.
 if(NOT WARPJET_SANITIZE)
   add_executable(own_row_tests ${core_sources} tests/cpp/own_row/own_row_test.cpp)
   target_include_directories(own_row_tests PRIVATE tests/cpp/own_row src tests/cpp)  # in this order
@@ -41,20 +41,20 @@ if(NOT WARPJET_SANITIZE)
   add_test(NAME own_rows COMMAND own_row_tests --gtest_brief=1)
 endif()
 
-# What most files read, read once: two thirds of the time of compiling the tests. ccache keeps nothing that clang compiles with a
-# precompiled header, and then that costs more than it saves.
+# Precompiled headers: the tests compile in a third of the time. ccache can't cache what clang compiles with a precompiled
+# header, which costs more than it saves.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(common_headers
     <algorithm> <array> <cmath> <cstdint> <functional> <initializer_list> <optional> <span> <string> <string_view>
     <unordered_map> <utility> <vector> <graph/expression.hpp>)
   target_precompile_headers(warpjet_core PRIVATE ${common_headers})
-  # In quotes they would be those of the core, without the rows of its own.
+  # Quoted includes would find the headers of the core, without the additional rows.
   target_precompile_headers(own_row_tests PRIVATE ${common_headers})
   target_precompile_headers(warpjet_tests PRIVATE
     <gtest/gtest.h> <algebra/value.hpp> <builder/builder.hpp> <emit/emit.hpp>)
 endif()
 
-# The targets that `npm run fuzz` feeds. Given files, they run each once, without libFuzzer too: the corpus is a test.
+# The targets of `npm run fuzz`. Given files, they run each once, also without libFuzzer: the corpus is a test.
 function(warpjet_fuzz_target subject library)
   set(name ${subject}_fuzz)
   add_executable(${name} ${ARGN})
@@ -83,14 +83,14 @@ target_include_directories(fuzz_seeds PRIVATE tests)
 target_include_directories(fuzz_seeds SYSTEM PRIVATE ${libraries_folder})
 target_link_libraries(fuzz_seeds PRIVATE warpjet_core)
 
-# What `npm run reference` makes the types and the reference of operations from.
+# Prints the tables from which `npm run reference` generates the types and the reference of operations.
 add_executable(warpjet_table EXCLUDE_FROM_ALL .scripts/reference/table.cpp)
 target_include_directories(warpjet_table PRIVATE js-bindings/wasm)
 target_link_libraries(warpjet_table PRIVATE warpjet_mesh warpjet_core)
 
-# What `npm run bench:evaluate` compares the wasm with.
+# The native baseline of `npm run bench:evaluate`.
 add_executable(warpjet_bench_evaluate EXCLUDE_FROM_ALL .scripts/bench/evaluate.cpp
                src/eval/blocks.cpp src/eval/each_lane.cpp src/eval/registers.cpp src/graph/schedule.cpp src/ops/ops.cpp src/ops/interval.cpp
-               src/ops/interval_functions.cpp src/ops/interval_steps.cpp src/ops/whole.cpp)
+               src/ops/interval_functions.cpp src/ops/interval_steps.cpp src/ops/ints.cpp)
 target_include_directories(warpjet_bench_evaluate PRIVATE src)
-target_compile_options(warpjet_bench_evaluate PRIVATE -Wno-stringop-overflow)  # GCC 12 at -O3 sees one where none can be
+target_compile_options(warpjet_bench_evaluate PRIVATE -Wno-stringop-overflow)  # GCC 12 at -O3 reports a false positive

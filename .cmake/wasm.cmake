@@ -1,22 +1,22 @@
 # WebAssembly build: for each module NAME.wasm, which .scripts/build.mjs inlines, and NAME.mjs, Emscripten's factory of instances. Each is
 # bound by embind in js-bindings/wasm/NAME.cpp.
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
-#   evaluation  programs over many vertices
-#   mesh        files of meshes, and what is done to meshes
-#   glsl        shader text as a list of the core's operations
+#   evaluation  runs programs for many vertices
+#   mesh        mesh files and operations on meshes
+#   glsl        converts shader source to a listing of the core's operations
 
-# Everything is compiled with CMake's -O3 (Release), but for what runs once per glTF file: checks of its JSON, which nobody waits
-# for. The core at -Oz took 2.8 times as long for a warp of 3,000 nodes, and saved 40 KB gzipped.
+# Everything is compiled with CMake's -O3 (Release), except code that runs once per glTF file: checks of its JSON, which take no
+# noticeable time. The core at -Oz took 2.8 times as long for a warp of 3,000 nodes, and saved 40 KB gzipped.
 set_source_files_properties(
   src/mesh/gltf/container.cpp src/mesh/gltf/export.cpp src/mesh/gltf/gltf.cpp src/mesh/load.cpp src/mesh/gltf/look.cpp
-  src/mesh/gltf/scene.cpp src/mesh/gltf/schema.cpp src/mesh/sentences.cpp src/mesh/gltf/tinygltf.cpp src/mesh/gltf/uri.cpp
+  src/mesh/gltf/scene.cpp src/mesh/gltf/schema.cpp src/mesh/messages.cpp src/mesh/gltf/tinygltf.cpp src/mesh/gltf/uri.cpp
   TARGET_DIRECTORY warpjet_mesh PROPERTIES COMPILE_OPTIONS -Oz)
 
-# Or clang would make exp2 of pow(2, x), which JavaScript's Math lacks.
+# Otherwise clang would replace pow(2, x) by exp2, which JavaScript's Math lacks.
 set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp src/ops/interval_functions.cpp src/ops/interval_steps.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
 
-# What computes four vertices at a time. The core links none of it, for link-time optimisation would give SIMD to all
-# functions of a module that has one with it.
+# Code that computes four vertices at a time. The core must not link it, since link-time optimization would enable SIMD for all
+# functions of a module that contains one such function.
 set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
 set_source_files_properties(
   src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp src/eval/stages.cpp
@@ -29,7 +29,7 @@ else()
   set(stack_setting STACK_SIZE)
 endif()
 
-# Parts of embind's JavaScript that are ours; each file says why.
+# Our replacements for parts of embind's JavaScript; each file explains why.
 set(embind_libraries ${PROJECT_SOURCE_DIR}/.cmake/embind-array.js ${PROJECT_SOURCE_DIR}/.cmake/embind-invoker.js
                      ${PROJECT_SOURCE_DIR}/.cmake/embind-text.js)
 
@@ -39,7 +39,7 @@ function(warpjet_module name stack)
   add_executable(${target} js-bindings/wasm/${name}.cpp)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX .mjs LINK_DEPENDS "${embind_libraries}")
   target_link_libraries(${target} PRIVATE ${ARGN})
-  # Types need no names at run time, since all that cross are bound.
+  # Types need no names at run time, since all types that cross the border are bound.
   target_compile_options(${target} PRIVATE -fno-rtti -DEMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
   foreach(library ${embind_libraries})
     target_link_options(${target} PRIVATE "SHELL:--js-library ${library}")
@@ -63,8 +63,8 @@ function(warpjet_module name stack)
     -s${stack_setting}=${stack})
 endfunction()
 
-# No exception crosses the border of these: a throw that is left in the code does not link. Where memory ends, malloc stops the
-# instance, since embind does not check what it allocates.
+# No exception crosses the border of these modules: a remaining throw fails to link. If memory runs out, malloc aborts the
+# instance, since embind doesn't check its allocations.
 function(warpjet_module_without_exceptions name)
   warpjet_module(${name} ${ARGN})
   target_compile_options(warpjet_${name}_wasm PRIVATE -fno-exceptions)
@@ -76,21 +76,21 @@ function(warpjet_module_without_exceptions name)
     -sJS_MATH)                            # C's mathematics, from JavaScript: 20 KB less than musl's, tables that do not pack
 endfunction()
 
-# Not simd128: it does not link if it got in.
+# Without simd128, linking fails if SIMD code got in.
 set(without_simd
   "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong")
 
-# No function of the core calls itself over nodes, so the stack can be small.
+# No function of the core recurses over nodes, so the stack can be small.
 warpjet_module_without_exceptions(core 262144 warpjet_core)
 warpjet_module_without_exceptions(evaluation 262144 warpjet_core)
 target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_link_options(warpjet_core_wasm PRIVATE ${without_simd})
 
-# A text nests as deep as the parser lets it, and each level takes less than 1 KB.
+# The parser limits the nesting of a source, and each level takes less than 1 KB.
 warpjet_module_without_exceptions(glsl 1048576 warpjet_glsl)
 target_link_options(warpjet_glsl_wasm PRIVATE ${without_simd} -Wl,--stack-first)
 
-# A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
+# A malicious file may request any amount of memory and nest arbitrarily deep. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.
 warpjet_module(mesh 1048576 warpjet_mesh warpjet_core)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)

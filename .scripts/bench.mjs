@@ -1,4 +1,5 @@
-// npm run bench: what a frame costs by every way to draw a warped mesh, in headless Chromium. --help tells the rest.
+// npm run bench: what a frame costs by every way to draw a warped mesh, in headless Chromium; --help lists the options.
+// npm run bench -- evaluate | glsl | three: other benchmarks.
 import { resolve } from 'node:path'
 import { checkColumns } from './bench/csv.mjs'
 import { helpText, readOptions } from './bench/options.mjs'
@@ -7,10 +8,19 @@ import { path } from './lib/files.mjs'
 import { main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
 
+const others = ['evaluate', 'glsl', 'three']
+
 await main(async () => {
+  const args = process.argv.slice(2)
+  if (others.includes(args[0])) {
+    process.env.WARPJET_CHROMIUM = (await setup()).chromium
+    await build()
+    const { measure } = await import(`./bench/${args[0]}.mjs`)
+    return measure()
+  }
   const { workloads } = await import('../web/bench/workloads.js')
   const rows = workloads.map(({ name }) => name)
-  const options = readOptions(process.argv.slice(2), rows)
+  const options = readOptions(args, rows)
   if (options.help) return say(helpText(rows))
 
   const kept = options.quick ? undefined : path('web/bench/results.csv')

@@ -26,7 +26,7 @@ export const buildSite = () =>
 
 if (isMain(import.meta))
   await main(async () => {
-    await setup()
+    process.env.WARPJET_CHROMIUM = (await setup()).chromium
     await build()
     await buildSite()
     checkSite(folder)

@@ -1,4 +1,4 @@
-// 'warpjet/autodiff': stands in for glsl-autodiff.
+// 'warpjet/autodiff': a drop-in replacement for glsl-autodiff.
 export { gen } from './compile/compile.js'
 export type { GenSettings } from './compile/compile.js'
 export type {

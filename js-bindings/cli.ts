@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 /// <reference types="node" />
-// `npx warpjet`: finds the command, and turns errors into one sentence and an exit code.
+// `npx warpjet`: runs the command, and reports an error as one sentence and an exit code.
 import { bake } from './cli/bake.js'
 import { derive } from './cli/derive.js'
 import { emit } from './cli/emit.js'
@@ -20,13 +20,13 @@ const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake
 const [name = '', ...args] = process.argv.slice(2)
 const asksForHelp = (text: string) => text === '--help' || text === '-h'
 
-// Whoever reads may have enough, as `head` does.
+// The reader may close the pipe early, as `head` does.
 process.stdout.on('error', ({ code }: { code?: string }) => {
   if (code === 'EPIPE') return
   console.error(`warpjet: the output cannot be written: ${reasonOf(code)}.`)
   process.exit(1)
 })
-// There is nowhere left to say so.
+// An error of stderr cannot be reported.
 process.stderr.on('error', () => {})
 
 try {
@@ -40,19 +40,19 @@ try {
   process.exitCode = report(error)
 }
 
-// What warp.js left running, such as a timer, is not waited for; what was written is.
+// Waits until all output is written, but not for anything that the user's module left running, such as a timer.
 for (const stream of [process.stdout, process.stderr])
   await new Promise<void>((done) => stream.write('', () => done()))
 process.exit()
 
-/** Says what went wrong: 2 for a wrong command line, 1 for what it names. */
+/** Prints an error and returns the exit code: 2 for a wrong command line, otherwise 1. */
 function report(error: unknown): number {
   if (error instanceof UsageError) {
     const { command, message } = error
     console.error(`warpjet: ${printable(message)} \`npx warpjet ${command}--help\` shows how.`)
     return 2
   }
-  // A line of a text of GLSL stands below its sentence, with a caret.
+  // An error in GLSL source has further lines: the line of the source, and a caret.
   if (error instanceof WarpError)
     console.error(`warpjet: ${withFlags(error.message).split('\n').map(printable).join('\n')}`)
   else console.error(error)

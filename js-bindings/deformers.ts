@@ -1,6 +1,6 @@
-// 'warpjet/deformers': offset functions that are ready made, and what makes one of several. Amounts, centres and axes may
-// be numbers, expressions, or functions of what an offset function is given: `twist({ angle: ({ millis }) => … })`.
-// Lengths are in the units of the warp's space, angles in radians.
+// 'warpjet/deformers': ready-made offset functions, and functions that combine several into one. Amounts, centres and axes may be
+// numbers, expressions, or functions of the inputs of an offset function: `twist({ angle: ({ millis }) => … })`. Lengths are in the
+// units of the warp's space, angles in radians.
 export type {
   AxisName,
   AxisOption,

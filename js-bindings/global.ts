@@ -1,4 +1,4 @@
-/** What the global `warpjet` of a page holds; the script of deformers adds its own. */
+/** The members of the global `warpjet` of a page. Further scripts, such as that of deformers, add their own. */
 export { compile, gen } from './compile/compile.js'
 export { compileWarp } from './compile/compile-warp.js'
 export { WarpError } from './errors/errors.js'

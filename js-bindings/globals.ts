@@ -1,6 +1,6 @@
 /**
- * 'warpjet/globals': what the scripts add to a page, for sketches in global mode, in types alone: `"types":
- * ["warpjet/globals"]` in tsconfig.json or jsconfig.json, or `/// <reference types="warpjet/globals" />` in the sketch.
+ * 'warpjet/globals': types of the globals that the scripts add to a page, for sketches in global mode. Use
+ * `"types": ["warpjet/globals"]` in tsconfig.json or jsconfig.json, or `/// <reference types="warpjet/globals" />` in the sketch.
  */
 import type * as deformers from './deformers.js'
 import type * as glsl from './glsl.js'
@@ -12,40 +12,41 @@ import type * as compiler from './warpjet.js'
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>
 
 declare global {
-  /** What p5.warpjet.min.js has beside p5's functions, and after warpjet.deformers.min.js, warpjet.glsl.min.js and
-   * warpjet.operators.min.js what those add. */
+  /** The functions of p5.warpjet.min.js that are not added to p5, and those that warpjet.deformers.min.js, warpjet.glsl.min.js and
+   * warpjet.operators.min.js add. */
   const warpjet: Compiler & typeof deformers & typeof glsl & typeof operators
 
   /** glsl-autodiff's global. */
   const AutoDiff: Pick<Compiler, 'gen'>
 
   /**
-   * Compiles an offset function, which says how far each vertex moves, into p5's shaders. What it returns puts the warp on what
-   * is drawn next. Throws a `WarpError`.
+   * Compiles an offset function, which returns how far each vertex moves, into p5's shaders. Returns a function that applies the
+   * warp to the shapes drawn after it. Throws a `WarpError` for an offset function that misuses an operation, and for wrong options.
    */
   function createWarp<const Uniforms extends compiler.UniformValues = {}>(
     offset: compiler.OffsetFunction<NoInfer<Uniforms>>,
     options?: CreateWarpOptions<Uniforms>,
   ): Distort<Uniforms>
 
-  /** A .glb, .gltf, .obj or .stl file as a p5.Geometry for `model()`: awaited on p5 2, on 1.11 called in `preload()`. */
+  /** Loads a .glb, .gltf, .obj or .stl file as a p5.Geometry for `model()`: with `await` on p5 2, in `preload()` on 1.11. */
   function loadWarpModel(
     url: string | URL,
     options?: LoadModelOptions,
   ): Promise<ModelOf<typeof globalThis>>
 
   /**
-   * Finds out how normals and uvs vary over a p5.Geometry, for warps that depend on them, and keeps it with the geometry,
-   * which comes back. Needs p5 2. Throws a `WarpError`.
+   * Computes how normals and uvs vary over a p5.Geometry, for warps that depend on them, and stores it with the geometry, which it
+   * returns. Needs p5 2. Throws a `WarpError` for anything but a geometry.
    */
   function addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
 
-  /** Draws p5's `box(width, height, depth)` with `detail` squares along each edge, 20 unless given, so that a warp can bend it. */
+  /** Draws p5's `box(width, height, depth)` with `detail` squares along each edge, so that a warp can bend it. Default: 20. */
   function warpBox(width?: number, height?: number, depth?: number, detail?: number): void
 
   /**
-   * A p5.Geometry with more vertices: with a number, each triangle becomes four so many times; or where the warp needs them,
-   * `await subdivide(shape, { warp: warpjet.compileWarp(offset), tolerance: 0.5 })`, in units of the shape. Throws a `WarpError`.
+   * Makes a p5.Geometry with more vertices. With a number, each triangle is divided into four that many times. With a warp, vertices
+   * are added where it needs them: `await subdivide(shape, { warp: warpjet.compileWarp(offset), tolerance: 0.5 })`, in units of the
+   * shape. Throws a `WarpError` for wrong options.
    */
   function subdivide<Geometry extends object>(
     geometry: Geometry,
@@ -53,8 +54,8 @@ declare global {
   ): Promise<Geometry & { warnings: string[] }>
 
   /**
-   * A shader of `modify()` or `buildMaterialShader()` with normals that are turned as its hooks move positions. Needs
-   * warpjet.glsl.min.js. Where that cannot be done, the console says why, and the shader comes back as it was.
+   * Makes a shader of `modify()` or `buildMaterialShader()` transform normals to match the positions that its hooks move. Needs
+   * warpjet.glsl.min.js. If that is impossible, the console says why, and the shader is returned unchanged.
    */
   function exactNormals<Shader extends object>(shader: Shader): Shader
 }

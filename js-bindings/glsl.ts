@@ -1,6 +1,6 @@
 /**
- * 'warpjet/glsl': warps and derivatives from shader text. It has a wasm module of its own, which starts with the first
- * source, and makes `glsl.source` work wherever an offset function gets `glsl`.
+ * 'warpjet/glsl': warps and derivatives from GLSL source. Its own wasm module starts with the first source. It also makes
+ * `glsl.source` work in offset functions.
  */
 import { registerFrontEnd } from './glsl-source/call.js'
 import { registerExactNormals } from './p5/exact-normals/register.js'

@@ -1,4 +1,4 @@
-// For tests alone, and not in the package: how many bytes each wasm holds. Between two calls it is always the same.
+// For tests only, not in the package: the number of bytes that each wasm module holds, which is the same between any two calls.
 export { memoryInUse } from './wasm/core.js'
 export { evaluationMemoryInUse } from './wasm/evaluation.js'
 export { glslMemoryInUse } from './wasm/glsl.js'

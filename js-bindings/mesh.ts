@@ -1,6 +1,6 @@
 /**
- * 'warpjet/mesh': meshes from files, warped meshes, and files from meshes, in browsers and in Node. It has a wasm module
- * of its own, which starts when it is first used. All functions leave what comes in as it is.
+ * 'warpjet/mesh': loads, warps, subdivides and exports meshes, in browsers and in Node. Its own wasm module starts when it is first
+ * used. All functions leave their arguments unchanged.
  */
 export { bakeWarp, type Evaluates } from './mesh/bake.js'
 export { exportGLB } from './mesh/export.js'

@@ -1,2 +1,2 @@
-// 'warpjet/operators/runtime': what translated modules import.
+// 'warpjet/operators/runtime': imported by translated modules.
 export { operators, withOperators } from './operators/runtime.js'

@@ -1,6 +1,7 @@
 /**
- * 'warpjet/operators': offset functions with `+ - * /`, `if` and `?:`. Imported, or as the script warpjet.operators.min.js, it
- * also makes `createWarp`, `compileWarp`, `warp` of three.js and all else that takes functions of a vertex read them so.
+ * 'warpjet/operators': offset functions with `+ - * /`, `if` and `?:`. Once it is imported, or loaded as the script
+ * warpjet.operators.min.js, `createWarp`, `compileWarp`, `warp` for three.js and all others that take functions of a vertex
+ * translate these operators.
  */
 import { operatorsKey } from './errors/operators.js'
 import { operators } from './operators/read.js'

@@ -1,4 +1,4 @@
-// 'warpjet/p5' where p5 can load, which is all but servers: the same addon, registered with the p5 that the project imports.
+// 'warpjet/p5' where p5 can load, which is everywhere except on servers: the addon, registered with the p5 that the project imports.
 import p5 from 'p5'
 import { warpjet } from './p5/addon.js'
 

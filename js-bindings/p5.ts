@@ -1,6 +1,6 @@
 /**
- * 'warpjet/p5' where p5 cannot load, as on a server, and as a file of its own. It adds itself to a p5 that is a global, as
- * p5's script tag makes it; as a module p5 is none, and is handed over: `warpjet(p5)`.
+ * 'warpjet/p5' where p5 cannot load, such as on a server, and as a separate file. It registers itself with a global p5, which p5's
+ * script tag defines. If p5 is imported as a module, call `warpjet(p5)`.
  */
 import { registerGlobally } from './p5/page/register.js'
 

@@ -1,5 +1,5 @@
 /**
- * 'warpjet/react': `<Warp>` for @react-three/fiber. `react`, `@react-three/fiber` and `three` are the application's own.
+ * 'warpjet/react': `<Warp>` for @react-three/fiber. The application provides `react`, `@react-three/fiber` and `three`.
  */
 export { Warp, type WarpProps } from './three/react/warp.js'
 export type { ThreeOffset, WarpSpace } from './three/settings.js'

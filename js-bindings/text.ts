@@ -1,9 +1,9 @@
-// 'warpjet/text': all of 'warpjet' but what runs warps on the CPU, at half its size.
+// 'warpjet/text': 'warpjet' without the evaluation of warps on the CPU, at half the size.
 export { compile, gen } from './compile/compile.js'
 export type { CompiledExpressions, GenSettings } from './compile/compile.js'
 export { compileWarp } from './compile/compile-warp-text.js'
 export type { Compiled, CompileOptions, Declared, Stats } from './core/module/result.js'
-export { targets, type Target } from './core/module/kept-module.js'
+export { targets, type Target } from './core/module/serialized-module.js'
 export type { Numbers } from './cpu/double.js'
 export { WarpError } from './errors/errors.js'
 export { version } from './generated/version.js'

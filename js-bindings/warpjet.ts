@@ -1,4 +1,4 @@
-// 'warpjet': compiles offset functions, and any other functions, into shader text and for the CPU.
+// 'warpjet': compiles offset functions, and any other functions, to shader code and for the CPU.
 export { compile, gen } from './compile/compile.js'
 export type { CompiledExpressions, GenSettings } from './compile/compile.js'
 export { compileWarp } from './compile/compile-warp.js'
@@ -16,7 +16,7 @@ export type {
   WarpedPoint,
 } from './cpu/cpu-warp.js'
 export type { WarpedVertices } from './cpu/results.js'
-export { targets, type Target } from './core/module/kept-module.js'
+export { targets, type Target } from './core/module/serialized-module.js'
 export type { TypeName } from './core/expression/shapes.js'
 export type { Numbers } from './cpu/double.js'
 export { WarpError } from './errors/errors.js'

@@ -1,4 +1,4 @@
-/** Source text as coloured HTML. */
+/** Highlights source code as HTML. */
 import hljs from 'highlight.js/lib/core'
 import glsl from 'highlight.js/lib/languages/glsl'
 import javascript from 'highlight.js/lib/languages/javascript'

@@ -1,7 +1,7 @@
-/** Keeps the site for when there is no network, once the page has been there for a while. Only a built site has the worker. */
+/** Registers the service worker, which makes the site work offline, some time after the page loads. Only a built site has one. */
 
-/** Milliseconds from the load of a page: who comes in has the network and the machine for what they see first. */
-const patience = 5000
+/** Milliseconds after the load of a page, so that network and CPU are free for what the visitor sees first. */
+const delay = 5000
 
 const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds))
 const idle = () =>
@@ -10,16 +10,16 @@ const idle = () =>
     else resolve()
   })
 
-/** `root` is where the first page is. */
-async function keep(root) {
+async function registerWorker(root) {
   if (document.readyState !== 'complete')
     await new Promise((resolve) => addEventListener('load', resolve, { once: true }))
-  await sleep(patience)
+  await sleep(delay)
   await idle()
   await navigator.serviceWorker.register(new URL('sw.js', root))
 }
 
+/** @param root the address of the first page */
 export function keepForOffline(root) {
   if (import.meta.env.PROD && 'serviceWorker' in navigator && location.protocol.startsWith('http'))
-    keep(root).catch(() => {})
+    registerWorker(root).catch(() => {})
 }

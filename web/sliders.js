@@ -1,6 +1,6 @@
 /**
- * What an example's page lets one slide: a number of its sketch, by the text around it with # in its place. The sketch is run
- * with another number there; so the sketch itself stays as plain as it is.
+ * The sliders of the examples' pages. Each changes a number in the sketch's source, found by the text around it with # for the number;
+ * so the sketches need no code for sliders.
  */
 const ranges = {
   'airplane-twist': { Twist: ['.mult(x).mult(#)', 0, 0.04] },
@@ -48,7 +48,7 @@ const ranges = {
   'deformer-spherify': { Radius: ['radius: #', 40, 120] },
   'deformer-shear': { Amount: ['.mult(#)', 0, 1.5] },
   'deformer-noise': { Amount: ['amount: #', 0, 120], Scale: ['scale: #', 30, 200] },
-  composition: { Twist: ['swing(#)', 0, 5] },
+  composition: { Twist: ['oscillate(#)', 0, 5] },
   'along-the-normal': { Waves: ['x.mult(#)', 0, 0.2], Height: ['wave(z)).mult(#)', 0, 10] },
   'glsl-terrain': { Height: ['0.0, # * h', 0.01, 0.25], Roughness: ['size *= #', 0.2, 0.6] },
   'glsl-noise': { Height: ['(# * snoise(p)', 0.05, 0.35] },
@@ -62,7 +62,7 @@ const ranges = {
   'shadow-map': { Sway: ['.mult(#)\n  }', 0, 0.8] },
   'raked-sand': { Depth: ['height.mult(#)', 0, 30] },
   'marbled-paper': { Stirred: ['r.mult(#)', 0, 1] },
-  // These have a panel of their own; here is what that leaves out.
+  // These sketches have their own panel; the sliders here add to it.
   'three-sea': {
     'Longest wave': ['length: #', 2, 8],
     Steepness: ['steepness: #', 0, 0.8],
@@ -78,12 +78,12 @@ const ranges = {
 const number = String.raw`(-?\d+(?:\.\d+)?)`
 const escape = (text) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&')
 
-/** → [{ label, value, from, to, at, length }], `at` the place of the number in the sketch. */
+/** Finds an example's sliders → [{ label, value, from, to, at, length }], where `at` is the index of the number in the sketch. */
 export function sliders(name, sketch) {
   return Object.entries(ranges[name] ?? {}).map(([label, [text, from, to]]) => {
     const pattern = new RegExp(escape(text).replace('#', number), 'd')
     const found = pattern.exec(sketch)
-    if (!found) throw new Error(`examples/${name}/sketch.js does not say ${text}.`)
+    if (!found) throw new Error(`expected “${text}” in examples/${name}/sketch.js, got no match.`)
     const [at, end] = found.indices[1]
     return { label, value: Number(found[1]), from, to, at, length: end - at }
   })

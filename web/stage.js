@@ -1,10 +1,10 @@
 /**
- * Runs an example only while somebody looks: a stage holds a frame while it is in view, and its picture alone otherwise. With
- * another sketch, the new frame begins unseen and takes the place of the old one once it has drawn.
+ * Runs an example only while it is visible: a stage contains a frame while it is in view, and only a picture otherwise. For a new
+ * sketch, the new frame starts hidden and replaces the old one once it has drawn.
  */
 const REPORT_EVERY = 500 // ms
 
-/** `report` gets { frames, rate, code } as long as it runs. → { setSketch(text), setPaused(isPaused) } */
+/** @param report called with { frames, rate, code } while the sketch runs @returns { setSketch(text), setPaused(isPaused) } */
 export function makeStage(place, { page, title }, report) {
   let shown, coming, sketch, timer
   let isSeen = false
@@ -14,7 +14,7 @@ export function makeStage(place, { page, title }, report) {
     coming?.remove()
     const frame = document.createElement('iframe')
     Object.assign(frame, { src: page, title, className: 'coming' })
-    // The recorder in the frame runs that in the place of the sketch there.
+    // The frame's page runs this instead of its sketch, if it is set.
     if (sketch) frame.sketch = URL.createObjectURL(new Blob([sketch], { type: 'text/javascript' }))
     coming = frame
     place.append(frame)
@@ -26,7 +26,7 @@ export function makeStage(place, { page, title }, report) {
       ;[shown, coming] = [frame, undefined]
       frame.className = 'shown'
       clearInterval(timer)
-      timer = setInterval(observer(frame, report), REPORT_EVERY)
+      timer = setInterval(makeObserver(frame, report), REPORT_EVERY)
     }, 50)
   }
 
@@ -63,8 +63,8 @@ export function makeStage(place, { page, title }, report) {
   }
 }
 
-/** Reads the frame's counter and what the recorder kept. `rate` is in frames a second, 0 at first. */
-function observer(frame, report) {
+/** Reports the frame's counter and the recorded code. `rate` is in frames per second, 0 at first. */
+function makeObserver(frame, report) {
   let frames = 0
   let time
   return () => {

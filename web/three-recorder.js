@@ -1,8 +1,8 @@
-// Runs in the page of an example with three.js before its sketch, in the gallery only: counts frames, keeps the shader text of
-// each warp for the page around it, and leaves the wheel to that page, unless the sketch has the page for itself.
+// Runs in the page of a three.js example before its sketch, in the gallery only: counts frames, records the shader code of each warp
+// for the page around it, and leaves the wheel to that page, unless the sketch fills a page of its own.
 {
   window.frameCount = 0
-  const recorded = (window.recordedCode = [])
+  const records = (window.recordedCode = [])
   const { requestAnimationFrame } = window
   window.requestAnimationFrame = (work) =>
     requestAnimationFrame((time) => {
@@ -10,14 +10,13 @@
       window.frameCount++
     })
 
-  /** The block that a warp is, in a vertex shader of three.js with all its chunks. */
+  /** Matches the block of a warp in a complete vertex shader of three.js. */
   const block =
     /\{\n(?:#ifdef USE_TANGENT\n)?(?:(?!\n\{\n)[\s\S])*?transformed = warpjetPosition;|\{\nmat4 warpjetToWorld[\s\S]*?transformed = \( inverse/
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
     const [code] = block.exec(text.slice(text.indexOf('void main'))) ?? []
-    if (code && !recorded.some((record) => record.code === code))
-      recorded.push({ maker: 'warp', code })
+    if (code && !records.some((known) => known.code === code)) records.push({ maker: 'warp', code })
     return shaderSource.call(this, shader, text)
   }
 

@@ -1,4 +1,4 @@
-// The site: `npm start` serves it, `npm run site` writes it to .build/site.
+// Configures the site: `npm start` serves it, `npm run site` writes it to .build/site.
 import { fileURLToPath } from 'node:url'
 import { exampleFiles } from './plugins/example-files.js'
 import { offline } from './plugins/offline.js'
@@ -12,7 +12,7 @@ const path = (relative) => fileURLToPath(new URL(relative, import.meta.url))
 
 export default {
   root: path('.'),
-  // The built page works in any folder of any server.
+  // Relative, so that the built site works in any folder of any server.
   base: './',
   appType: 'mpa',
   publicDir: false,
@@ -30,7 +30,6 @@ export default {
   optimizeDeps: {
     include: [
       'codemirror',
-      '@codemirror/autocomplete',
       '@codemirror/commands',
       '@codemirror/lang-javascript',
       '@codemirror/language',
@@ -52,9 +51,9 @@ export default {
   build: {
     outDir: path('../.build/site'),
     emptyOutDir: true,
-    // The playground is one.
+    // The playground's chunk exceeds the default of 500.
     chunkSizeWarningLimit: 800,
-    // Making the models takes most of a build.
+    // Generating the models takes most of the build time, so Vite's warning about slow plugins is off below.
     rolldownOptions: {
       input: {
         ...siteScripts,
@@ -65,7 +64,7 @@ export default {
           ]),
         ),
       },
-      // The pages of the site name theirs before it is built.
+      // The site's pages refer to their scripts by name before the build, so these have no hash.
       output: {
         entryFileNames: ({ name }) =>
           name.startsWith('site/') ? '[name].js' : 'assets/[name]-[hash].js',

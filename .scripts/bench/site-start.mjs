@@ -1,36 +1,41 @@
-// How soon the built site's first page can be used, on a Chromium that is slowed four times: a cold load from a local server.
-import { loadavg } from 'node:os'
+// Measures how soon the built site's first page can be used, loaded cold in a Chromium that is slowed four times.
 import { setTimeout } from 'node:timers/promises'
 import { chromium } from 'playwright-core'
 import { preview } from 'vite'
-import { findBrowser } from '../lib/browser.mjs'
 import { path } from '../lib/files.mjs'
 import { softwareFlags } from '../lib/flags.mjs'
 import { median } from '../lib/median.mjs'
-import { Stop, good, say } from '../lib/terminal.mjs'
-import { answered, watch } from './site-watch.mjs'
+import { Stop, good } from '../lib/terminal.mjs'
 
 const RUNS = 7
 const SLOWDOWN = 4
-/** Milliseconds: until the page is interactive, and until a key that is pressed just then is answered, which INP calls good. */
+/** Max milliseconds until the page is interactive, and until a key pressed at that moment is answered (a good INP). */
 const aims = { interactive: 1500, key: 200 }
-/** Milliseconds without a long task that end the start of a page, as in Lighthouse's time to interactive; and when we stop waiting. */
-const [quiet, longest] = [5000, 20_000]
-const patience = { timeout: 120_000 }
+/** The start ends before the first 5 s without a long task, as in Lighthouse's time to interactive. */
+const quiet = 5000
 
-/** Of what the page has seen: when it shows something and listens, and from when on no long task comes for a while. */
-function interactiveOf({ paint, filter, search, tasks }) {
-  let end = Math.max(paint, filter, search)
-  for (const task of tasks) {
-    if (task.start > end + quiet) break
-    end = Math.max(end, task.end)
-  }
-  return end
+/** Runs in the page, before its scripts: collects paint, long tasks (over 50 ms) and the time that a key takes. */
+function observePage() {
+  const seen = (window.seen = { paint: 0, tasks: [], key: 0 })
+  const observe = (type, note, options) =>
+    new PerformanceObserver((list) => list.getEntries().forEach(note)).observe({
+      type,
+      buffered: true,
+      ...options,
+    })
+  observe('paint', ({ name, startTime }) => {
+    if (name === 'first-contentful-paint') seen.paint = startTime
+  })
+  observe('longtask', ({ startTime, duration }) =>
+    seen.tasks.push({ start: startTime, end: startTime + duration }),
+  )
+  observe('event', ({ duration }) => (seen.key = Math.max(seen.key, duration)), {
+    durationThreshold: 16,
+  })
+  document.addEventListener('DOMContentLoaded', () =>
+    document.querySelector('#words').focus({ preventScroll: true }),
+  )
 }
-
-/** A task that a key led to keeps nobody waiting but by what the key's own row says. */
-const ofPage = ({ tasks, pressed, key }) =>
-  tasks.filter(({ start }) => start < pressed || start > pressed + key)
 
 async function load(browser, url) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 } })
@@ -38,52 +43,24 @@ async function load(browser, url) {
     const page = await context.newPage()
     const session = await context.newCDPSession(page)
     await session.send('Emulation.setCPUThrottlingRate', { rate: SLOWDOWN })
-    await page.addInitScript(watch)
-    await page.goto(url, { ...patience, waitUntil: 'commit' })
-    const began = await page.evaluate(() => performance.timeOrigin)
-    const until = (moment) => setTimeout(Math.max(0, began + moment - Date.now()))
-    await until(aims.interactive)
-    // The page has the focus in the filter's field; nothing is asked of it first, since it would have to be free for that.
+    await page.addInitScript(observePage)
+    await page.goto(url, { timeout: 120_000, waitUntil: 'commit' })
+    await setTimeout(aims.interactive)
     await page.keyboard.press('b')
-    await page.waitForFunction(() => window.seen.key && window.seen.warp, null, patience)
-    const look = () => page.evaluate(() => window.seen)
-    let seen = await look()
-    for (let end = 0; end < longest && Date.now() < began + end + quiet; seen = await look()) {
-      end = interactiveOf({ ...seen, tasks: ofPage(seen) })
-      await until(Math.min(end + quiet, longest) + 50)
-    }
-    const words = await page.locator('.filter output').textContent()
-    if (!/\d of \d/.test(words)) throw new Stop('The first page does not answer its filter.')
-    const tasks = ofPage(seen)
-    const found = await page.evaluate(answered, ['#search', 'noise', '#found a'])
-    return { ...seen, tasks, found, interactive: interactiveOf({ ...seen, tasks }) }
+    await setTimeout(2 * quiet)
+    const { paint, tasks, key } = await page.evaluate(() => window.seen)
+    const answer = await page.locator('.filter output').textContent()
+    if (!/\d of \d/.test(answer)) throw new Stop('The first page does not answer its filter.')
+    let interactive = paint
+    for (const { start, end } of tasks)
+      if (start < interactive + quiet) interactive = Math.max(interactive, end)
+    return { 'first paint': paint, interactive, key }
   } finally {
     await context.close()
   }
 }
 
-const rows = {
-  'first paint': 'paint',
-  'the filter listens': 'filter',
-  'the search listens': 'search',
-  'interactive: it listens, and long tasks are over': 'interactive',
-  'the warp is drawn for the first time': 'warp',
-  'a key, pressed at 1500, is answered after': 'key',
-  'the search has answered, from its first word, after': 'found',
-}
-
-/** What of which run still kept others waiting, and whose it was. */
-const missed = (runs) =>
-  runs.flatMap(({ tasks, interactive }, run) =>
-    tasks
-      .filter(({ end }) => end > aims.interactive && end <= interactive)
-      .map(
-        ({ start, end, whose }) =>
-          `load ${run + 1}: from ${start.toFixed()} for ${(end - start).toFixed()} ms, ${whose}`,
-      ),
-  )
-
-/** Prints, in milliseconds, what the site in `folder` takes from the beginning of a load; throws where an aim is missed. */
+/** Prints the times in milliseconds; throws if a median misses its aim. */
 export async function measureSite(folder) {
   const server = await preview({
     configFile: path('web/vite.config.js'),
@@ -91,29 +68,18 @@ export async function measureSite(folder) {
     preview: { port: 5520 },
     build: { outDir: path(folder) },
   })
-  const browser = await chromium.launch({
-    executablePath: process.env.WARPJET_CHROMIUM ?? (await findBrowser()),
-    args: softwareFlags,
-  })
+  const executablePath = process.env.WARPJET_CHROMIUM
+  const browser = await chromium.launch({ executablePath, args: softwareFlags })
   try {
-    const [url] = server.resolvedUrls.local
     const runs = []
-    for (let i = 0; i <= RUNS; i++) runs.push(await load(browser, url))
-    // The first one starts the browser, too.
+    for (let i = 0; i <= RUNS; i++) runs.push(await load(browser, server.resolvedUrls.local[0]))
+    // The first run also starts the browser.
     runs.shift()
-    say(
-      `\nThe first page, ${SLOWDOWN} times slowed, without a GPU, in milliseconds: of ${RUNS} loads the median, the best and the worst.`,
+    const medians = Object.fromEntries(
+      Object.keys(runs[0]).map((name) => [name, Math.round(median(runs.map((run) => run[name])))]),
     )
-    say(`The machine's load was ${loadavg()[0].toFixed(1)}; what else runs on it slows the page.`)
-    for (const [title, row] of Object.entries(rows)) {
-      const times = runs.map((run) => run[row])
-      const [middle, best, worst] = [median(times), Math.min(...times), Math.max(...times)]
-      const aim = aims[row] ? `  ${middle <= aims[row] ? '✓' : '✗'} at most ${aims[row]}` : ''
-      const figures = [middle, best, worst].map((time) => time.toFixed().padStart(6)).join('')
-      say(`${title.padEnd(52)}${figures}${aim}`)
-    }
-    for (const line of missed(runs)) say(line)
-    const over = Object.keys(aims).filter((row) => median(runs.map((run) => run[row])) > aims[row])
+    console.table({ median: medians, 'at most': aims })
+    const over = Object.keys(aims).filter((name) => medians[name] > aims[name])
     if (over.length) throw new Stop(`The first page misses its aim: ${over.join(', ')}.`)
     good('The first page is interactive in time.')
   } finally {

@@ -2,6 +2,7 @@
 import { availableParallelism } from 'node:os'
 import { pathToFileURL } from 'node:url'
 import { fuzzRepeatably } from '../fuzz.mjs'
+import { checkWording } from '../plain-english.mjs'
 import { installEnvironments } from './environments.mjs'
 import { withBrowsers } from './browsers.mjs'
 import { path, walk } from './files.mjs'
@@ -122,6 +123,17 @@ export const checks = [
     title: 'Types',
     work: () => node(binary('typescript-7/bin/tsc'), '--project', 'tsconfig.json'),
   },
+  {
+    group: 'lint',
+    title: 'Lint',
+    work: () => node(binary('oxlint/bin/oxlint'), '--deny-warnings'),
+  },
+  {
+    group: 'knip',
+    title: 'Unused files, exports and packages',
+    work: () => node(binary('knip/bin/knip.js'), '--no-progress'),
+  },
+  { group: 'language', title: 'Plain English in added lines', work: checkWording },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
   { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },

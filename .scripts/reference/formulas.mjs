@@ -1,48 +1,121 @@
-// What each plotted operation computes, and its derivatives by its operands, as one would write them; `web/docs/plots.md` shows them.
-// tests/core/formulas.test.js holds each against what warpjet computes. Where several operands share a part, `where` names it.
+// The formulas of operations on numbers, for web/docs/plots.md. tests/core/formulas.test.js compares each with what warpjet computes.
 
-/** By name: { value, by: [a derivative for each operand], where }. */
+const jumps = 'The derivative is 0 everywhere, at the steps too.'
+const isTruth = 'As a number it is 1 or 0, and its derivative 0 everywhere, at the step too.'
+const isOperands =
+  'The derivative is that of the operand whose value is taken, of the first one where they are equal.'
+const isInfiniteAtZero = 'At 0 value and derivative are infinite.'
+
+/**
+ * Maps each operation → its row:
+ * - `value`, and `by`, the derivative by each operand: JavaScript. `where` names a part that several of them share.
+ * - `plot`: the call that is plotted, from and to which x. Default: `x.name()` from -3 to 3, where there is one operand.
+ * - `kink`: the derivative where the function has none.
+ */
 export const formulas = {
   neg: { value: '-x', by: ['-1'] },
-  add: { value: 'x + y', by: ['1', '1'] },
-  sub: { value: 'x - y', by: ['1', '-1'] },
-  mult: { value: 'x * y', by: ['y', 'x'] },
-  div: { value: 'x / y', by: ['1 / y', '-x / (y * y)'] },
+  add: { value: 'x + y', by: ['1', '1'], plot: ['x.add(1)'] },
+  sub: { value: 'x - y', by: ['1', '-1'], plot: ['x.sub(1)'] },
+  mult: { value: 'x * y', by: ['y', 'x'], plot: ['x.mult(2)'] },
+  div: {
+    value: 'x / y',
+    by: ['1 / y', '-x / (y * y)'],
+    plot: ['glsl.div(1, x)'],
+    kink: isInfiniteAtZero,
+  },
   pow: {
     value: 'pow(x, exponent)',
     by: ['exponent * pow(x, exponent - 1)', 'pow(x, exponent) * log(x)'],
+    plot: ['x.pow(3)', -1.5, 1.5],
   },
-  sqrt: { value: 'sqrt(x)', by: ['1 / (2 * sqrt(x))'] },
-  inversesqrt: { value: '1 / sqrt(x)', by: ['-1 / (2 * x * sqrt(x))'] },
-  exp: { value: 'exp(x)', by: ['exp(x)'] },
-  exp2: { value: 'pow(2, x)', by: ['log(2) * pow(2, x)'] },
-  log: { value: 'log(x)', by: ['1 / x'] },
-  log2: { value: 'log(x) / log(2)', by: ['1 / (x * log(2))'] },
+  sqrt: { value: 'sqrt(x)', by: ['1 / (2 * sqrt(x))'], plot: ['x.sqrt()', 0, 4] },
+  inversesqrt: {
+    value: '1 / sqrt(x)',
+    by: ['-1 / (2 * x * sqrt(x))'],
+    plot: ['x.inversesqrt()', 0.05, 4],
+    kink: isInfiniteAtZero,
+  },
+  exp: { value: 'exp(x)', by: ['exp(x)'], plot: ['x.exp()', -3, 1.5] },
+  exp2: { value: 'pow(2, x)', by: ['log(2) * pow(2, x)'], plot: ['x.exp2()', -3, 2] },
+  log: { value: 'log(x)', by: ['1 / x'], plot: ['x.log()', 0.05, 4], kink: isInfiniteAtZero },
+  log2: {
+    value: 'log(x) / log(2)',
+    by: ['1 / (x * log(2))'],
+    plot: ['x.log2()', 0.05, 4],
+    kink: isInfiniteAtZero,
+  },
   sin: { value: 'sin(x)', by: ['cos(x)'] },
   cos: { value: 'cos(x)', by: ['-sin(x)'] },
-  tan: { value: 'sin(x) / cos(x)', by: ['1 + tan(x) * tan(x)'] },
-  asin: { value: 'asin(x)', by: ['1 / sqrt(1 - x * x)'] },
-  acos: { value: 'PI / 2 - asin(x)', by: ['-1 / sqrt(1 - x * x)'] },
+  tan: { value: 'sin(x) / cos(x)', by: ['1 + tan(x) * tan(x)'], plot: ['x.tan()', -4, 4] },
+  asin: {
+    value: 'asin(x)',
+    by: ['1 / sqrt(1 - x * x)'],
+    plot: ['x.asin()', -1, 1],
+    kink: 'At -1 and 1 the derivative counts as 0.',
+  },
+  acos: {
+    value: 'PI / 2 - asin(x)',
+    by: ['-1 / sqrt(1 - x * x)'],
+    plot: ['x.acos()', -1, 1],
+    kink: 'At -1 and 1 the derivative counts as 0.',
+  },
   atan: { value: 'atan(x)', by: ['1 / (1 + x * x)'] },
-  'atan(y, x)': { value: 'atan2(y, x)', by: ['x / (x * x + y * y)', '-y / (x * x + y * y)'] },
-  radians: { value: 'degrees * PI / 180', by: ['PI / 180'] },
+  'atan(y, x)': {
+    value: 'atan2(y, x)',
+    by: ['x / (x * x + y * y)', '-y / (x * x + y * y)'],
+    plot: ['glsl.atan(x, -1)', -4, 4],
+  },
+  radians: { value: 'degrees * PI / 180', by: ['PI / 180'], plot: ['x.radians()', -180, 180] },
   degrees: { value: 'radians * 180 / PI', by: ['180 / PI'] },
-  sinh: { value: '(exp(x) - exp(-x)) / 2', by: ['cosh(x)'] },
-  cosh: { value: '(exp(x) + exp(-x)) / 2', by: ['sinh(x)'] },
+  sinh: { value: '(exp(x) - exp(-x)) / 2', by: ['cosh(x)'], plot: ['x.sinh()', -2, 2] },
+  cosh: { value: '(exp(x) + exp(-x)) / 2', by: ['sinh(x)'], plot: ['x.cosh()', -2, 2] },
   tanh: { value: 'sinh(x) / cosh(x)', by: ['1 / (cosh(x) * cosh(x))'] },
   asinh: { value: 'log(x + sqrt(x * x + 1))', by: ['1 / sqrt(x * x + 1)'] },
-  acosh: { value: 'log(x + sqrt(x * x - 1))', by: ['1 / sqrt(x * x - 1)'] },
-  atanh: { value: 'log((1 + x) / (1 - x)) / 2', by: ['1 / (1 - x * x)'] },
-  abs: { value: 'x < 0 ? -x : x', by: ['sign(x)'] },
-  sign: { value: 'x < 0 ? -1 : x > 0 ? 1 : 0', by: ['0'] },
-  floor: { value: 'floor(x)', by: ['0'] },
-  ceil: { value: '-floor(-x)', by: ['0'] },
-  round: { value: 'floor(x + 0.5)', by: ['0'] },
-  trunc: { value: 'x < 0 ? ceil(x) : floor(x)', by: ['0'] },
-  fract: { value: 'x - floor(x)', by: ['1'] },
-  mod: { value: 'x - divisor * floor(x / divisor)', by: ['1', '-floor(x / divisor)'] },
-  min: { value: 'x <= y ? x : y', by: ['x <= y ? 1 : 0', 'x <= y ? 0 : 1'] },
-  max: { value: 'x >= y ? x : y', by: ['x >= y ? 1 : 0', 'x >= y ? 0 : 1'] },
+  acosh: {
+    value: 'log(x + sqrt(x * x - 1))',
+    by: ['1 / sqrt(x * x - 1)'],
+    plot: ['x.acosh()', 1, 5],
+    kink: 'At 1 the derivative counts as 0.',
+  },
+  atanh: {
+    value: 'log((1 + x) / (1 - x)) / 2',
+    by: ['1 / (1 - x * x)'],
+    plot: ['x.atanh()', -1, 1],
+    kink: 'At -1 and 1 value and derivative are infinite.',
+  },
+  abs: { value: 'x < 0 ? -x : x', by: ['sign(x)'], kink: 'At 0 the derivative is 0.' },
+  sign: {
+    value: 'x < 0 ? -1 : x > 0 ? 1 : 0',
+    by: ['0'],
+    kink: 'The derivative is 0 everywhere, at the step too.',
+  },
+  floor: { value: 'floor(x)', by: ['0'], kink: jumps },
+  ceil: { value: '-floor(-x)', by: ['0'], kink: jumps },
+  round: { value: 'floor(x + 0.5)', by: ['0'], kink: jumps },
+  trunc: { value: 'x < 0 ? ceil(x) : floor(x)', by: ['0'], kink: jumps },
+  fract: {
+    value: 'x - floor(x)',
+    by: ['1'],
+    kink: 'The derivative is 1 everywhere, at the jumps too.',
+  },
+  mod: {
+    value: 'x - divisor * floor(x / divisor)',
+    by: ['1', '-floor(x / divisor)'],
+    plot: ['x.mod(1.5)'],
+    kink: 'The derivative by `x` is 1 everywhere, by the divisor -floor(x / divisor).',
+  },
+  min: {
+    value: 'x <= y ? x : y',
+    by: ['x <= y ? 1 : 0', 'x <= y ? 0 : 1'],
+    plot: ['x.min(1)'],
+    kink: isOperands,
+  },
+  max: {
+    value: 'x >= y ? x : y',
+    by: ['x >= y ? 1 : 0', 'x >= y ? 0 : 1'],
+    plot: ['x.max(1)'],
+    kink: isOperands,
+  },
   clamp: {
     value: 'min(max(x, low), high)',
     by: [
@@ -50,9 +123,20 @@ export const formulas = {
       'x < low && low <= high ? 1 : 0',
       'max(x, low) > high ? 1 : 0',
     ],
+    plot: ['x.clamp(-1, 1)'],
+    kink: 'The derivative is that of the operand whose value is taken, bounds included.',
   },
-  mix: { value: 'x + (y - x) * amount', by: ['1 - amount', 'amount', 'y - x'] },
-  step: { value: 'x < edge ? 0 : 1', by: ['0', '0'] },
+  mix: {
+    value: 'x + (y - x) * amount',
+    by: ['1 - amount', 'amount', 'y - x'],
+    plot: ['glsl.mix(-1, 2, x)', -0.5, 1.5],
+  },
+  step: {
+    value: 'x < edge ? 0 : 1',
+    by: ['0', '0'],
+    plot: ['glsl.step(0.5, x)'],
+    kink: 'The derivative is 0 everywhere, at the edge too.',
+  },
   smoothstep: {
     value: 't * t * (3 - 2 * t)',
     by: [
@@ -61,33 +145,31 @@ export const formulas = {
       '6 * t * (1 - t) / (high - low)',
     ],
     where: { t: 'clamp((x - low) / (high - low), 0, 1)' },
+    plot: ['glsl.smoothstep(-1, 1, x)', -2, 2],
   },
-  lt: { value: 'x < y ? 1 : 0', by: ['0', '0'] },
-  le: { value: 'x <= y ? 1 : 0', by: ['0', '0'] },
-  gt: { value: 'x > y ? 1 : 0', by: ['0', '0'] },
-  ge: { value: 'x >= y ? 1 : 0', by: ['0', '0'] },
-  eq: { value: 'x == y ? 1 : 0', by: ['0', '0'] },
-  ne: { value: 'x != y ? 1 : 0', by: ['0', '0'] },
-  and: { value: 'x != 0 && y != 0 ? 1 : 0', by: ['0', '0'] },
-  or: { value: 'x != 0 || y != 0 ? 1 : 0', by: ['0', '0'] },
-  not: { value: 'x != 0 ? 0 : 1', by: ['0'] },
+  lt: { value: 'x < y ? 1 : 0', by: ['0', '0'], plot: ['x.lt(1)'], kink: isTruth },
+  le: { value: 'x <= y ? 1 : 0', by: ['0', '0'], plot: ['x.le(1)'], kink: isTruth },
+  gt: { value: 'x > y ? 1 : 0', by: ['0', '0'], plot: ['x.gt(1)'], kink: isTruth },
+  ge: { value: 'x >= y ? 1 : 0', by: ['0', '0'], plot: ['x.ge(1)'], kink: isTruth },
+  eq: { value: 'x == y ? 1 : 0', by: ['0', '0'], plot: ['x.floor().eq(1)'], kink: isTruth },
+  ne: { value: 'x != y ? 1 : 0', by: ['0', '0'], plot: ['x.floor().ne(1)'], kink: isTruth },
+  and: {
+    value: 'x != 0 && y != 0 ? 1 : 0',
+    by: ['0', '0'],
+    plot: ['x.gt(-1).and(x.lt(1))'],
+    kink: isTruth,
+  },
+  or: {
+    value: 'x != 0 || y != 0 ? 1 : 0',
+    by: ['0', '0'],
+    plot: ['x.lt(-1).or(x.gt(1))'],
+    kink: isTruth,
+  },
+  not: { value: 'x != 0 ? 0 : 1', by: ['0'], plot: ['x.lt(1).not()'], kink: isTruth },
   ifElse: {
     value: 'condition != 0 ? yes : no',
     by: ['0', 'condition != 0 ? 1 : 0', 'condition != 0 ? 0 : 1'],
+    plot: ['x.lt(0).ifElse(x.neg(), x.mult(x))'],
+    kink: 'The derivative is that of the value that is taken; a jump between the two counts for nothing.',
   },
-}
-
-const code = (text) => `\`${text}\``
-
-/** The lines of an operation's section that say so. `operands` are its own, in order. */
-export function formulaText(title, operands) {
-  const formula = formulas[title]
-  if (formula?.by.length !== operands.length)
-    throw new Error(`.scripts/reference/formulas.mjs lacks what ${title} computes.`)
-  const { value, by, where = {} } = formula
-  const named = Object.entries(where).map(([name, text]) => `, where ${name} is ${code(text)}`)
-  const derivatives = by.map((text, i) =>
-    by.length > 1 ? `by ${operands[i]} ${code(text)}` : code(text),
-  )
-  return `Value: ${code(value)}${named.join('')}. Derivative: ${derivatives.join(', ')}.`
 }

@@ -1,60 +1,61 @@
-// js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: what has a number in the C++, in the order of its numbers, and what
-// is limited there.
+// Writes js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: the C++ enumerations, in the order of their numbers, and the
+// limits.
 
 const head =
-  '// Written by `npm run reference` from the C++: what has a number there, in the order of its numbers, and what is limited.'
+  '// Written by `npm run reference` from the C++: its enumerations, in the order of their numbers, and its limits.'
 
 const list = (names) => `[${names.map((name) => `'${name}'`).join(', ')}] as const`
 
-/** Each with its number. */
+/** Writes an object that maps names → numbers. */
 const numbers = (entries) => `{${entries.map(([name, number]) => `${name}: ${number}`).join(', ')}}`
 
-/** The text of the compiler's, not yet formatted. */
+/** Returns the source of tables.ts, not yet formatted. */
 export const numberedText = (table) => {
   const { languages, noises, filters, wraps, warpOperands, warpResults, turnedResults } = table
   return `${head}
 
-/** Shading languages, the one first that counts unless another is asked for, each with what \`glsl.fn\` calls its sources. */
+/** Maps a shading language → the name of its sources in \`glsl.fn\`. The first one is the default. */
 export const languages = {${languages.map(({ name, source }) => `${name}: '${source}'`).join(', ')}} as const
 
-/** Kinds of noise, each with what it takes: others are made of bases, and a fractal has octaves. */
+/** Maps a noise → the kind of its options. Other noises are composed from bases, and a fractal has octaves. */
 export const noises = {${noises.map(({ name, use }) => `${name}: '${use}'`).join(', ')}} as const
 
-/** Of \`glsl.texture\`. */
+/** Options of \`glsl.texture\`. */
 export const filters = ${list(filters)}
 export const wraps = ${list(wraps)}
 
-export const mostSeed = ${table.mostSeed}
-export const mostOctaves = ${table.mostOctaves}
+export const maxSeed = ${table.mostSeed}
+export const maxOctaves = ${table.mostOctaves}
 
-/** In the place of a handle: why, the session says; or derivatives of calls are to be given first. */
+/** Returned in place of a handle: the session's \`problem()\` says why. */
 export const failed = ${table.failed}
+/** Returned in place of a handle: partial derivatives of calls are needed first. */
 export const needsPartials = ${table.needsPartials}
 
-/** What a warp is made of besides its offset. */
+/** The operands of a warp, after its offset. */
 export const warpOperands = ${list(warpOperands)}
 
-/** The results of a warp. The last ${turnedResults}, which turn, come again, as they are where normal and uv vary over the surface. */
+/** The results of a warp. The last ${turnedResults} are followed by variants that take into account how normal and uv vary over the surface. */
 export const warpResults = ${numbers(warpResults.map((name, i) => [name, i]))}
-export const turnedResults = ${turnedResults}
+export const variantCount = ${turnedResults}
 `
 }
 
-/** The text of the one of meshes. */
+/** Returns the source of mesh-tables.ts, not yet formatted. */
 export const meshNumberedText = ({ meshArrays, mostTriangles, usualTriangles }) => {
   const of = (wanted) =>
     meshArrays
       .filter(({ kind }) => kind === wanted)
       .map(({ name }) => `'${name}'`)
       .join(' | ')
-  return `// Written by \`npm run reference\` from the C++: the arrays of a mesh's job by what they hold, and limits.
+  return `// Written by \`npm run reference\` from the C++: the arrays of a mesh's job by type, and limits.
 
 export type FloatArray = ${of('float')}
 export type IndexArray = ${of('index')}
 export type ByteArray = ${of('byte')}
 
-export const mostTriangles = ${mostTriangles}
-/** Unless another limit is given. */
-export const usualTriangles = ${usualTriangles}
+export const triangleLimit = ${mostTriangles}
+/** The default of the option \`maxTriangles\`. */
+export const defaultTriangles = ${usualTriangles}
 `
 }

@@ -1,5 +1,5 @@
-// web/docs/plots-vectors.md: operations on vectors and matrices, derivatives, and noise, each with its formula, that of its
-// derivative, a plot of both along one number where it says something, and a line that runs.
+// The sections of web/docs/plots-vectors.md: operations on vectors and matrices, derivatives, and noise, with formulas, plots and code.
+import { Stop } from '../lib/terminal.mjs'
 import { noiseFormulas } from './noise-formulas.mjs'
 import { lineText } from './plots.mjs'
 import { vectorFormulas } from './vector-formulas.mjs'
@@ -56,14 +56,12 @@ function formulaText({ form, value, derivative, where = {} }) {
 
 function vectorSection(title, meaning) {
   const formula = vectorFormulas[title]
-  if (!formula) throw new Error(`.scripts/reference/vector-formulas.mjs lacks ${title}.`)
   const { kink, call, from = -3, to = 3 } = formula
   const says = [sentence(meaning), kink].filter(Boolean).join(' ')
   return `### ${title}\n\n${says}\n\n${formulaText(formula)}\n\n${lineText(call, from, to)}`
 }
 
 function derivativeSection({ name, meaning }) {
-  if (!derivatives[name]) throw new Error(`.scripts/reference/plots-vectors.mjs lacks ${name}.`)
   const { plot, line } = derivatives[name]
   const formula = vectorFormulas[name]
   const says = formula ? `${formulaText(formula)} ${formula.kink}` : derivatives[name].says
@@ -84,42 +82,32 @@ ${line.replaceAll(/^/gm, '  ')}
 }
 
 function noiseSection(name) {
-  if (!noiseFormulas[name]) throw new Error(`.scripts/reference/noise-formulas.mjs lacks ${name}.`)
   const { value, derivative, letters, kink, call, from = 0, to = 6 } = noiseFormulas[name]
   const says = `${code(`${name}(p)`)} is ${code(value)}. Derivative: ${code(derivative)}. ${letters}.`
   return `### ${name}\n\n${[says, kink].filter(Boolean).join(' ')}\n\n${lineText(call, from, to)}`
 }
 
-export function plotsVectorsText({ operations, noises }) {
+/** Throws if a name has no row in the table of that file. */
+function checkRows(file, table, names) {
+  const missing = names.filter((name) => !(name in table))
+  if (missing.length)
+    throw new Stop(`.scripts/reference/${file} needs a row for ${missing.join(', ')}.`)
+}
+
+export function vectorPlotParts({ operations, noises }) {
   const ofGroup = (heading) => operations.filter((operation) => operation.heading === heading)
+  const namesOf = (list) => list.map(({ name }) => name)
+  const onVectors = [...ofGroup('Vectors'), ...ofGroup('Matrices')]
+  checkRows('vector-formulas.mjs', vectorFormulas, namesOf(onVectors))
+  checkRows('plots-vectors.mjs', derivatives, namesOf(ofGroup('Derivatives')))
+  checkRows('noise-formulas.mjs', noiseFormulas, namesOf(noises))
   const sections = (heading) =>
     ofGroup(heading).map(({ name, meaning }) => vectorSection(name, meaning))
   const more = Object.entries(products).map(([title, meaning]) => vectorSection(title, meaning))
-  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/documentation.hpp and src/builder/compositions.hpp. -->
-
-# Vectors, matrices and noise, plotted
-
-Operations on vectors and matrices, and noise: what each computes, and its derivative, which is how the result changes where its operands
-change by \`da\`, \`dv\` or \`dA\`. \`a · b\` is the dot product, \`a × b\` the cross product, \`|a|\` the length; \`Aᵀ\` is the transpose,
-\`A⁻¹\` the inverse, \`tr\` the trace, which is the sum of the diagonal; what stands side by side is multiplied. \`a₁\` is a component, and
-\`Σ aᵢ\` the sum of all. The plots show one number of the result, by one number x among the operands; “Run” moves a ball
-sideways by it, as on [the page of numbers](plots.md).
-
-## Vectors
-
-${sections('Vectors').join('\n')}
-## Matrices
-
-\`neg\`, \`add\`, \`sub\`, \`mix\`, and \`div\` by a number go entry by entry, [as numbers do](plots.md). What only puts numbers together or
-takes them apart, such as \`glsl.vec3\`, \`v.x()\` and \`m.column(0)\`, does the same with their derivatives.
-
-${[...sections('Matrices'), ...more].join('\n')}
-## Derivatives
-
-${ofGroup('Derivatives').map(derivativeSection).join('\n')}
-## Kinds of noise
-
-\`dp\` is a change of the point. Sources, options and ranges are on [the page of noise](noise.md).
-
-${noises.map(({ name }) => noiseSection(name)).join('\n')}`
+  return {
+    vectors: sections('Vectors').join('\n'),
+    matrices: [...sections('Matrices'), ...more].join('\n'),
+    derivatives: ofGroup('Derivatives').map(derivativeSection).join('\n'),
+    noise: noises.map(({ name }) => noiseSection(name)).join('\n'),
+  }
 }

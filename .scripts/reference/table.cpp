@@ -18,7 +18,7 @@
 #include "builder/operations.hpp"
 #include "emit/dialect.hpp"
 #include "graph/pattern_text.hpp"
-#include "graph/turns.hpp"
+#include "graph/rotations.hpp"
 #include "job.hpp"
 #include "mesh/refine/subdivide.hpp"
 #include "ops/documentation.hpp"
@@ -77,7 +77,7 @@ std::string row(const ops::Title& title, Op op) {
        {"missingIn", missingIn(op)},
        {"isChained", truth(info.traits.has(ops::Trait::Chained))},
        {"takesMatrices", truth(info.traits.has(ops::Trait::OnMatrices))},
-       {"isHidden", truth(detail::isHidden(info) || info.traits.has(ops::Trait::ForText))}});
+       {"isHidden", truth(detail::isHidden(info) || info.traits.has(ops::Trait::GlslOnly))}});
 }
 
 std::string rows() {
@@ -174,15 +174,15 @@ int main() {
                        {"noises", array(noises, noise)},
                        {"filters", array(filterNames, text)},
                        {"wraps", array(wrapNames, text)},
-                       {"mostSeed", std::to_string(mostSeed)},
-                       {"mostOctaves", std::to_string(mostOctaves)},
+                       {"mostSeed", std::to_string(maxSeed)},
+                       {"mostOctaves", std::to_string(maxOctaves)},
                        {"failed", std::to_string(Builder::failed)},
                        {"needsPartials", std::to_string(Builder::needsPartials)},
                        {"warpOperands", array(warpOperands, text)},
                        {"warpResults", warpResults()},
                        {"turnedResults", std::to_string(turnedResults.size())},
                        {"meshArrays", meshArrays()},
-                       {"mostTriangles", std::to_string(mostTriangles)},
-                       {"usualTriangles", std::to_string(usualTriangles)}})
+                       {"mostTriangles", std::to_string(triangleLimit)},
+                       {"usualTriangles", std::to_string(defaultTriangles)}})
             << '\n';
 }

@@ -1,4 +1,5 @@
 // The tables of operations, as the C++ has them: what `npm run reference` writes from.
+import { readFileSync } from 'node:fs'
 import { cmakeBuild } from '../lib/cmake.mjs'
 import { path } from '../lib/files.mjs'
 import { capture } from '../lib/run.mjs'
@@ -24,7 +25,24 @@ function kindOf(letter) {
   return kinds[letter]
 }
 
+const namesIn = (file, pattern) =>
+  [...readFileSync(path(file), 'utf8').matchAll(pattern)].map(([, name]) => name)
+
+/** Throws if an operation lacks a row. The compiler finds that too, but cannot name the operation. */
+function checkRows() {
+  const declared = namesIn('src/ops/declarations.hpp', /^ {4}\w+\("(\w+)"/gm)
+  for (const [file, pattern] of [
+    ['src/ops/table.hpp', /\brow\(\s*"(\w+)"/g],
+    ['src/ops/documentation.hpp', /\bTitle\{"(\w+)"/g],
+  ]) {
+    const present = namesIn(file, pattern)
+    const missing = declared.filter((name) => !present.includes(name))
+    if (missing.length) throw new Stop(`${file} lacks a row for ${missing.join(', ')}.`)
+  }
+}
+
 export async function readTable() {
+  checkRows()
   await cmakeBuild('native', 'warpjet_table')
   const text = await capture(path('.build/native/warpjet_table'), [])
   if (text === null) throw new Stop('.build/native/warpjet_table does not run.')

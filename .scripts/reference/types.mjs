@@ -122,8 +122,8 @@ export function typesText({ operations, aliases }) {
       functionComment,
     ),
   ]
-  return `// Written by \`npm run reference\` from the tables of operations, src/ops/table.hpp and
-// src/builder/compositions.hpp. What is not in them is in types.ts.
+  return `// Written by \`npm run reference\` from the tables of operations: src/ops/declarations.hpp, src/ops/documentation.hpp and
+// src/builder/compositions.hpp. Everything else is in types.ts.
 import type { ${imported(interfaces, signatures)} } from './signatures.js'
 import type { ${imported(interfaces, expressions)} } from './types.js'
 

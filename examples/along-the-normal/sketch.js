@@ -1,7 +1,7 @@
-// Bumps along the normal of a ring: left, lit as if the normal were the same all
-// around a vertex; right, addSurfaceVariation has told how it varies, and the
-// light is right.
-// p5 2: 1.11 keeps no properties of vertices.
+// Bumps along the normal of a ring. Left: lit as if the normal were constant around
+// each vertex. Right: addSurfaceVariation provides its variation, and the light is
+// correct.
+// Needs p5 2: p5 1.11 has no vertex properties.
 let ring, rough, exact
 
 async function setup() {
@@ -14,7 +14,7 @@ async function setup() {
     const wave = (x) => x.mult(0.1).add(millis.div(900)).sin()
     const [x, y, z] = [position.x(), position.y(), position.z()]
     const height = wave(x).add(wave(y), wave(z)).mult(4.5)
-    // buildGeometry leaves normals of other lengths than 1.
+    // buildGeometry does not normalize normals.
     return normal.normalize().mult(height)
   }
   rough = createWarp(bumps, { surfaceVariation: false })

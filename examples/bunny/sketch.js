@@ -17,7 +17,7 @@ async function setup() {
   })
 
   flatten = createWarp(({ glsl, position, millis }) => {
-    // Not wholly flat: front and back would fight for the same pixels.
+    // Not entirely flat, since front and back would fight for the same pixels.
     const amount = millis.div(900).sin().mult(1.5).add(0.5).clamp(0, 0.97)
     return glsl.vec3(position.x().mult(amount).neg(), 0, 0)
   })

@@ -1,10 +1,10 @@
-// Figure 7e: a carousel of cloths, which hang by their upper edges and trail behind.
+// Figure 7e: a carousel of cloths that hang by their upper edges and trail behind.
 let cloth, wind
 
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // A front and a back, each with its own normals. p5 1.11 would keep the colour of this moment.
+  // A front and a back, each with its own normals. p5 1.11 would store the current fill in the geometry.
   cloth = buildGeometry(() => {
     for (const side of [0, PI]) {
       push()

@@ -1,11 +1,11 @@
-// Figure 6: one twist on two cubes. A warp moves vertices only, so that between
-// them a coarse mesh stays straight.
+// Figure 6: one twist on two cubes. A warp moves only vertices, so a coarse mesh
+// stays straight between them.
 let coarse, fine, twist
 
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // p5 1.11 would keep the colour of this moment.
+  // p5 1.11 would store the current fill in the geometry.
   coarse = denseCube(180, 2).clearColors()
   fine = denseCube(180, 40).clearColors()
 
@@ -43,7 +43,7 @@ function place(x, color, shape) {
   pop()
 }
 
-// p5's box() has vertices at its corners only.
+// p5's box() has vertices only at its corners.
 function denseCube(size, detail) {
   return buildGeometry(() => {
     for (let side = 0; side < 6; side++) {
@@ -51,7 +51,7 @@ function denseCube(size, detail) {
       translate(0, 0, size / 2)
       plane(size, size, detail, detail)
       pop()
-      // Turn by turn, these bring every side to the front.
+      // One rotation per side brings each one to the front.
       if (side % 2) rotateY(HALF_PI)
       else rotateX(HALF_PI)
     }

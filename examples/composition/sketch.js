@@ -1,6 +1,6 @@
-// Warps made of warps: a twist and a bend, alone, one after the
-// other in both orders, added, blended, masked, and in a space
-// whose origin is beside the bar.
+// Warps composed of warps: a twist and a bend, alone, chained in
+// both orders, added, blended, masked, and in a space whose origin
+// is beside the bar.
 let bar
 const warps = {}
 
@@ -10,15 +10,15 @@ async function setup() {
   const font = await loadFont('fredoka.woff')
   textFont(font)
   textAlign(CENTER)
-  // p5 1.11 would keep the colour of this moment.
+  // p5 1.11 would store the current fill in the geometry.
   bar = makeBar(42, 150).clearColors()
 
   const { add, bend, blend, chain, inSpace, mask, twist } = warpjet
-  const swing = (most) => (inputs) => inputs.millis.div(1500).cos().mult(most)
-  const a = twist({ axis: 'y', length: 150, angle: swing(2.6) })
-  const b = bend({ axis: 'z', from: -75, to: 75, angle: swing(2.1) })
+  const oscillate = (max) => (inputs) => inputs.millis.div(1500).cos().mult(max)
+  const a = twist({ axis: 'y', length: 150, angle: oscillate(2.6) })
+  const b = bend({ axis: 'z', from: -75, to: 75, angle: oscillate(2.1) })
   const above = ({ glsl, position }) => glsl.smoothstep(20, -20, position.y())
-  // A matrix column by column; this one adds 25 to x.
+  // A matrix in column-major order, which adds 25 to x.
   const aside = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 25, 0, 0, 1]
 
   warps.twist = createWarp(a)
@@ -64,7 +64,7 @@ function panel(column, row, color, label, warp) {
   pop()
 }
 
-// p5's box() has vertices at its corners only.
+// p5's box() has vertices only at its corners.
 function makeBar(width, height) {
   return buildGeometry(() => {
     for (let side = 0; side < 4; side++) {

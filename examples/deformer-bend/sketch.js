@@ -1,4 +1,4 @@
-// A straight bar follows an arc, and goes on straight beyond it.
+// A straight bar follows an arc and continues straight beyond it.
 // In world space a unit is a pixel.
 let bend
 

@@ -1,5 +1,5 @@
-// A tube swells around a point, which travels through it. Without
-// an axis, all points near the center would move away from it.
+// A tube swells around a point that travels through it. Without an
+// axis, all points near the center would move away from it.
 let bulge
 
 function setup() {

@@ -1,6 +1,6 @@
-// Points move along their normals. What the amount depends on
-// counts: here it runs over the hand in waves.
-// p5 2: 1.11 keeps no properties of vertices.
+// Points move along their normals. The amount can be a function:
+// here it runs over the hand in waves.
+// Needs p5 2: p5 1.11 has no vertex properties.
 let hand, inflate
 
 async function setup() {

@@ -1,6 +1,5 @@
-// A sphere grows bumps along its normals, which become others as
-// time goes by.
-// p5 2: 1.11 keeps no properties of vertices.
+// A sphere grows bumps along its normals, which change over time.
+// Needs p5 2: p5 1.11 has no vertex properties.
 let ball, noise
 
 async function setup() {

@@ -1,4 +1,4 @@
-// Rings travel away from a center, and die away at a radius.
+// Rings travel away from a center and fade out at a radius.
 let ripple
 
 function setup() {

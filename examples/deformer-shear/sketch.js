@@ -1,6 +1,6 @@
-// Points move to the side, the further the higher they are:
-// upright letters become italic ones.
-// p5 2: 1.11 has no textToModel().
+// Points move sideways, further the higher they are: upright
+// letters become italic.
+// Needs p5 2: p5 1.11 has no textToModel().
 let word, shear
 
 async function setup() {
@@ -10,7 +10,7 @@ async function setup() {
   textSize(172)
   textAlign(CENTER, CENTER)
   word = font.textToModel('lean', 0, -20, { extrude: 52, sampleFactor: 1 })
-  // WEBGPU asks for texture coordinates, which text does not bring.
+  // WEBGPU needs texture coordinates, which text models lack.
   word.uvs = word.vertices.flatMap(() => [0, 0])
 
   shear = createWarp(

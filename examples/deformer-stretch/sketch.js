@@ -1,5 +1,5 @@
-// Longer along an axis, and as much thinner across it that the
-// volume stays.
+// The shape gets longer along an axis and thinner across it by as
+// much as keeps the volume.
 let bunny, stretch
 
 async function setup() {

@@ -1,5 +1,5 @@
-// Slices turn about an axis, the further the further they are
-// along it.
+// Slices rotate about an axis, further the further they are along
+// it.
 let hand, twist
 
 async function setup() {

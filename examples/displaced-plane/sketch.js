@@ -1,5 +1,5 @@
-// The article's displaced plane: gen writes the height and its two slopes for a
-// shader of the sketch's own.
+// The article's displaced plane: gen writes the height and its two slopes for the
+// sketch's own shader.
 let waves
 
 function surface(ad) {
@@ -61,7 +61,7 @@ const inGLSL = (heights, waterCode) => [
   }`,
 ]
 
-// The same on WEBGPU.
+// Draws the same on WEBGPU.
 const inWGSL = (heights, waterCode) => [
   `struct Uniforms {
     uModelViewMatrix: mat4x4f,

@@ -1,10 +1,10 @@
-// Domain warping: noise whose point is moved by noise before it is looked up, and again.
-// Left f(p), then f(p + fbm(p)), then f(p + fbm(p + fbm(p))), all of the same noise.
+// Domain warping: noise at a point that is displaced by noise, once and twice.
+// From left to right: f(p), f(p + fbm(p)), f(p + fbm(p + fbm(p))), with the same noise.
 // After Inigo Quilez, Domain warping, 2002.
 let panels
 
-// The noise at p, from 0 to 1, after p was moved `level` times.
-function warped({ vec2, fbm }, p, level) {
+// Returns the noise, from 0 to 1, at p displaced `level` times.
+function warpedNoise({ vec2, fbm }, p, level) {
   const f = (point, x, y) =>
     fbm(point.add(vec2(x, y)))
       .mult(0.5)
@@ -20,7 +20,7 @@ function warped({ vec2, fbm }, p, level) {
 function pictureOf(glsl, level) {
   const uv = glsl.vec2Param('inputs.texCoord')
   const p = uv.mult(glsl.vec2(1.6, 3.6)).add(glsl.param('time').mult(0.03))
-  const value = warped(glsl, p, level)
+  const value = warpedNoise(glsl, p, level)
   const dark = glsl.vec3(0.05, 0.04, 0.1)
   const warm = glsl.vec3(0.85, 0.3, 0.16)
   const light = glsl.vec3(1, 0.9, 0.72)
@@ -32,7 +32,7 @@ function setup() {
   createCanvas(640, 480, WEBGL)
   pixelDensity(1)
   noStroke()
-  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  // Hooks are written in GLSL, and in WGSL on WEBGPU.
   const [target, time, begin] =
     webglVersion === WEBGL2
       ? ['glsl300', 'float time', '(Inputs inputs) {']

@@ -1,6 +1,6 @@
 // The three levels of domain warping as the relief of a sphere: f(p), f(p + fbm(p)) and
-// f(p + fbm(p + fbm(p))). Every vertex moves along its normal by f, and the lights see the
-// exact normals of the result, through all three levels.
+// f(p + fbm(p + fbm(p))). Every vertex moves along its normal by f, and the light follows
+// the exact normals of the result, through all three levels.
 // After Inigo Quilez, Domain warping, 2002.
 let plain, warped, twice
 
@@ -45,7 +45,7 @@ function draw() {
   shininess(25)
   ball(-202, '#f2c14e', plain)
   ball(0, '#f0883e', warped)
-  // Noise of noise of noise is fine, and wants more vertices.
+  // The third level has finer detail and needs more vertices.
   ball(202, '#d9432f', twice, 240)
 }
 

@@ -1,6 +1,6 @@
-// The same warp with its insides shown: f = fbm(p + 4r) mixes the first two colours, the
-// length of q lets in a third, and r.y a fourth. Time goes into the offsets, so that the
-// layers drift through each other.
+// Shows intermediate values of the same warp as colours: f = fbm(p + 4r) mixes the first
+// two colours, the length of q mixes in a third, and r.y a fourth. The offsets depend on
+// time, so that the layers drift through each other.
 // After Inigo Quilez, Domain warping, 2002.
 let picture
 
@@ -33,7 +33,7 @@ function setup() {
   createCanvas(640, 480, WEBGL)
   pixelDensity(1)
   noStroke()
-  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  // Hooks are written in GLSL, and in WGSL on WEBGPU.
   const [target, time, begin] =
     webglVersion === WEBGL2
       ? ['glsl300', 'float time', '(Inputs inputs) {']

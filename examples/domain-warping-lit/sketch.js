@@ -1,5 +1,5 @@
 // A domain warp as a relief: its height is fbm(p + 4r), and its exact gradient, through all
-// three levels, makes the normal that p5's lights fall on. The mouse holds one of them.
+// three levels, gives the normal for p5's lights. The mouse moves one of them.
 // After Inigo Quilez, Domain warping, 2002.
 let relief
 
@@ -25,7 +25,7 @@ function setup() {
   createCanvas(640, 480, WEBGL)
   pixelDensity(1)
   noStroke()
-  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  // Hooks are written in GLSL, and in WGSL on WEBGPU.
   const [target, time, begin] =
     webglVersion === WEBGL2
       ? ['glsl300', 'float time', '(Inputs inputs) {']

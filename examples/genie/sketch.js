@@ -1,5 +1,5 @@
-// Figure 5: a genie. Each vertex flies into the spout along a curve of its own,
-// the nearest ones first.
+// Figure 5: a genie. Each vertex flies into the spout along its own curve, the
+// nearest ones first.
 let bunny, teapot, vanish
 
 async function setup() {

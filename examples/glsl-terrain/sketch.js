@@ -1,5 +1,5 @@
-// A landscape as one writes it on Shadertoy, octaves that turn and shrink, as
-// the height of a plane. Nobody wrote its normals.
+// A landscape as on Shadertoy, with rotated and shrinking octaves, as the height of
+// a plane. Nobody wrote its normals.
 const { glslOffset } = warpjet
 
 const land = `

@@ -1,6 +1,6 @@
-// The sea by Gerstner's waves, as they stand in many shaders: each carries the
-// water round in circles, so that crests are sharp and troughs are wide. The
-// text says where the water goes, and nothing of its normals.
+// The sea with Gerstner waves, as in many shaders: each moves the water in circles,
+// so that crests are sharp and troughs are wide. The source computes how the water
+// moves, without any normals.
 const { glslOffset } = warpjet
 
 const sea = `

@@ -1,5 +1,5 @@
 // Figure 7a: one warp, many times. Every petal is the same sphere, and a uniform
-// tells how far it is bent.
+// sets how far it is bent.
 let bloom
 
 function setup() {

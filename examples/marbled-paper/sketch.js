@@ -1,5 +1,5 @@
-// Marbled paper: every pixel looks up the paint at a place that noise has moved, twice.
-// The paint is a p5.Graphics; beyond its edges comes its mirror image.
+// Marbled paper: every pixel looks up the paint at a point displaced by noise, twice.
+// The paint is a p5.Graphics, mirrored beyond its edges.
 // After Inigo Quilez, Domain warping, 2002.
 let paint, paper
 
@@ -12,12 +12,12 @@ function marble(glsl) {
     )
   const q = drift(uv.mult(2), 0, 5.2)
   const r = drift(uv.mult(2).add(q), 1.7, 9.2)
-  // What the sketch gives to texture().
+  // The image passed to texture().
   const color = glsl.texture('uSampler', uv.add(r.mult(0.45)), {
     filter: 'bicubic',
     wrap: 'mirror',
   })
-  // Where the noise presses the paint together, it lies darker.
+  // The paint is darker where the noise compresses it.
   return { color: color.mult(r.length().mult(-0.5).add(1.1)) }
 }
 
@@ -26,7 +26,7 @@ function setup() {
   pixelDensity(1)
   noStroke()
   paint = paintStripes()
-  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  // Hooks are written in GLSL, and in WGSL on WEBGPU.
   const [target, time, begin] =
     webglVersion === WEBGL2
       ? ['glsl300', 'float time', '(Inputs inputs) {']

@@ -1,6 +1,6 @@
 // A garden of raked sand around two wandering stones. The sketch draws the furrows into a
-// p5.Graphics, and the sand takes their grey for its height. The image is read as a cubic
-// B-spline, so the light knows its exact slope and shows none of its 120 × 120 pixels.
+// p5.Graphics, whose grey is the height of the sand. The image is read as a cubic
+// B-spline, so the light uses its exact slope and shows none of its 120 × 120 pixels.
 const side = 430
 let sand, heights
 
@@ -51,7 +51,7 @@ function draw() {
   }
 }
 
-/** Furrows straight on, and rings around each stone, as greys of a cosine. */
+/** Draws straight furrows and rings around each stone, with grey values of a cosine. */
 function rakeAround(stones) {
   const grey = (distance) => 128 + 110 * cos((distance * TWO_PI) / 10)
   for (let y = 0; y < 120; y++) {

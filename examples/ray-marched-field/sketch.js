@@ -1,6 +1,6 @@
-// A field of distances, ray-marched in a fragment shader. Light needs its
-// gradient: left from four more evaluations, as usual; right from one function
-// that warpjet made of the text, with value and gradient.
+// A distance field, ray-marched in a fragment shader. Light needs its gradient.
+// Left: from four more evaluations, the common way. Right: from one function that
+// warpjet generated from the source, with value and gradient.
 const { compile, differentiate } = warpjet
 
 const field = `
@@ -22,14 +22,14 @@ const field = `
   }
 `
 
-let usual, exact, times
+let sampled, exact, times
 
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
   times = createP().style('color', '#ccd')
   const { target, fourTimes, once, marcher } = webglVersion === WEBGL2 ? inGLSL : inWGSL
-  usual = marcher(fourTimes)
+  sampled = marcher(fourTimes)
   exact = marcher(`${differentiate(field, { function: 'map', by: 'p', target })} ${once}`)
 }
 
@@ -71,7 +71,7 @@ const inGLSL = {
     ),
 }
 
-// The same on WEBGPU, in a hook of p5. warpjet writes the field in WGSL, too.
+// Does the same on WEBGPU, in a hook of p5. warpjet also writes the field in WGSL.
 const inWGSL = {
   target: 'wgsl',
   fourTimes: `fn slope(p: vec3f) -> vec3f {
@@ -109,15 +109,15 @@ const inWGSL = {
 
 function draw() {
   background('#151823')
-  const ms = [panel(-160, usual), panel(160, exact)].map(smoothed)
+  const ms = [panel(-160, sampled), panel(160, exact)].map(average)
   if (isTimed() && frameCount % 30 === 0)
     times.html(`four evaluations ${ms[0].toFixed(1)} ms, one function ${ms[1].toFixed(1)} ms`)
 }
 
 const means = []
-const smoothed = (time, i) => (means[i] = lerp(means[i] ?? time, time, 0.1))
+const average = (time, i) => (means[i] = lerp(means[i] ?? time, time, 0.1))
 
-// How long the graphics processor takes: in WEBGL reading a pixel waits for it.
+// Measures the GPU's time: in WEBGL, reading a pixel waits for the GPU.
 const isTimed = () => 'readPixels' in drawingContext
 
 function panel(x, march) {

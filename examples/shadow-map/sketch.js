@@ -1,6 +1,6 @@
-// A shadow map, which p5 does not have: the same warp as the light sees it, in a p5.Framebuffer
-// that keeps how near to the light each place is; then lit, and dark where something was nearer.
-// p5 2: cameras of framebuffers are others in 1.11.
+// A shadow map, which p5 lacks. First the warped shape is drawn as seen from the light into a
+// p5.Framebuffer that stores depths; then it is lit, and dark where something is nearer to the light.
+// Needs p5 2: p5 1.11 has other cameras for framebuffers.
 let nearest, eye, far, lit, farTower, litTower
 
 function setup() {

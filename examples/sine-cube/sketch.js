@@ -1,11 +1,11 @@
-// Figure 3: a cube, moved by a sine along each axis. Every face has normals of
-// its own, so that the edges stay sharp.
+// Figure 3: a cube, moved by a sine along each axis. Every face has its own
+// normals, so that the edges stay sharp.
 let cube, warp
 
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // p5 1.11 would keep the colour of this moment.
+  // p5 1.11 would store the current fill in the geometry.
   cube = denseCube(200, 40).clearColors()
 
   warp = createWarp(({ glsl, position, millis }) => {
@@ -31,7 +31,7 @@ function draw() {
   model(cube)
 }
 
-// p5's box() has vertices at its corners only.
+// p5's box() has vertices only at its corners.
 function denseCube(size, detail) {
   return buildGeometry(() => {
     for (let side = 0; side < 6; side++) {
@@ -39,7 +39,7 @@ function denseCube(size, detail) {
       translate(0, 0, size / 2)
       plane(size, size, detail, detail)
       pop()
-      // Turn by turn, these bring every side to the front.
+      // One rotation per side brings each one to the front.
       if (side % 2) rotateY(HALF_PI)
       else rotateX(HALF_PI)
     }

@@ -1,7 +1,7 @@
 // Figure 2: a sphere, (a) at rest, (b) moved by sines, but lit by its old normals,
-// (c) with the flat normals that dFdx and dFdy find on the screen, (d) by
-// createWarp, with the exact normals.
-// p5 2: hooks of 1.11 have other names.
+// (c) with flat normals from the screen-space derivatives dFdx and dFdy, (d) by
+// createWarp, with exact normals.
+// Needs p5 2: hooks of p5 1.11 have other names.
 let warp, onlyPositions, facets
 
 const sines = ({ glsl, position, millis }) => {
@@ -16,8 +16,8 @@ function setup() {
   noStroke()
   warp = createWarp(sines)
 
-  // For b and c the same code without normals, by hand in hooks of p5: these are in
-  // GLSL, and on WEBGPU in WGSL, where y points down.
+  // b and c use the same code without normals, by hand in hooks of p5: in GLSL, and
+  // on WEBGPU in WGSL, where y points down.
   const { target, time, seen, begin, facet } = webglVersion === WEBGL2 ? inGLSL : inWGSL
   const { code } = warpjet.compileWarp(sines, {
     target,

@@ -1,5 +1,5 @@
 // Figure 7b: a spoon, bent by staring at it. The neck follows the arc of a circle,
-// and beyond it the bowl goes on straight.
+// and beyond it the bowl continues straight.
 let spoon, bend
 
 async function setup() {

@@ -1,6 +1,6 @@
-// A shader in p5.strands, with operators, an if and a loop: left as p5 draws it,
-// lit as if nothing had moved; right the same shader after exactNormals.
-// p5 2: 1.11 has no p5.strands.
+// A shader in p5.strands, with operators, an if and a loop. Left: as p5 draws it,
+// lit as if nothing had moved. Right: the same shader after exactNormals.
+// Needs p5 2: p5 1.11 has no p5.strands.
 let before, after
 
 function setup() {

@@ -2,7 +2,7 @@
 // rotates the plane of x and y until it touches the surface, moves two neighbours
 // in it, and takes the plane through the moved points. The axis of that rotation is
 // z × normal. In front, the cube's normal is z: no axis, and no light.
-// p5 2: hooks of 1.11 have other names.
+// Needs p5 2: hooks of p5 1.11 have other names.
 let cube, exact, byNeighbours
 
 const sines = ({ glsl, position, millis }) => {
@@ -25,8 +25,8 @@ function tangentPlane(glsl) {
   const here = move(position)
   const beside = (way) => move(position.add(way.mult(0.1))).sub(here)
   const normalThere = beside(u).cross(beside(v))
-  // Where the normal is along z there is no axis and the result is no number. WEBGL
-  // draws that black by itself; `hasAxis` does it on both.
+  // Without an axis, if the normal is along z, the result is NaN. WEBGL draws NaN as
+  // black; `hasAxis` makes both renderers do so.
   return { here, normalThere, hasAxis: glsl.step(0.001, across.length()) }
 }
 
@@ -36,7 +36,7 @@ function setup() {
   cube = denseCube(150, 30)
   exact = createWarp(sines)
 
-  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  // Hooks are written in GLSL, and in WGSL on WEBGPU.
   const [target, time, begin] =
     webglVersion === WEBGL2
       ? ['glsl300', 'float time', '(Vertex inputs) {']
@@ -77,7 +77,7 @@ function place(x, color, use) {
   pop()
 }
 
-// p5's box() has vertices at its corners only.
+// p5's box() has vertices only at its corners.
 function denseCube(size, detail) {
   return buildGeometry(() => {
     for (let side = 0; side < 6; side++) {
@@ -85,7 +85,7 @@ function denseCube(size, detail) {
       translate(0, 0, size / 2)
       plane(size, size, detail, detail)
       pop()
-      // Turn by turn, these bring every side to the front.
+      // One rotation per side brings each one to the front.
       if (side % 2) rotateY(HALF_PI)
       else rotateX(HALF_PI)
     }

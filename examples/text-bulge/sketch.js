@@ -1,6 +1,6 @@
-// Figure 7d: extruded text that bulges under the mouse. Seen by p5's own camera,
-// world space is the screen, but for the origin, which is in the middle.
-// p5 2: 1.11 has no textToModel().
+// Figure 7d: extruded text that bulges under the mouse. With p5's default camera,
+// world space equals screen space, except that the origin is in the middle.
+// Needs p5 2: p5 1.11 has no textToModel().
 let word, bulge
 
 async function setup() {
@@ -11,7 +11,7 @@ async function setup() {
   textAlign(CENTER, CENTER)
   const detail = { extrude: 50, sampleFactor: 1 }
   word = font.textToModel('warp!', 0, -20, detail)
-  // WEBGPU asks for texture coordinates, which text does not bring.
+  // WEBGPU needs texture coordinates, which text models lack.
   word.uvs = word.vertices.flatMap(() => [0, 0])
 
   bulge = createWarp(

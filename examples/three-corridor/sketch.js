@@ -19,7 +19,7 @@ const controls = new OrbitControls(camera, renderer.domElement)
 controls.enableDamping = true
 controls.maxDistance = 7
 
-// A figure of joints: each bone has a length, and capsules around it. Their ends share the bones that meet there.
+// A jointed figure: each bone has a length and capsules around it, whose ends are weighted to the bones that meet there.
 const bones = {}
 const geometries = []
 const order = []
@@ -35,7 +35,7 @@ function limb(name, parent, [x, y, z], length, radius) {
   const { position } = geometry.attributes
   const [indices, weights] = [[], []]
   for (let i = 0; i < position.count; i++) {
-    // The knee of a leg is where its thigh ends.
+    // The knee is at the end of the thigh.
     const along = THREE.MathUtils.smoothstep(position.getY(i) * Math.sign(length), -radius, radius)
     indices.push(own, before, 0, 0)
     weights.push(0.5 + 0.5 * along, 0.5 - 0.5 * along, 0, 0)
@@ -67,7 +67,7 @@ figure.add(bones.hips)
 figure.bind(new THREE.Skeleton(order))
 figure.castShadow = figure.receiveShadow = true
 
-// Two steps a second.
+// Two steps per second.
 function walk(seconds) {
   const phase = 2 * Math.PI * seconds
   for (const [side, other] of [
@@ -140,7 +140,7 @@ for (const made of [arches, posts]) {
   corridor.add(made)
 }
 
-// All of it bends to a circle, in the world: what walks straight ahead goes around the bend.
+// Bends everything along a circle in world space: a figure that walks straight ahead follows the bend.
 const all = new THREE.Group().add(corridor, figure)
 scene.add(all)
 const settings = { bend: 1, roll: 0.25, steps: 1 }
@@ -160,14 +160,14 @@ const warped = warp(
   {
     space: 'world',
     uniforms: {
-      // Never 0, where the circle would be a straight line.
+      // Never 0, which would be a circle of infinite radius.
       curve: () => Math.max(0.002, 0.075 * settings.bend),
       roll: () => settings.roll,
     },
   },
 )
 
-// A lamp goes with the figure; where that is now, its bounds tell.
+// A lamp follows the figure, whose warped position its bounds give.
 const lamp = new THREE.PointLight('#ffdca8', 22, 16)
 lamp.castShadow = true
 lamp.shadow.mapSize.set(512, 512)
@@ -209,7 +209,7 @@ before.copy(here)
 
 renderer.setAnimationLoop((time) => {
   forward(time)
-  // The camera goes along, and so does whatever the mouse has turned it to.
+  // The camera follows and keeps the direction that the mouse has set.
   camera.position.add(here).sub(before)
   controls.target.copy(here)
   before.copy(here)

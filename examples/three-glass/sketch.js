@@ -32,7 +32,7 @@ sun.shadow.mapSize.set(1024, 1024)
 Object.assign(sun.shadow.camera, { left: -3, right: 3, top: 3, bottom: -3, far: 12 })
 scene.add(sun)
 
-// Something to see through the glass: a table, and coloured rods.
+// A table and coloured rods to see through the glass.
 const table = new THREE.Mesh(
   new THREE.CircleGeometry(6, 64).rotateX(-Math.PI / 2),
   new THREE.MeshStandardMaterial({ color: '#8f7f6b', roughness: 0.8 }),
@@ -49,8 +49,8 @@ for (let i = 0; i < 11; i++) {
   scene.add(made)
 }
 
-// Hammered glass: dents on a grid that is not quite regular, as a map of normals.
-function hammered(size = 256, cells = 16) {
+// Makes the normal map of hammered glass: dents on a slightly irregular grid.
+function makeDents(size = 256, cells = 16) {
   const heights = new Float32Array(size * size)
   const dents = Array.from({ length: cells * cells }, (_, i) => [
     (i % cells) + 0.2 + 0.6 * Math.random(),
@@ -90,7 +90,7 @@ function hammered(size = 256, cells = 16) {
   return map
 }
 
-// A vase, with tangents, which the warp turns as it turns the normals: the dents stay dents.
+// A vase with tangents. The warp transforms them with the normals, so the dents stay dents.
 const profile = [
   [0.001, 0.02],
   [0.5, 0.02],
@@ -104,7 +104,7 @@ const curve = new THREE.SplineCurve(profile.map(([x, y]) => new THREE.Vector2(x,
 const geometry = new THREE.LatheGeometry(curve.getPoints(160), 128)
 geometry.computeTangents()
 const material = new THREE.MeshPhysicalMaterial({
-  normalMap: hammered(),
+  normalMap: makeDents(),
   transmission: 1,
   thickness: 0.35,
   roughness: 0.04,
@@ -124,7 +124,7 @@ const warped = warp(
     const { twist, flutes } = uniforms
     const around = glsl.vec2(position.x(), position.z())
     const height = position.y()
-    // Seven flutes, deeper the higher up, that go round with the twist.
+    // Seven flutes, deeper towards the top, that follow the twist.
     const turn = height.mult(twist).mult(millis.div(2500).sin().mult(0.5).add(1))
     const angle = glsl.atan(position.z(), position.x())
     const swell = angle.mult(7).cos().mult(flutes).mult(height.mult(0.5).min(1))

@@ -36,9 +36,9 @@ const ground = new THREE.Mesh(
 ground.receiveShadow = true
 scene.add(ground)
 
-// Ten thousand blades, each with a place, a height and a colour of its own.
+// Ten thousand blades, each with its own position, height and colour.
 const blade = new THREE.ConeGeometry(0.025, 1, 5, 8).translate(0, 0.5, 0).scale(1, 1, 0.4)
-// Little light comes down to where they grow.
+// The blades are darker near the ground, which little light reaches.
 const { position: place } = blade.attributes
 const shade = Float32Array.from({ length: 3 * place.count }, (_, i) => {
   return 0.25 + 0.9 * place.getY(Math.floor(i / 3))
@@ -64,8 +64,8 @@ for (let i = 0; i < count; i++) {
 grass.castShadow = grass.receiveShadow = true
 scene.add(grass)
 
-// In the world, where the wind blows the same way for all of them: gusts are noise that wanders over the field, and each
-// blade bends the more the higher up.
+// The warp is in world space, where the wind has one direction for all blades: gusts are noise that drifts over the
+// field, and each blade bends more towards its tip.
 const settings = { wind: 0.9, gusts: 0.45, direction: 0.6 }
 const warped = warp(
   grass,

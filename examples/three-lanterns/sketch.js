@@ -39,7 +39,7 @@ const paper = new THREE.LatheGeometry(
   12,
 )
 const glow = new THREE.MeshStandardMaterial({ roughness: 0.8, side: THREE.DoubleSide })
-// Warm light from within, brighter at the bottom; of the colour of each.
+// Warm light from within, brighter at the bottom, in each lantern's colour.
 glow.onBeforeCompile = (shader) => {
   shader.vertexShader = shader.vertexShader.replace(
     'void main() {',
@@ -68,7 +68,7 @@ for (let tile = 0; tile < tiles * tiles; tile++) {
 }
 scene.add(field)
 
-// One warp of all of them, in the world: a slow swell, and a ripple that goes out from the middle.
+// One warp in world space for all of them: a slow swell, and a ripple that runs outwards from the middle.
 const settings = { swell: 0.8, ripple: 0.25, turn: true, drawn: 0 }
 const warped = warp(
   field,
@@ -85,7 +85,7 @@ const warped = warp(
   { space: 'world', uniforms: { swell: () => settings.swell, ripple: () => settings.ripple } },
 )
 
-// The small picture: from above, what of the field the camera has drawn.
+// The small picture shows from above which tiles the camera has drawn.
 const above = new THREE.OrthographicCamera(-45, 45, 45, -45, 1, 200)
 above.position.y = 100
 above.lookAt(0, 0, 0)
@@ -126,7 +126,7 @@ renderer.setAnimationLoop((time) => {
   controls.update()
   draw(camera, 0, 0, innerWidth, innerHeight, night)
 
-  // Three.js has culled each tile by where the warp takes it; asked again, it says which.
+  // three.js culls each tile by its warped bounds; the same test shows which tiles were drawn.
   frustum.setFromProjectionMatrix(
     both.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
   )
@@ -138,7 +138,7 @@ renderer.setAnimationLoop((time) => {
   const size = Math.min(innerWidth, innerHeight) / 3.2
   helper.visible = true
   helper.update()
-  // Nothing is far from above.
+  // No fog in the view from above.
   Object.assign(scene.fog, { near: 1000, far: 2000 })
   draw(above, innerWidth - size - 12, 12, size, size, '#10182e')
   Object.assign(scene.fog, { near: 20, far: 75 })

@@ -12,7 +12,7 @@ renderer.toneMapping = THREE.ACESFilmicToneMapping
 document.body.append(renderer.domElement)
 
 const scene = new THREE.Scene()
-// As the haze below is shown.
+// Matches the haze below.
 scene.fog = new THREE.Fog('#ced5d8', 14, 34)
 const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100)
 camera.position.set(6, 3.2, 8)
@@ -30,7 +30,7 @@ sun.shadow.bias = -0.002
 Object.assign(sun.shadow.camera, { left: -8, right: 8, top: 8, bottom: -8, far: 30 })
 scene.add(sun)
 
-// The sky, around the sun and down to the haze on the horizon: what is seen, and what the water mirrors.
+// The sky, from the sun down to the haze on the horizon, as the background and as the reflection in the water.
 function sky([width, height] = [256, 128]) {
   const data = new Float32Array(4 * width * height)
   const [haze, zenith, deep] = ['#cbdde8', '#3d7fb0', '#0a3a45'].map((hex) => new THREE.Color(hex))
@@ -55,7 +55,7 @@ function sky([width, height] = [256, 128]) {
 }
 scene.background = scene.environment = sky()
 
-// Waves that go round in circles, as Gerstner's do: crests get sharp, and the water comes and goes.
+// Gerstner waves, which move the water in circles: crests get sharp, and the water moves back and forth.
 const waves = [
   { toward: [1, 0.3], length: 5, steepness: 0.5 },
   { toward: [0.6, -0.8], length: 2.9, steepness: 0.4 },
@@ -86,12 +86,12 @@ const settings = { height: 0.78, speed: 1, foam: 2 }
 const uniforms = { height: () => settings.height, speed: () => settings.speed }
 const warped = warp(sea, swell, { uniforms })
 
-// The same sea on the CPU, for the foam and for the boat.
+// Evaluates the same sea on the CPU, for the foam and the boat.
 const known = compileWarp(swell, { uniforms })
 const { position, normal } = sea.geometry.attributes
 const calm = { positions: position.array, normals: normal.array }
 
-// Where the water turns over it is white, and only slowly becomes water again.
+// The water is white where it turns over, and the foam fades slowly.
 const [water, white] = [new THREE.Color('#0a4a58'), new THREE.Color('#f4fbff')]
 const foam = new Float32Array(position.count)
 const colors = new THREE.Float32BufferAttribute(new Float32Array(3 * position.count), 3)
@@ -131,8 +131,8 @@ for (const [geometry, material, y] of [
 }
 scene.add(boat)
 
-// It knows what of the calm sea has come under it: the waves do not depend on the height, so that what comes to the height 0
-// here was as far below it as the water is above.
+// Finds the point of the calm sea that is now below the boat. The waves do not depend on the height, so the point that
+// moves to height 0 here started as far below 0 as the water is above it.
 let near
 const up = new THREE.Vector3(0, 1, 0)
 const course = new THREE.Quaternion()

@@ -28,7 +28,7 @@ sun.shadow.normalBias = 0.03
 Object.assign(sun.shadow.camera, { left: -7, right: 7, top: 7, bottom: -7, far: 20 })
 scene.add(sun, new THREE.HemisphereLight('#c9dfff', '#6b5a48', 2))
 
-// Mountains of a flat plane: ridges of noise, highest in the middle.
+// Turns a flat plane into mountains: ridged noise, highest in the middle.
 const settings = { height: 1.9, detail: 0.5 }
 const uniforms = { height: () => settings.height, detail: () => settings.detail }
 function mountains({ glsl, position, uniforms }) {
@@ -45,7 +45,7 @@ terrain.castShadow = terrain.receiveShadow = true
 scene.add(terrain)
 const warped = warp(terrain, mountains, { uniforms })
 
-// Snow lies high up and meadows far down, but neither where it is steep: the same mountains on the CPU say where that is.
+// Snow covers high places and meadows low ones, but neither covers steep slopes, which are found by evaluating the warp on the CPU.
 const known = compileWarp(mountains, { uniforms })
 const { position, normal } = terrain.geometry.attributes
 const colors = new THREE.BufferAttribute(new Float32Array(3 * position.count), 3)
@@ -71,7 +71,7 @@ function paint() {
 }
 paint()
 
-// A flag where the pointer touches the mountains, upright on the slope; a click plants it.
+// A flag marks the point under the pointer, upright on the slope; a click plants it.
 const flag = new THREE.Group()
 const pole = new THREE.Mesh(
   new THREE.CylinderGeometry(0.02, 0.02, 0.8, 12).translate(0, 0.4, 0),

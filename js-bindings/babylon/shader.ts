@@ -1,87 +1,58 @@
-// What goes into the vertex shaders of Babylon.js, which have the same names for a vertex in GLSL and in WGSL.
+// The warp in vertex shaders of Babylon.js, which have the same names for a vertex in GLSL and in WGSL: in those of a material by
+// the code of a plugin, in those of passes by changing their source.
 import {
   type HostText,
-  type HostUniform,
   type HostWarp,
   type Target,
   shaderNames,
+  variationAttribute,
+  variationNames,
 } from '../compile/hosts.js'
+import {
+  type ShaderParts,
+  declareAttribute,
+  declareImage,
+  declareUniform,
+  localUniform,
+  numberUniforms,
+  orientationUniform,
+  sentUniforms,
+} from './uniforms.js'
 
-/** The warp in a shader of Babylon.js. */
-export interface ShaderParts {
-  warp: HostWarp
-  /** Names of the frame constants, which are vec4s. */
-  frame: readonly string[]
+/** Maps inputs of the offset function → their names in shaders. */
+export const names = {
+  position: 'positionUpdated',
+  normal: 'normalUpdated',
+  uv: 'uvUpdated',
+  color: 'warpjetColor',
+  tangent: 'tangentUpdated',
+  millis: shaderNames.millis,
+  ...Object.fromEntries(variationNames.map((name) => [name, `warpjet_${name}`])),
 }
 
-/** What the buffer of uniforms has: matrices of 3 are 4 by 4 there, since WGSL lays them out with gaps. */
-const sentType = (type: string) => (type === 'mat3' ? 'mat4' : type)
+/** Defines that say which variation a mesh has: of the normal, and of the texture coordinates. */
+export const variationDefines = { normal: 'WARPJET_VARIATION', uv: 'WARPJET_UV_VARIATION' }
 
 const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }
 
-const sentName = (label: string) => `${label}Sent`
-
-/** Uniforms but images, and frame constants. The text has other names for them than the buffer. */
-const bufferedUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
-  ...warp.uniforms.inShader.filter(({ image }) => !image),
-  ...frame.map((label) => ({ label, type: 'vec4' as const })),
-]
-
-/** The uniforms for a plugin's `getUniforms`. If the warp may mirror all of space, one of them says so to both stages. */
+/** The uniforms for a plugin's `getUniforms`. */
 export function declarationsOf(parts: ShaderParts, isWGSL: boolean) {
   const mirrors = parts.warp.mirrors !== false
-  const orientation = { name: shaderNames.orientation, type: 'float' }
-  const numbers = [
-    { name: shaderNames.millis, type: 'float' },
-    ...(mirrors ? [orientation] : []),
-    ...bufferedUniforms(parts).map(({ label, type }) => ({
-      name: sentName(label),
-      type: sentType(type),
-    })),
-  ]
+  const all = [...sentUniforms(parts), ...(mirrors ? [orientationUniform] : [])]
+  const declare = (uniform: (typeof all)[number]) => `${declareUniform(uniform, false)}\n`
   return {
-    ubo: numbers.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
-    // Where there are no buffers of uniforms.
+    ubo: all.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
+    // For engines without buffers of uniforms.
     ...(!isWGSL && {
-      vertex: numbers.map(declare).join(''),
-      ...(mirrors && { fragment: declare(orientation) }),
+      vertex: all.map(declare).join(''),
+      ...(mirrors && { fragment: declare(orientationUniform) }),
     }),
   }
 }
 
-const declare = ({ name, type }: { name: string; type: string }) => `uniform ${type} ${name};\n`
-
-/** What is used of the buffer of uniforms. */
-interface Buffer {
-  updateFloat(name: string, x: number): void
-  updateFloat2(name: string, x: number, y: number): void
-  updateFloat3(name: string, x: number, y: number, z: number): void
-  updateFloat4(name: string, x: number, y: number, z: number, w: number): void
-  updateMatrices(name: string, numbers: Float32Array): void
-}
-
-export function send(buffer: Buffer, label: string, numbers: readonly number[]) {
-  const name = sentName(label)
-  const [x, y, z, w] = numbers as [number, number, number, number]
-  if (numbers.length === 1) buffer.updateFloat(name, x)
-  else if (numbers.length === 2) buffer.updateFloat2(name, x, y)
-  else if (numbers.length === 3) buffer.updateFloat3(name, x, y, z)
-  else if (numbers.length === 4) buffer.updateFloat4(name, x, y, z, w)
-  else
-    buffer.updateMatrices(
-      name,
-      Float32Array.from(numbers.length === 9 ? withFourthRow(numbers) : numbers),
-    )
-}
-
-const withFourthRow = (n: readonly number[]) => [
-  ...[...n.slice(0, 3), 0, ...n.slice(3, 6), 0, ...n.slice(6), 0],
-  ...[0, 0, 0, 1],
-]
-
 /**
- * The fragment code for a plugin's `getCustomCode`. If the warp mirrors all of space, the outer side of a triangle is the one
- * that the engine takes for the back. Babylon.js reads names that begin with `!` as regular expressions.
+ * The fragment code for a plugin's `getCustomCode`. If the warp mirrors all of space, the engine takes the outer side of a
+ * triangle for its back. Babylon.js reads names that begin with `!` as regular expressions.
  */
 export const fragmentCode = (isWGSL: boolean): Record<string, string> =>
   isWGSL
@@ -90,81 +61,65 @@ export const fragmentCode = (isWGSL: boolean): Record<string, string> =>
       }
     : { '!\\bgl_FrontFacing\\b': `(gl_FrontFacing == (${shaderNames.orientation} > 0.0))` }
 
-/** The texts of a vertex that has a normal and a tangent, or a normal alone, or neither. */
-const choices = [
-  ['offset', 'position', 'normal', 'tangent'],
-  ['offset', 'position', 'normal'],
-  ['offset', 'position'],
-] as const
-
-/** For a plugin's `getCustomCode`. */
-export function vertexCode(parts: ShaderParts, isWGSL: boolean) {
+/** The code of a vertex that has a normal and a tangent, or a normal alone, or neither. */
+function textsOf(warp: HostWarp, isWGSL: boolean): [HostText, HostText, HostText] {
   const target: Target = isWGSL ? 'wgsl' : 'glsl300'
-  const names = isWGSL ? { millis: `uniforms.${shaderNames.millis}` } : {}
-  const texts = choices.map((results) => parts.warp.text(target, results, { names }))
-  const readsColor = texts[0]!.attributes.some(({ name }) => name === 'color')
-  const images = parts.warp.uniforms.inShader.filter(({ image }) => image)
-  const whereOn = (text: string) => `#ifdef WARPJET\n${text}\n#endif`
+  const renamed = isWGSL ? { millis: `uniforms.${shaderNames.millis}` } : {}
+  const text = (...results: ('normal' | 'tangent')[]) =>
+    warp.text(target, ['offset', 'position', ...results], { names: renamed })
+  return [text('normal', 'tangent'), text('normal'), text()]
+}
+
+const ifDefined = (define: string, code: string, otherwise = '') =>
+  `#ifdef ${define}\n${code}\n${otherwise && `#else\n${otherwise}\n`}#endif`
+
+/** The vertex code for a plugin's `getCustomCode`. */
+export function vertexCode(parts: ShaderParts, isWGSL: boolean) {
+  const texts = textsOf(parts.warp, isWGSL)
+  const choose = (part: (text: HostText, i: number) => string) => {
+    const [tangent, normal, position] = texts.map(part)
+    return ifDefined('NORMAL', ifDefined('TANGENT', tangent!, normal), position)
+  }
+  const color = isWGSL ? 'let warpjetColor = ' : 'vec4 warpjetColor = '
   return {
     CUSTOM_VERTEX_DEFINITIONS: [
-      ...images.map(({ label }) =>
-        isWGSL
-          ? `var ${label}Sampler: sampler;\nvar ${label}: texture_2d<f32>;`
-          : `uniform highp sampler2D ${label};`,
+      ...imagesOf(parts).map((label) => declareImage(label, isWGSL)),
+      ifDefined(
+        'WARPJET',
+        `${declareVariation(isWGSL)}\n${choose(({ declarations }) => declarations)}`,
       ),
-      whereOn(chosen(texts, ({ declarations }) => declarations)),
     ].join('\n'),
-    CUSTOM_VERTEX_UPDATE_NORMAL: whereOn(
+    CUSTOM_VERTEX_UPDATE_NORMAL: ifDefined(
+      'WARPJET',
       [
         '{',
-        ...bufferedUniforms(parts).map((each) => local(each, isWGSL)),
-        readsColor ? colorOfVertex[target] : '',
-        missing('UV1', 'uvUpdated', 2, isWGSL),
-        missing('NORMAL', 'normalUpdated', 3, isWGSL),
-        chosen(texts, ({ code }, i) => `${code}\n${results[i]}`),
+        ...numberUniforms(parts).map((uniform) => localUniform(uniform, isWGSL)),
+        variationLocals(isWGSL),
+        readsColor(texts[0])
+          ? ifDefined('VERTEXCOLOR', `${color}colorUpdated;`, `${color}${one(isWGSL)};`)
+          : '',
+        ifNotDefined('UV1', local('uvUpdated', 2, zero(2, isWGSL), isWGSL)),
+        ifNotDefined('NORMAL', local('normalUpdated', 3, zero(3, isWGSL), isWGSL)),
+        choose(({ code }, i) => `${code}\n${results[i]}`),
         '}',
       ].join('\n'),
     ),
   }
 }
 
-/** What a mesh may lack counts as 0. */
-function missing(define: string, name: string, size: number, isWGSL: boolean) {
-  const zero = isWGSL ? `let ${name} = vec${size}f(0.0);` : `vec${size} ${name} = vec${size}(0.0);`
-  return `#ifndef ${define}\n${zero}\n#endif`
-}
+const ifNotDefined = (define: string, code: string) => `#ifndef ${define}\n${code}\n#endif`
 
-/** A uniform under the name that the text has for it. */
-function local({ label, type }: Pick<HostUniform, 'label' | 'type'>, isWGSL: boolean) {
-  const given = isWGSL ? `uniforms.${sentName(label)}` : sentName(label)
-  const isNarrow = type === 'mat3'
-  if (!isWGSL) return `${type} ${label} = ${isNarrow ? `mat3(${given})` : given};`
-  const columns = [0, 1, 2].map((i) => `${given}[${i}].xyz`)
-  return `let ${label} = ${isNarrow ? `mat3x3f(${columns.join(', ')})` : given};`
-}
+const zero = (size: number, isWGSL: boolean) => `vec${size}${isWGSL ? 'f' : ''}(0.0)`
+const one = (isWGSL: boolean) => `vec4${isWGSL ? 'f' : ''}(1.0)`
 
-const colorOfVertex: Partial<Record<Target, string>> = {
-  glsl300: `#ifdef VERTEXCOLOR
-vec4 warpjetColor = colorUpdated;
-#else
-vec4 warpjetColor = vec4(1.0);
-#endif`,
-  wgsl: `#ifdef VERTEXCOLOR
-let warpjetColor = colorUpdated;
-#else
-let warpjetColor = vec4f(1.0);
-#endif`,
-}
+/** Declares a variable inside of the warp's block. */
+const local = (name: string, size: number, value: string, isWGSL: boolean) =>
+  isWGSL ? `let ${name} = ${value};` : `vec${size} ${name} = ${value};`
 
-/** What the offset's inputs are called. */
-export const names = {
-  position: 'positionUpdated',
-  normal: 'normalUpdated',
-  uv: 'uvUpdated',
-  color: 'warpjetColor',
-  tangent: 'tangentUpdated',
-  millis: shaderNames.millis,
-}
+const imagesOf = ({ warp }: ShaderParts) =>
+  warp.uniforms.inShader.filter(({ image }) => image).map(({ label }) => label)
+
+const readsColor = ({ attributes }: HostText) => attributes.some(({ name }) => name === 'color')
 
 const moved = `positionUpdated = ${shaderNames.position};`
 const turned = `normalUpdated = ${shaderNames.normal};`
@@ -174,8 +129,86 @@ const results = [
   moved,
 ]
 
-/** By what the mesh has. */
-function chosen(texts: readonly HostText[], part: (text: HostText, i: number) => string) {
-  const [tangent, normal, position] = texts.map(part)
-  return `#ifdef NORMAL\n#ifdef TANGENT\n${tangent}\n#else\n${normal}\n#endif\n#else\n${position}\n#endif`
+/** The define that a vector of the surface variation depends on. */
+const variationDefine = (name: string) =>
+  name.startsWith('normal') ? variationDefines.normal : variationDefines.uv
+
+const declareVariation = (isWGSL: boolean) =>
+  variationNames
+    .map((name) =>
+      ifDefined(variationDefine(name), declareAttribute(variationAttribute(name), 3, isWGSL)),
+    )
+    .join('\n')
+
+/** A mesh without its surface variation counts as constant. */
+const variationLocals = (isWGSL: boolean) =>
+  variationNames
+    .map((name) => {
+      const attribute = `${isWGSL ? 'vertexInputs.' : ''}${variationAttribute(name)}`
+      const declare = (value: string) => local(names[name as keyof typeof names], 3, value, isWGSL)
+      return ifDefined(variationDefine(name), declare(attribute), declare(zero(3, isWGSL)))
+    })
+    .join('\n')
+
+/** Attributes that a pass may lack. Its variant has these defines where the mesh has the attribute, and where we declare it. */
+export const passDefines = {
+  normal: { has: 'WARPJET_HAS_NORMAL', adds: 'WARPJET_ADDS_NORMAL' },
+  uv: { has: 'WARPJET_HAS_UV', adds: 'WARPJET_ADDS_UV' },
+  color: { has: 'WARPJET_HAS_COLOR', adds: 'WARPJET_ADDS_COLOR' },
+}
+
+/**
+ * The vertex shader of a pass, with includes resolved, warped after morph targets and before instances and bones. One that is
+ * not written like those of Babylon.js stays as it is.
+ */
+export function warpPass(parts: ShaderParts, isWGSL: boolean, source: string): string {
+  const start = /@vertex|void\s+main\s*\(/.exec(source)
+  // The outline is displaced along the normal before the matrices.
+  const end =
+    /(vec3|var)\s+offsetPosition\b/.exec(source) ??
+    /#ifdef INSTANCES\s+(mat4|var)\s+finalWorld\b/.exec(source)
+  if (!start || !end || !/\bpositionUpdated\b/.test(source)) return source
+  const hasVariable = (name: string) => new RegExp(`(vec\\d|var)\\s+${name}\\b`).test(source)
+  const hasNormal = hasVariable('normalUpdated')
+  const [, normal, position] = textsOf(parts.warp, isWGSL)
+  const text = hasNormal ? normal : position
+  const declareLocal = (
+    name: string,
+    kind: 'normal' | 'uv' | 'color',
+    size: number,
+    missing: string,
+  ) =>
+    ifDefined(
+      passDefines[kind].has,
+      local(name, size, `${isWGSL ? 'vertexInputs.' : ''}${kind}`, isWGSL),
+      local(name, size, missing, isWGSL),
+    )
+  const uv = declareLocal('uvUpdated', 'uv', 2, zero(2, isWGSL))
+  const definitions = [
+    ...sentUniforms(parts).map((uniform) => declareUniform(uniform, isWGSL)),
+    ...imagesOf(parts).map((label) => declareImage(label, isWGSL)),
+    ifDefined(passDefines.normal.adds, declareAttribute('normal', 3, isWGSL)),
+    ifDefined(passDefines.uv.adds, declareAttribute('uv', 2, isWGSL)),
+    ifDefined(passDefines.color.adds, declareAttribute('color', 4, isWGSL)),
+    declareVariation(isWGSL),
+    text.declarations,
+  ]
+  const block = [
+    '{',
+    ...numberUniforms(parts).map((uniform) => localUniform(uniform, isWGSL)),
+    variationLocals(isWGSL),
+    readsColor(text) ? declareLocal('warpjetColor', 'color', 4, one(isWGSL)) : '',
+    hasVariable('uvUpdated') ? ifNotDefined('UV1', uv) : uv,
+    hasNormal ? '' : declareLocal('normalUpdated', 'normal', 3, zero(3, isWGSL)),
+    text.code,
+    results[hasNormal ? 1 : 2],
+    '}',
+  ]
+  return [
+    source.slice(0, start.index),
+    ...definitions,
+    source.slice(start.index, end.index),
+    ...block,
+    source.slice(end.index),
+  ].join('\n')
 }

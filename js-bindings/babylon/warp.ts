@@ -1,4 +1,4 @@
-// `BabylonWarp`: a warp as a plugin of a material of Babylon.js, in GLSL and in WGSL, with its shadows and what rays meet.
+// `BabylonWarp`: a warp as a plugin of a material of Babylon.js, in GLSL and in WGSL.
 import type { Material } from '@babylonjs/core/Materials/material.js'
 import type { MaterialDefines } from '@babylonjs/core/Materials/materialDefines.js'
 import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
@@ -7,6 +7,7 @@ import { ShadowDepthWrapper } from '@babylonjs/core/Materials/shadowDepthWrapper
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { Scene } from '@babylonjs/core/scene.js'
 import {
   HostWarp,
   type OffsetFunction,
@@ -14,70 +15,110 @@ import {
   type UniformValues,
   shaderNames,
 } from '../compile/hosts.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { describe } from '../errors/errors.js'
+import { noteApproximation } from '../errors/notes.js'
+import { anything, kind, optional } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
+import { registerCopies, remember } from './copies.js'
 import { refreshMesh } from './mesh.js'
-import {
-  type ShaderParts,
-  declarationsOf,
-  fragmentCode,
-  names,
-  send,
-  vertexCode,
-} from './shader.js'
+import { type PassWarp, codeDefine, installPasses, pluginName } from './passes.js'
 import { settableValues } from './settable-values.js'
+import { declarationsOf, fragmentCode, names, variationDefines, vertexCode } from './shader.js'
+import { type NumberSetter, type ShaderParts, sendNumbers } from './uniforms.js'
 import { babylon } from './values.js'
+import { variationKinds } from './variation.js'
 
-const method = 'BabylonWarp'
-const pluginName = 'Warpjet'
+const place = new Place('BabylonWarp')
 
 export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValues> {
-  /** What the offset function reads as `uniforms`: numbers, lists of numbers, `Vector3`s, textures, or functions that give
-   * them. */
+  /** The values that the offset function reads as `uniforms`: numbers, lists of numbers, `Vector3`s, textures, or functions
+   * that return them. */
   uniforms?: UniformOptions<Uniforms>
+  /** `false` accepts that normal and uv count as constant over a surface without `addSurfaceVariation`, without a note. */
+  surfaceVariation?: false
+}
+
+const settings = object({
+  uniforms: anything<UniformOptions<UniformValues>>(),
+  surfaceVariation: optional(
+    kind<false>('only false', (given) => given === false, {
+      advice: () => 'addSurfaceVariation(mesh) computes how a mesh varies',
+    }),
+  ),
+} satisfies KindsOf<BabylonWarpOptions>)
+
+/** Maps the code of warps → its number. */
+const codeNumbers = new Map<string, number>()
+
+function numberOfCode(code: string): number {
+  if (!codeNumbers.has(code)) codeNumbers.set(code, codeNumbers.size + 1)
+  return codeNumbers.get(code)!
 }
 
 /**
- * Warps what a material draws: `new BabylonWarp(material, offset, { uniforms })`. Vertices are those of the mesh after morph
- * targets, before instances and bones. Works with an Engine and with a WebGPUEngine. Shadows follow by a
- * `ShadowDepthWrapper`, which the material gets unless it has one; rays and culling follow where `refresh(mesh)` is called.
- * Throws a `WarpError` for an offset that returns no vec3 or misuses an operation, and for wrong options.
+ * Warps all that a material draws: `new BabylonWarp(material, offset, { uniforms })`. Vertices are those of the mesh after
+ * morph targets, before instances and bones. Works with an Engine and with a WebGPUEngine, and in passes that Babylon.js draws
+ * with shaders of its own: depth, outline, highlight, glow, G-buffer, GPU picking. The material gets a `ShadowDepthWrapper` for
+ * its shadows unless it has one. Rays and culling follow where `refresh(mesh)` is called.
+ *
+ * @throws {WarpError} for an offset that returns no vec3 or misuses an operation, and for wrong options.
  */
-export class BabylonWarp<const Uniforms extends UniformValues = {}> extends MaterialPluginBase {
-  /** By name the values that the option gave, which may be set: `warp.values.height = 0.5`. Throws a `WarpError` for another
-   * name and for what cannot be such a value. */
+export class BabylonWarp<const Uniforms extends UniformValues = {}>
+  extends MaterialPluginBase
+  implements PassWarp
+{
+  /** Maps names → the values of the option `uniforms`, which may be set: `warp.values.height = 0.5`. Throws a `WarpError` for
+   * another name and for a value of another type. */
   readonly values: { [Name in keyof Uniforms]: Uniforms[Name] | (() => Uniforms[Name]) }
+  /** @internal */
+  readonly parts: ShaderParts
+  /** @internal */
+  readonly codeNumber: number
   private time = 0
   private isOn = true
   private readonly warp: HostWarp
-  private readonly parts: ShaderParts
   private readonly shadows: ShadowDepthWrapper | undefined
+  private readonly memory: { id: string; forget: () => void }
 
   constructor(
     material: Material,
-    offset: OffsetFunction<NoInfer<Uniforms>>,
-    options: BabylonWarpOptions<Uniforms> = {},
+    private readonly offset: OffsetFunction<NoInfer<Uniforms>>,
+    private readonly options: BabylonWarpOptions<Uniforms> = {},
   ) {
     if (typeof (material as Partial<Material>)?.getEffect !== 'function')
-      throw new WarpError(
-        `${method}: a material of Babylon.js was expected, but ${describe(material)} came.`,
-      )
+      throw place.expected('a material of Babylon.js', describe(material))
     if (material.pluginManager?.getPlugin(pluginName))
-      throw new WarpError(
-        `${method}: the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
+      throw place.error(
+        `the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
       )
-    checkOptions(method, options, ['uniforms'])
-    const warp = new HostWarp(method, offset as OffsetFunction, {
+    const { uniforms, surfaceVariation } = settings.read(options, place)
+    const warp = new HostWarp(place, offset as OffsetFunction, {
       host: babylon,
-      uniforms: options.uniforms,
+      uniforms,
       names,
       tangents: true,
+      surfaceVariation: surfaceVariation ?? true,
     })
-    super(material, pluginName, 200, { WARPJET: true }, false)
+    const parts: ShaderParts = { warp, frame: Object.keys(warp.frame({ millis: 0 })) }
+    const code = vertexCode(parts, material.shaderLanguage === ShaderLanguage.WGSL)
+    const codeNumber = numberOfCode(JSON.stringify([code, warp.mirrors]))
+    const { normal, uv } = variationDefines
+    // Babylon.js finds compiled shaders by their defines, in which the code has to appear.
+    super(
+      material,
+      pluginName,
+      200,
+      { WARPJET: true, [codeDefine]: codeNumber, [normal]: false, [uv]: false },
+      false,
+    )
     this.warp = warp
+    this.parts = parts
+    this.codeNumber = codeNumber
     this.values = settableValues(warp.uniforms) as never
-    this.parts = { warp, frame: Object.keys(warp.frame(this.given)) }
-    // Asked for its code at once, so that all of this must be there.
+    this.memory = remember(this)
+    installPasses()
+    // The manager asks for the code at once, so that all of the above must be set.
     ;(this._pluginManager as unknown as { _addPlugin(plugin: object): void })._addPlugin(this)
     this._enable(true)
     if (!material.shadowDepthWrapper)
@@ -87,20 +128,20 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
       )
   }
 
-  /** Milliseconds, which the offset may read. Throws a `WarpError` for what is no finite number. */
+  /** Milliseconds, which the offset may read. Throws a `WarpError` for anything but a finite number. */
   get millis() {
     return this.time
   }
 
   set millis(time: number) {
     if (!Number.isFinite(time))
-      throw new WarpError(
-        `${method}: millis must be a number of milliseconds, such as performance.now(), but is ${describe(time)}.`,
-      )
+      throw place
+        .part('millis')
+        .expected('a number of milliseconds', describe(time), 'performance.now() gives one')
     this.time = time
   }
 
-  /** `false` draws the material as it is without the warp. A plugin stays with its material as long as that lives. */
+  /** `false` draws the material without the warp. A plugin stays with its material as long as that lives. */
   get isEnabled() {
     return this.isOn
   }
@@ -110,14 +151,11 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
     this.markAllDefinesAsDirty()
   }
 
-  override prepareDefines(defines: MaterialDefines) {
-    Object.assign(defines, { WARPJET: this.isOn })
-  }
-
   /**
-   * Rays meet a mesh with this material, and it is culled, where the warp has it at this moment: call it before a pick, and
-   * each frame for a warp that moves it out of where it was. Vertices are moved on the CPU. Normals of a pick stay those of
-   * the mesh. Throws a `WarpError` for a warp that reads an image or calls a `glsl.fn`.
+   * Lets rays and culling meet a mesh with this material where the warp has it at this moment: call it before a pick, and each
+   * frame for a warp that moves the mesh out of its box. Vertices are moved on the CPU. Normals of a pick stay those of the mesh.
+   *
+   * @throws {WarpError} for a warp that reads an image or calls a `glsl.fn`.
    */
   refresh(mesh: AbstractMesh) {
     refreshMesh(this.warp, mesh, this.given)
@@ -133,12 +171,28 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
 
   override prepareDefinesBeforeAttributes(defines: MaterialDefines) {
     if (this.warp.reads('uv')) Object.assign(defines, { _needUVs: true })
-    // A warp reads the normal that it turns.
+    // The warp transforms the normal.
     Object.assign(defines, { _needNormals: true })
   }
 
+  override prepareDefines(defines: MaterialDefines, _scene: Scene, mesh: AbstractMesh) {
+    const count = this.variationOf(mesh).length
+    const isNeeded = this.warp.varies && this.options.surfaceVariation !== false
+    if (this.isOn && isNeeded && !count)
+      noteApproximation(place.method, 'await addSurfaceVariation(mesh)')
+    Object.assign(defines, {
+      WARPJET: this.isOn,
+      [variationDefines.normal]: count >= 3,
+      [variationDefines.uv]: count >= 5,
+    })
+  }
+
+  override getAttributes(attributes: string[], _scene: Scene, mesh: AbstractMesh) {
+    attributes.push(...this.variationOf(mesh))
+  }
+
   override isReadyForSubMesh() {
-    return this.images().every(([, texture]) => texture.isReadyOrNotBlocking())
+    return this.textures().every(([, texture]) => texture.isReadyOrNotBlocking())
   }
 
   override getUniforms(language?: ShaderLanguage) {
@@ -146,37 +200,41 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
   }
 
   override getSamplers(samplers: string[]) {
-    samplers.push(...this.images().map(([label]) => label))
+    samplers.push(...this.textures().map(([label]) => label))
   }
 
   override getActiveTextures(textures: BaseTexture[]) {
-    textures.push(...this.images().map(([, texture]) => texture))
+    textures.push(...this.textures().map(([, texture]) => texture))
   }
 
   override hasTexture(texture: BaseTexture) {
-    return this.images().some(([, each]) => each === texture)
-  }
-
-  private get given() {
-    return { millis: this.millis }
-  }
-
-  private images() {
-    return this.warp.uniforms.inShader.flatMap(({ label, image }): [string, BaseTexture][] =>
-      image ? [[label, image() as BaseTexture]] : [],
-    )
+    return this.textures().some(([, each]) => each === texture)
   }
 
   override bindForSubMesh(buffer: UniformBuffer) {
-    const { warp, given } = this
-    buffer.updateFloat(shaderNames.millis, given.millis)
-    if (warp.mirrors !== false)
-      buffer.updateFloat(shaderNames.orientation, this.isOn && warp.isMirrored(given) ? -1 : 1)
-    for (const { label, numbers, image } of warp.uniforms.inShader) {
-      if (image) buffer.setTexture(label, image() as BaseTexture)
-      else send(buffer, label, numbers())
-    }
-    for (const [label, numbers] of Object.entries(warp.frame(given))) send(buffer, label, numbers)
+    this.send(buffer)
+    if (this.warp.mirrors !== false)
+      buffer.updateFloat(
+        shaderNames.orientation,
+        this.isOn && this.warp.isMirrored(this.given) ? -1 : 1,
+      )
+    for (const [label, texture] of this.textures()) buffer.setTexture(label, texture)
+  }
+
+  /** @internal */
+  send(setter: NumberSetter) {
+    setter.updateFloat(shaderNames.millis, this.millis)
+    for (const { label, numbers, image } of this.warp.uniforms.inShader)
+      if (!image) sendNumbers(setter, label, numbers())
+    for (const [label, numbers] of Object.entries(this.warp.frame(this.given)))
+      sendNumbers(setter, label, numbers)
+  }
+
+  /** @internal */
+  textures() {
+    return this.warp.uniforms.inShader.flatMap(({ label, image }): [string, BaseTexture][] =>
+      image ? [[label, image() as BaseTexture]] : [],
+    )
   }
 
   override getCustomCode(type: string, language?: ShaderLanguage) {
@@ -185,9 +243,37 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
     return type === 'fragment' && this.warp.mirrors !== false ? fragmentCode(isWGSL) : null
   }
 
+  override serialize(): unknown {
+    return { ...(super.serialize() as object), warpjet: this.memory.id }
+  }
+
+  /** @internal */
+  copyOnto(material: Material) {
+    const copy = new BabylonWarp<Uniforms>(material, this.offset, {
+      ...this.options,
+      uniforms: { ...this.values } as never,
+    })
+    copy.millis = this.millis
+    copy.isEnabled = this.isEnabled
+    return copy
+  }
+
   override dispose() {
+    this.memory.forget()
     if (this.shadows && this._material.shadowDepthWrapper === this.shadows)
       this._material.shadowDepthWrapper = null
     this.shadows?.dispose()
   }
+
+  private get given() {
+    return { millis: this.millis }
+  }
+
+  /** The vertex buffers of a mesh that the shader reads for exact normals. */
+  private variationOf(mesh: AbstractMesh) {
+    if (!this.warp.varies) return []
+    return variationKinds.filter((kind) => mesh.isVerticesDataPresent(kind))
+  }
 }
+
+registerCopies('BabylonWarp')

@@ -1,4 +1,4 @@
-// `npx warpjet bake`: a warped model as a file.
+// `npx warpjet bake`: writes a warped model to a file.
 import { writeFile } from 'node:fs/promises'
 import { type CompiledWarp, compileWarp } from '../compile/compile-warp.js'
 import { WarpError, describe } from '../errors/errors.js'
@@ -10,25 +10,27 @@ import { exportGLB } from '../mesh/export.js'
 import { loadMesh } from '../mesh/load.js'
 import type { Mesh } from '../mesh/mesh-arrays.js'
 import { subdivide } from '../mesh/subdivide.js'
-import { mostTriangles } from '../wasm/mesh-tables.js'
-import { areOneFile, writing } from './files.js'
+import { triangleLimit } from '../wasm/mesh-tables.js'
+import { areOneFile, withWriteErrors } from './files.js'
 import { Progress, count } from './progress.js'
 import { numeric, readArguments } from './usage.js'
-import { blame, choiceOf, glslFlags, readWarp } from './warp-file.js'
+import { withFileInErrors, choiceOf, glslFlags, readWarp } from './warp-file.js'
 
 const triangles = wholeNumber({
   min: 1,
-  max: mostTriangles,
-  maxName: mostTriangles.toLocaleString('en-US'),
+  max: triangleLimit,
+  maxName: triangleLimit.toLocaleString('en-US'),
 })
 
-/** Uniforms as `--set` has them, such as `mouse=10,20`. */
+/** The kind of the option `--set`, such as `mouse=10,20`. */
 const settings: Kind<Uniforms, readonly string[]> = {
   read: (given, place) =>
-    Object.fromEntries(((given ?? []) as readonly string[]).map((each) => setting(each, place))),
+    Object.fromEntries(
+      ((given ?? []) as readonly string[]).map((each) => parseSetting(each, place)),
+    ),
 }
 
-function setting(given: string, place: Place): [name: string, value: number | number[]] {
+function parseSetting(given: string, place: Place): [name: string, value: number | number[]] {
   const [, name, text] = /^([^=]+)=(.*)$/s.exec(given) ?? []
   const numbers = text?.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)))
   if (name === undefined || !numbers!.every(Number.isFinite))
@@ -53,26 +55,31 @@ export async function bake(args: string[]): Promise<void> {
   const [model, file] = files as [string, string]
   const { output } = values
   if (output === undefined) throw wrong('bake needs -o and the name of the file to write.')
-  if (!/\.glb$/i.test(output)) throw wrong(`bake writes .glb files, but -o is "${output}".`)
-  if (await areOneFile(output, model)) throw wrong('bake does not write over the model itself.')
+  if (!/\.glb$/i.test(output)) throw wrong(`bake: expected a .glb file for -o, got "${output}".`)
+  if (await areOneFile(output, model)) throw wrong('bake does not overwrite the model itself.')
   const { set: uniforms, subdivide: tolerance, 'max-triangles': maxTriangles } = values
   if (maxTriangles !== undefined && tolerance === undefined)
-    throw wrong('--max-triangles is about what --subdivide makes, which is missing.')
+    throw wrong('--max-triangles needs --subdivide, which is missing.')
 
   const progress = new Progress(values.quiet)
   const { offset, uniforms: declared } = await readWarp(file, choiceOf(values), uniforms)
-  // The text is not needed; baking finds out how the surface varies by itself.
-  const warp = await blame(file, () =>
+  // Baking needs no shader code, and computes the gradients of normals and uvs itself.
+  const warp = await withFileInErrors(file, () =>
     compileWarp(offset, { uniforms: declared, surfaceVariation: true }),
   )
   rejectMissingUniforms(file, warp, { ...declared, ...uniforms })
 
-  let mesh = writable(await loadMesh(model))
+  let mesh = removeOtherImages(await loadMesh(model))
   for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
   progress.step(`${model}: ${sizeOf(mesh)}`)
   if (tolerance) {
     try {
-      mesh = subdivide(mesh, { warp: watched(warp, progress), uniforms, tolerance, maxTriangles })
+      mesh = subdivide(mesh, {
+        warp: withProgress(warp, progress),
+        uniforms,
+        tolerance,
+        maxTriangles,
+      })
     } finally {
       progress.clear()
     }
@@ -80,16 +87,16 @@ export async function bake(args: string[]): Promise<void> {
     progress.step(`Subdivided: ${sizeOf(mesh)}`)
   }
   const bytes = exportGLB(bakeWarp(mesh, warp, { uniforms }))
-  await writing(output, () => writeFile(output, bytes))
+  await withWriteErrors(output, () => writeFile(output, bytes))
   progress.step(`${output}: ${count(bytes.length, 'byte')}`)
 }
 
-/** Without a picture that no GLB file may have; then a warning says so. */
-function writable(mesh: Mesh): Mesh {
+/** Removes an image that a GLB file may not contain, and adds a warning. */
+function removeOtherImages(mesh: Mesh): Mesh {
   const { material, warnings = [] } = mesh
   const picture = material?.baseColorTexture
   if (!picture || isPngOrJpeg(picture.bytes)) return mesh
-  const warning = `The picture of the base colour (${picture.mimeType}) is neither PNG nor JPEG; it is left out.`
+  const warning = `The image of the base colour (${picture.mimeType}) is neither PNG nor JPEG; it is left out.`
   return {
     ...mesh,
     material: { baseColor: material.baseColor },
@@ -97,7 +104,7 @@ function writable(mesh: Mesh): Mesh {
   }
 }
 
-/** By how its bytes begin, as exportGLB sees it. */
+/** Checks the first bytes of a file, like exportGLB. */
 const isPngOrJpeg = (bytes: Uint8Array) =>
   [
     [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a],
@@ -107,8 +114,8 @@ const isPngOrJpeg = (bytes: Uint8Array) =>
 const sizeOf = ({ positions, indices }: Mesh) =>
   `${count((indices ?? positions).length / (indices ? 3 : 9), 'triangle')}, ${count(positions.length / 3, 'vertex', 'vertices')}`
 
-/** The same warp, which tells how many vertices it has moved. */
-function watched(warp: CompiledWarp, progress: Progress): CompiledWarp {
+/** Returns the same warp, which also reports how many vertices it has moved. */
+function withProgress(warp: CompiledWarp, progress: Progress): CompiledWarp {
   let vertices = 0
   return {
     ...warp,
@@ -123,7 +130,7 @@ function watched(warp: CompiledWarp, progress: Progress): CompiledWarp {
 function rejectMissingUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find(({ name }) => !Object.hasOwn(uniforms, name))
   if (!missing) return
-  // A text reads what is no float as `float(n)`, or in halves.
+  // GLSL source converts other types by `float(n)`, or reads them in halves.
   const name = /^\w+\(([^ )]+)/.exec(missing.name)?.[1] ?? missing.name
   throw new WarpError(
     `${file} reads ${name}; add --set ${name}=<number>; if it is an image, only a GPU can run this warp.`,

@@ -1,11 +1,11 @@
-// `npx warpjet emit`: a warp as shader text.
+// `npx warpjet emit`: prints a warp as shader code.
 import { writeFile } from 'node:fs/promises'
 import { compileWarp } from '../compile/compile-warp.js'
 import type { Declared } from '../core/module/result.js'
-import { targetKind } from '../core/module/kept-module.js'
-import { areOneFile, writing } from './files.js'
+import { targetKind } from '../core/module/serialized-module.js'
+import { areOneFile, withWriteErrors } from './files.js'
 import { readArguments } from './usage.js'
-import { blame, glslFlags, choiceOf, readWarp } from './warp-file.js'
+import { withFileInErrors, glslFlags, choiceOf, readWarp } from './warp-file.js'
 
 export async function emit(args: string[]): Promise<void> {
   const { values, files, wrong } = readArguments('emit', args, ['a warp.js or a file of GLSL'], {
@@ -18,22 +18,22 @@ export async function emit(args: string[]): Promise<void> {
   const [file] = files as [string]
   const { output } = values
   if (output !== undefined && (await areOneFile(output, file)))
-    throw wrong('emit does not write over the warp itself.')
+    throw wrong('emit does not overwrite the warp itself.')
   const { offset, uniforms } = await readWarp(file, choiceOf(values))
   const { target, tangents, 'surface-variation': surfaceVariation } = values
-  const warp = await blame(file, () =>
+  const warp = await withFileInErrors(file, () =>
     compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),
   )
   const lines = [
-    `// uniforms: ${listed(warp.uniforms)}`,
-    `// attributes: ${listed(warp.attributes)}`,
+    `// uniforms: ${listDeclared(warp.uniforms)}`,
+    `// attributes: ${listDeclared(warp.attributes)}`,
     ...(warp.declarations ? ['// above main:', warp.declarations.trimEnd(), '// in main:'] : []),
     warp.code.trimEnd(),
   ]
   const text = lines.join('\n') + '\n'
   if (output === undefined) process.stdout.write(text)
-  else await writing(output, () => writeFile(output, text))
+  else await withWriteErrors(output, () => writeFile(output, text))
 }
 
-const listed = (declared: readonly Declared[]) =>
+const listDeclared = (declared: readonly Declared[]) =>
   declared.map(({ name, type }) => `${type} ${name}`).join(', ') || 'none'

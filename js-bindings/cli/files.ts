@@ -1,8 +1,9 @@
-// Files that are written: where they may not be, and what can go wrong with them.
+// Checks and error messages for output files.
 import { stat } from 'node:fs/promises'
 import { WarpError } from '../errors/errors.js'
 
-export async function writing(file: string, work: () => Promise<void>): Promise<void> {
+/** Runs `work`, which writes `file`; converts its errors to messages. */
+export async function withWriteErrors(file: string, work: () => Promise<void>): Promise<void> {
   try {
     await work()
   } catch (error) {
@@ -12,12 +13,12 @@ export async function writing(file: string, work: () => Promise<void>): Promise<
 }
 
 export function reasonOf(code: string | undefined): string {
-  if (code === 'ENOENT') return 'there is no such folder'
-  if (code === 'ENOSPC') return 'there is no room left'
-  return `the system says ${code}`
+  if (code === 'ENOENT') return 'the folder does not exist'
+  if (code === 'ENOSPC') return 'the disk is full'
+  return `the system reports ${code}`
 }
 
-/** Whether both names lead to one file, by whatever links. */
+/** Returns whether both names refer to the same file, also through links. */
 export async function areOneFile(a: string, b: string): Promise<boolean> {
   const [first, second] = await Promise.all([identityOf(a), identityOf(b)])
   return first !== undefined && first === second

@@ -1,75 +1,75 @@
-// What --help says.
-import { usualTriangles } from '../wasm/mesh-tables.js'
+// The texts of --help.
+import { defaultTriangles } from '../wasm/mesh-tables.js'
 
 export const help = `warpjet warps 3D models with a function of their vertices.
 
-  npx warpjet emit warp.js --target glsl300       the warp as shader text
-  npx warpjet bake model.glb warp.js -o out.glb   the warped model as a file
-  npx warpjet derive scene.glsl --by p            a function of GLSL with its derivatives
-  npx warpjet info model.glb                      what is in a model
+  npx warpjet emit warp.js --target glsl300       prints the warp as shader code
+  npx warpjet bake model.glb warp.js -o out.glb   writes the warped model to a file
+  npx warpjet derive scene.glsl --by p            prints a function of GLSL with its derivatives
+  npx warpjet info model.glb                      describes a model
 
-\`npx warpjet <command> --help\` has the options. Models are .glb, .gltf, .obj or .stl. Compressed ones need the
-package meshoptimizer or draco3dgltf installed.
+\`npx warpjet <command> --help\` lists the options. Models are .glb, .gltf, .obj or .stl. Compressed models need the
+package meshoptimizer or draco3dgltf.
 
-warp.js is an ES module that exports the offset function, the one that createWarp takes too:
+warp.js is an ES module that exports an offset function, as for createWarp:
 
   export default ({ glsl, position, millis }) =>
     glsl.vec3(position.y().mult(4).add(millis.div(500)).sin().mult(0.15), 0, 0)
 
-In its place there may be a file of GLSL, waves.glsl, whose function gives a vec3: vec3 offset(vec3 position, float millis) { … }
+Instead of warp.js you can pass a GLSL file with a function that returns a vec3: vec3 offset(vec3 position, float millis) { … }
 
-Values for \`uniforms\` warp.js may export beside that: export const uniforms = { amount: 0.5 }
+warp.js can also export values for \`uniforms\`: export const uniforms = { amount: 0.5 }
 
   --version   prints the version
 
-It ends with 0 if all went well, 1 if a file or the warp is wrong, and 2 if the command line is.`
+The exit code is 0 on success, 1 for an error in a file or the warp, and 2 for an error in the command line.`
 
 const commands: Record<string, string> = {
   emit: `npx warpjet emit <warp.js> [options]
 
-Prints shader statements that move a vertex and turn its normal. They declare offset, warpedPosition and warpedNormal;
-comments above name what they read, which your shader declares.
+Prints shader statements that compute the warped position and normal of a vertex. They declare offset, warpedPosition and
+warpedNormal; comments above list the uniforms and attributes, which your shader must declare.
 
   --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
-  --function <name>     of a file of GLSL; offset, or the last, unless given
-  --returns position    it gives where a vertex moves to, not how far
-  --max-iterations <n>  of a loop whose end depends on data: it runs so often
-  --tangents            also turns tangents: declares warpedTangent
-  --surface-variation   for an offset that depends on normal or uv: reads how they vary over the surface from attributes,
-                        normalXGradient, normalYGradient, normalZGradient, uGradient and vGradient
-  -o, --output <file>   writes a file instead`,
+  --function <name>     function in a GLSL file (default: offset, or else the last one)
+  --returns position    the function returns the new position instead of the offset
+  --max-iterations <n>  max number of iterations of a loop whose end depends on data
+  --tangents            also transforms tangents: declares warpedTangent
+  --surface-variation   for an offset that depends on normal or uv: reads their gradients over the surface from the
+                        attributes normalXGradient, normalYGradient, normalZGradient, uGradient and vGradient
+  -o, --output <file>   writes to a file instead`,
 
   bake: `npx warpjet bake <model> <warp.js> -o <out.glb> [options]
 
-Moves every vertex of the model as the shader would, turns normals and tangents, and writes a GLB file.
+Moves every vertex of the model like the shader, transforms normals and tangents, and writes a GLB file.
 
-  -o, --output <file>       where to, always .glb
-  --function <name>         of a file of GLSL; offset, or the last, unless given
-  --returns position        it gives where a vertex moves to, not how far
-  --max-iterations <n>      of a loop whose end depends on data: it runs so often
-  --set <name>=<value>      a uniform that the warp reads: --set millis=1200, --set mouse=10,20; as often as needed; it
-                            counts before what warp.js exports
-  --subdivide <tolerance>   first gives the model more triangles where the warp bends it: the result is nowhere farther
-                            than this from the smooth shape, in units of the model
-  --max-triangles <n>       with --subdivide: never makes more than so many (default ${usualTriangles})
-  -q, --quiet               tells nothing on the way`,
+  -o, --output <file>       output file, always .glb
+  --function <name>         function in a GLSL file (default: offset, or else the last one)
+  --returns position        the function returns the new position instead of the offset
+  --max-iterations <n>      max number of iterations of a loop whose end depends on data
+  --set <name>=<value>      sets a uniform of the warp: --set millis=1200, --set mouse=10,20; can be repeated, and
+                            overrides the exports of warp.js
+  --subdivide <tolerance>   first splits triangles where the warp bends them, until the result is within this distance
+                            of the smooth shape, in units of the model
+  --max-triangles <n>       max number of triangles with --subdivide (default: ${defaultTriangles})
+  -q, --quiet               prints no progress`,
 
   derive: `npx warpjet derive <file> [options]
 
-Prints a function of a file of GLSL as one that gives its derivatives too: of a float its value and gradient as one vector,
-of a vector its Jacobian as a matrix.
+Prints a function that returns the derivatives of a function in a GLSL file: for a float, its value and gradient as one
+vector; for a vector, its Jacobian as a matrix.
 
-  --function <name>     which one; offset, or the last, unless given
-  --by <parameter>      what to differentiate by; the first parameter unless given
-  --name <name>         what the new function is called
-  --max-iterations <n>  of a loop whose end depends on data: it runs so often
+  --function <name>     function to differentiate (default: offset, or else the last one)
+  --by <parameter>      parameter to differentiate by (default: the first one)
+  --name <name>         name of the new function
+  --max-iterations <n>  max number of iterations of a loop whose end depends on data
   --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
-  -o, --output <file>   writes a file instead`,
+  -o, --output <file>   writes to a file instead`,
 
   info: `npx warpjet info <model>
 
-Prints how many triangles and vertices a model has, how large it is, which attributes its vertices have, its material,
-and what is left out when it is loaded.`,
+Prints the number of triangles and vertices of a model, its size, the attributes of its vertices, its material, and the
+parts that are left out when it is loaded.`,
 }
 
 export const helpOf = (command: string) => commands[command]!

@@ -1,4 +1,4 @@
-// `npx warpjet info`: what is in a model.
+// `npx warpjet info`: describes a model.
 import { loadMesh } from '../mesh/load.js'
 import type { Mesh } from '../mesh/mesh-arrays.js'
 import { printable } from './printable.js'
@@ -23,12 +23,12 @@ function describe(mesh: Mesh): Record<string, string> {
     triangles: whole(indices ? indices.length / 3 : vertices / 3),
     vertices: whole(vertices),
     ...(vertices > 0 && {
-      size: max.map((high, i) => rounded(high - min[i]!)).join(' × '),
-      from: min.map(rounded).join(', '),
-      to: max.map(rounded).join(', '),
+      size: max.map((high, i) => formatFloat(high - min[i]!)).join(' × '),
+      from: min.map(formatFloat).join(', '),
+      to: max.map(formatFloat).join(', '),
     }),
     attributes: ['positions', ...attributes].join(', '),
-    ...(material && { 'base color': material.baseColor.map(rounded).join(', ') }),
+    ...(material && { 'base color': material.baseColor.map(formatFloat).join(', ') }),
     ...(material?.baseColorTexture && {
       texture: `${material.baseColorTexture.mimeType}, ${whole(material.baseColorTexture.bytes.length)} bytes`,
     }),
@@ -36,7 +36,7 @@ function describe(mesh: Mesh): Record<string, string> {
 }
 
 const whole = (number: number) => number.toLocaleString('en-US')
-const rounded = (number: number) => String(Number(number.toPrecision(4)))
+const formatFloat = (number: number) => String(Number(number.toPrecision(4)))
 
 function extent(positions: Float32Array): [min: number[], max: number[]] {
   const [min, max] = [Array<number>(3).fill(Infinity), Array<number>(3).fill(-Infinity)]

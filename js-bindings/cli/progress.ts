@@ -1,4 +1,4 @@
-// What is told on the way, on stderr, so that stdout has only the result.
+// Prints progress on stderr, so that stdout has only the result.
 import { printable } from './printable.js'
 
 export const count = (number: number, one: string, many = `${one}s`) =>
@@ -10,20 +10,20 @@ export class Progress {
 
   constructor(private readonly isQuiet: boolean) {}
 
-  /** A line that stays. */
+  /** Prints a line that stays. */
   step(text: string) {
     if (this.isQuiet) return
     this.clear()
     process.stderr.write(`${printable(text)}\n`)
   }
 
-  /** Takes away a line that `update` wrote. */
+  /** Removes a line that `update` printed. */
   clear() {
     if (this.isOpen) process.stderr.write('\r\x1b[K')
     this.isOpen = false
   }
 
-  /** A line that the next one replaces, at most ten times a second; only where somebody watches. */
+  /** Prints a line that the next one replaces, at most 10 times per second, if stderr is a terminal. */
   update(text: string) {
     if (this.isQuiet || !process.stderr.isTTY || performance.now() < this.shown + 100) return
     this.shown = performance.now()

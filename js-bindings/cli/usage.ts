@@ -1,21 +1,21 @@
-// How a command line is read.
+// Parses the command line.
 import { type ParseArgsConfig, parseArgs } from 'node:util'
 import { WarpError } from '../errors/errors.js'
 import type { Kind } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 
-/** A command line that cannot be meant. */
+/** An error in the command line. */
 export class UsageError extends Error {
   constructor(
     message: string,
-    /** With a space after it, or nothing. */
+    /** The command followed by a space, or empty. */
     readonly command = '',
   ) {
     super(message)
   }
 }
 
-/** What JavaScript calls options, as the command line does. */
+/** Maps options in JavaScript to those of the command line. */
 const flags: Readonly<Record<string, string>> = {
   function: '--function',
   returns: '--returns',
@@ -25,11 +25,11 @@ const flags: Readonly<Record<string, string>> = {
   surfaceVariation: '--surface-variation',
 }
 
-/** A sentence that names options, for somebody at the command line. */
-export const withFlags = (sentence: string) =>
-  sentence.replace(/(?:the|its) option "?(\w+)"?/g, (all, name: string) => flags[name] ?? all)
+/** Renames the options in a message for users of the command line. */
+export const withFlags = (message: string) =>
+  message.replace(/(?:the|its) option "?(\w+)"?/g, (all, name: string) => flags[name] ?? all)
 
-/** An option of the command line, as Node reads it; with a kind, its value is read by that. */
+/** An option of the command line, as for Node's parseArgs; `kind` parses its value. */
 export type Flag = ParseArgsConfig['options'] extends infer All | undefined
   ? All[keyof All] & { kind?: Kind<unknown, any> }
   : never
@@ -46,7 +46,7 @@ type Values<Known extends Flags> = {
       : undefined
 }
 
-/** The options of a command, and its files, of which it needs exactly as many as `files` names. */
+/** Parses the options and file names of a command, which must be exactly as many as `files` describes. */
 export function readArguments<const Known extends Flags>(
   command: string,
   args: string[],
@@ -58,7 +58,7 @@ export function readArguments<const Known extends Flags>(
   const wrong = (message: string) => new UsageError(message, `${command} `)
   if (positionals.length > files.length)
     throw wrong(
-      `${command} takes ${files.join(' and ')}, and nothing more, but "${positionals[files.length]}" came.`,
+      `${command}: expected ${files.join(' and ')}, and nothing more, got "${positionals[files.length]}".`,
     )
   const missing = files[positionals.length]
   if (missing) throw wrong(`${command} needs ${missing}.`)
@@ -81,7 +81,7 @@ const readFlags = <Known extends Flags>(
     ]),
   ) as Values<Known>
 
-/** A number that is written as text. */
+/** Converts a kind of numbers to a kind of strings that contain a number. */
 export const numeric = <Value>({ read }: Kind<Value, number>): Kind<Value, string> => ({
   read(given, place) {
     const number = typeof given === 'string' && given.trim() ? Number(given) : NaN

@@ -1,8 +1,8 @@
-// The offset function of a file.
+// Loads an offset function from a JavaScript or GLSL file.
 import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { mostIterations } from '../glsl-source/options.js'
+import { maxIterationLimit } from '../glsl-source/options.js'
 import { numeric } from './usage.js'
 import { optional, wholeNumber } from '../options/kinds.js'
 import { WarpError, describe } from '../errors/errors.js'
@@ -10,28 +10,28 @@ import { glslOffset } from '../glsl-source/offset.js'
 import { inputSizes } from '../core/inputs/inputs.js'
 import type { OffsetFunction, UniformOptions } from '../core/types/types.js'
 
-/** What a file exports. */
+/** The exports of a file. */
 export interface WarpFile {
   /** The default export, or the only function. */
   offset: OffsetFunction
-  /** The option `uniforms`, as `compileWarp` takes it. */
+  /** The option `uniforms` of `compileWarp`. */
   uniforms: UniformOptions | undefined
 }
 
-/** What a file of shader text is told, on the command line. */
+/** Options of the command line about a GLSL file. */
 export interface GlslChoice {
   function?: string | undefined
   returns?: string | undefined
   maxIterations?: number | undefined
 }
 
-/** The command line's options for these. */
+/** The command line's flags for `GlslChoice`. */
 export const glslFlags = {
   function: { type: 'string' },
   returns: { type: 'string' },
   'max-iterations': {
     type: 'string',
-    kind: numeric(optional(wholeNumber({ min: 1, max: mostIterations }))),
+    kind: numeric(optional(wholeNumber({ min: 1, max: maxIterationLimit }))),
   },
 } as const
 
@@ -46,8 +46,8 @@ export const choiceOf = (values: {
 })
 
 /**
- * Runs the file, or reads it, where its name says that it is shader text: its uniforms then have the types that it says, and the
- * values that are given.
+ * Imports a JavaScript file, or parses the file if its name is that of a GLSL file: then its uniforms have the types declared in the
+ * source, and the values passed here.
  */
 export async function readWarp(
   file: string,
@@ -69,7 +69,7 @@ export async function readWarp(
   )
 }
 
-/** Without the inputs, which nobody declares. */
+/** Removes the inputs, which need no declaration. */
 const uniformsOfText = (values: object) =>
   Object.fromEntries(
     Object.entries(values).filter(([name]) => !Object.hasOwn(inputSizes, name)),
@@ -78,10 +78,10 @@ const uniformsOfText = (values: object) =>
 const isGlsl = (file: string) => /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
 
 const readGlsl = async (file: string, choice: GlslChoice) =>
-  glslOffset(await readText(file), given(choice))
+  glslOffset(await readText(file), removeUndefined(choice))
 
-/** What is there of some options. */
-export const given = (options: object) =>
+/** Removes options that are `undefined`. */
+export const removeUndefined = (options: object) =>
   Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined))
 
 export async function readText(file: string): Promise<string> {
@@ -92,28 +92,26 @@ export async function readText(file: string): Promise<string> {
     throw new WarpError(
       code === 'ENOENT'
         ? `The file ${file} does not exist.`
-        : `${file} cannot be read: the system says ${code}.`,
+        : `${file} cannot be read: the system reports ${code}.`,
     )
   }
 }
 
 async function load(file: string): Promise<Record<string, unknown>> {
   const url = pathToFileURL(resolve(file)).href
-  const forsaken = Symbol()
-  const given = await Promise.race([
+  const neverResolves = Symbol()
+  const module = await Promise.race([
     import(/* @vite-ignore */ url).catch((error: unknown) => {
-      throw new WarpError(sentence(file, url, error))
+      throw new WarpError(messageFor(file, url, error))
     }),
-    // Node, with nothing left to do, would end without a word.
-    new Promise<symbol>((resolve) => process.once('beforeExit', () => resolve(forsaken))),
+    // Without this, Node would exit silently when nothing is left to do.
+    new Promise<symbol>((resolve) => process.once('beforeExit', () => resolve(neverResolves))),
   ])
-  if (given !== forsaken) return given
-  throw new WarpError(
-    `${file} never ends: outside of its functions it awaits something that never comes.`,
-  )
+  if (module !== neverResolves) return module
+  throw new WarpError(`${file} never finishes loading: its top-level await never resolves.`)
 }
 
-function sentence(file: string, url: string, error: unknown): string {
+function messageFor(file: string, url: string, error: unknown): string {
   if (!(error instanceof Error)) return `${file} cannot be run: it throws ${describe(error)}.`
   const { code, name, message } = error as Error & { code?: string }
   const first = String(message).split('\n')[0]!
@@ -123,14 +121,14 @@ function sentence(file: string, url: string, error: unknown): string {
     !first.includes('imported from ' + resolve(file))
   )
     return `The file ${file} does not exist.`
-  // Node before 20.19 takes a .js file for CommonJS unless a package.json says otherwise.
+  // Node before 20.19 treats a .js file as CommonJS unless a package.json says otherwise.
   if (name === 'SyntaxError' && /\bexport\b/.test(first))
     return `${file} is an ES module; name it .mjs, or put "type": "module" into its package.json.`
   return `${file} cannot be run: ${name}: ${first.replace(url, file)}`
 }
 
-/** What the sketch's own code throws while it is compiled, as a sentence that names the file. */
-export async function blame<Result>(file: string, work: () => Result): Promise<Result> {
+/** Runs `work`, which calls code of a file, and adds the file and line to the message of an error. */
+export async function withFileInErrors<Result>(file: string, work: () => Result): Promise<Result> {
   try {
     return work()
   } catch (error) {

@@ -1,30 +1,34 @@
-// `compileWarp` for those who want its text alone.
+// `compileWarp` of 'warpjet/text', which only writes shader code.
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { WarpError } from '../errors/errors.js'
+import { callback } from '../options/kinds.js'
+import { Place } from '../options/place.js'
 import { type Emits, textsOf } from './emit.js'
 import { OffsetWarp } from './offset-warp.js'
-import { type WarpOptions, checkWarpOptions } from './warp-options.js'
+import { type WarpOptions, readWarpOptions } from './warp-options.js'
 import type { WarpText } from './warp-text.js'
 
+const place = new Place('compileWarp')
+
 /**
- * Compiles an offset function into statements that move a vertex and turn its normal: what `compileWarp` of 'warpjet' does,
- * with its options, but for `evaluate` and its companions, which throw a `WarpError` here.
+ * Compiles an offset function into statements that move a vertex and transform its normal, like `compileWarp` of 'warpjet' and
+ * with the same options, but `evaluate` and the other methods for the CPU throw a `WarpError` here.
  */
 export function compileWarp<const Uniforms extends UniformValues = {}>(
   offset: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): WarpText & Emits {
-  checkWarpOptions('compileWarp', offset, options)
-  const warp = new OffsetWarp('compileWarp', offset as OffsetFunction, options)
-  return { ...textsOf(warp, options), ...elsewhere }
+  callback.read(offset, place)
+  const settings = readWarpOptions(options, place)
+  const warp = new OffsetWarp(place, offset as OffsetFunction, settings)
+  return { ...textsOf(warp, settings), ...unavailable }
 }
 
-const elsewhere = Object.fromEntries(
+const unavailable = Object.fromEntries(
   ['evaluate', 'evaluateAt', 'bounds', 'foldover'].map((method) => [
     method,
     () => {
-      throw new WarpError(
-        `${method}: this compileWarp makes text only; the one that also runs on the CPU is that of the script p5.warpjet.min.js, and of 'warpjet'.`,
+      throw new Place(method).error(
+        `this compileWarp only writes shader code; compileWarp of the script p5.warpjet.min.js, and of 'warpjet', also runs on the CPU.`,
       )
     },
   ]),

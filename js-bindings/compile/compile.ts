@@ -1,34 +1,34 @@
-// Any expressions, as text and on the CPU: `compile`, and glsl-autodiff's `gen`.
+// Any expressions, as shader code and on the CPU: `compile`, and glsl-autodiff's `gen`.
 import { createBuilder } from '../core/expression/builder.js'
+import { Expression, toExpression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { readOperators } from '../errors/operators.js'
+import { lazily } from '../core/module/lazily.js'
 import {
   type Compiled,
   type CompileOptions,
   declaredOf,
   withSession,
 } from '../core/module/result.js'
-import { type Numbers, evaluate } from '../cpu/double.js'
-import { Expression, toExpression } from '../core/expression/expression.js'
 import {
-  type KeptModule,
-  targetKind,
+  type SerializedModule,
   makeProgram,
   resultsOf,
+  targetKind,
   writeText,
-} from '../core/module/kept-module.js'
-import { lazily } from '../core/module/lazily.js'
+} from '../core/module/serialized-module.js'
+import type { Expression as AnyExpression, Glsl } from '../core/types/types.js'
+import { type Numbers, evaluate } from '../cpu/double.js'
+import { describe } from '../errors/errors.js'
+import { readOperators } from '../errors/operators.js'
 import { boolean, callback as callbackKind, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
-import type { Expression as AnyExpression, Glsl } from '../core/types/types.js'
 
 export interface CompiledExpressions extends Compiled {
   /**
-   * The expressions on the CPU, in double, from the values of the host's variables by name: a number each, or an array
-   * for a vector or, column by column, a matrix. Conditions are 1 and 0. Throws a `WarpError` if a value is missing or
-   * of the wrong size, or if a `glsl.fn` or `glsl.texture` is called, which only the GPU can run.
+   * Evaluates the expressions on the CPU, in double precision. `inputs` maps a variable of the shader → its value: a number, or an
+   * array for a vector or, column by column, a matrix. Conditions are 1 and 0. Throws a `WarpError` if a value is missing or of the
+   * wrong size, or if a `glsl.fn` or `glsl.texture` is called, which only the GPU can evaluate.
    */
   evaluate(inputs?: Readonly<Record<string, Numbers>>): Record<string, number | number[]>
 }
@@ -37,8 +37,8 @@ const place = new Place('compile')
 const compileOptions = object({ target: targetKind } satisfies KindsOf<CompileOptions>)
 
 /**
- * Compiles any named expressions. The callback gets the builder and returns them as an object;
- * `glsl.derivative(expression, input)` is an expression too. Throws a `WarpError`.
+ * Compiles named expressions. The callback gets `glsl` and returns them as an object; `glsl.derivative(expression, input)` is an
+ * expression too. Throws a `WarpError` for an operation that is misused, and for a callback that does not return expressions.
  */
 export function compile(
   callback: (glsl: Glsl) => Record<string, AnyExpression | number>,
@@ -49,13 +49,13 @@ export function compile(
   const read = readOperators(callback, { method: 'compile' })
   const module = withSession(target, (session) => {
     const results: unknown = read(createBuilder(session) as unknown as Glsl)
-    if (typeof results !== 'object' || results === null || isNoRecord(results))
-      throw new WarpError(
-        `compile: the function must return an object of named expressions, such as { height: x.sin() }, but returned ${describeResult(results)}.`,
+    if (typeof results !== 'object' || results === null || !isRecord(results))
+      throw place.error(
+        `the function must return an object of named expressions, such as { height: x.sin() }, but returned ${describeResult(results)}.`,
       )
     for (const [name, value] of Object.entries(results)) {
       const expression = toExpression(session, value, place.part(`the result "${name}"`))
-      session.output(name, expression, 'compile')
+      session.output(name, expression, place)
     }
     return session.finish()
   })
@@ -74,10 +74,10 @@ export function compile(
 }
 
 export interface GenSettings extends CompileOptions {
-  /** The number of nested operations at which an expression becomes a variable. Unless it is given, that is 8, and an
-   * expression that reads many variables is cut too, so that few are alive at a time. */
+  /** The number of nested operations at which an expression becomes a variable. Default: 8, and expressions that read many
+   * variables are split too, so that few are live at a time. */
   maxDepthPerVariable?: number
-  /** Adds the line of the sketch that each statement comes from. */
+  /** `true`: comments say which line of your code each statement comes from. */
   debug?: boolean
 }
 
@@ -91,42 +91,42 @@ const genSettings = object({
 } satisfies KindsOf<GenSettings>)
 
 /**
- * glsl-autodiff's `gen`: the callback asks for results with `.output(name)` and
- * `.outputDeriv(name, input)`, and the statements come back. The source of a `glsl.fn` is not among
- * them; put it above `main`. Throws a `WarpError`.
+ * glsl-autodiff's `gen`: the callback requests results by `.output(name)` and `.outputDeriv(name, input)`. Returns the statements,
+ * without the sources of `glsl.fn`; put these above `main`. Throws a `WarpError` for an operation that is misused.
  */
 export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
   callbackKind.read(callback, genPlace)
   const { target, maxDepthPerVariable, debug } = genSettings.read(settings, genPlace)
   const read = readOperators(callback, { method: 'gen' })
-  const run = (session: Session): [KeptModule, unknown] => {
+  const run = (session: Session): [SerializedModule, unknown] => {
     const returned: unknown = read(createBuilder(session) as unknown as Glsl)
     if (isUnfinished(returned))
-      throw new WarpError('gen: the function must be a plain one, not async and no generator.')
+      throw genPlace.error('the function must be neither async nor a generator.')
     return [session.finish(), returned]
   }
-  const [module, returned] = withSession(target, run, { asks: true, debug })
+  const [module, returned] = withSession(target, run, { hasOutputMethods: true, debug })
   const { code, declarations } = writeText(module, target, {}, maxDepthPerVariable)
   if (declarations.includes('warpjet'))
-    throw new WarpError(
-      'gen: noise and images need functions above main, which only compile gives.',
+    throw genPlace.error(
+      'noise and images need functions above main; use compile, which returns them.',
     )
   if (returned !== undefined && code === '')
-    throw new WarpError(
-      'gen: no result was asked for; call .output(name) on an expression instead of returning it.',
+    throw genPlace.error(
+      'there is no result; call .output(name) on an expression instead of returning it.',
     )
   return code
 }
 
-/** What an async function or a generator returns at once. */
+/** Tests for a promise or a generator object. */
 const isUnfinished = (returned: unknown) =>
   typeof returned === 'object' && returned !== null && ('then' in returned || 'next' in returned)
 
 function describeResult(results: unknown): string {
   if (results instanceof Expression) return 'a single expression'
-  if (isUnfinished(results)) return 'before it was finished; it must be a plain function'
+  if (isUnfinished(results))
+    return 'a promise or generator; it must be neither async nor a generator'
   return describe(results)
 }
 
-const isNoRecord = (results: object) =>
-  results instanceof Expression || Array.isArray(results) || Object.keys(results).length === 0
+const isRecord = (results: object) =>
+  !(results instanceof Expression) && !Array.isArray(results) && Object.keys(results).length > 0

@@ -1,30 +1,33 @@
-// The texts of `compileWarp`, and its frame constants.
+// The shader code of `compileWarp`, and its frame constants.
 import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
-import { type Target, checkTarget } from '../core/module/kept-module.js'
+import { type Target, targetKind } from '../core/module/serialized-module.js'
 import { noteApproximation } from '../errors/notes.js'
-import { checkOptions } from '../options/options.js'
+import { Place } from '../options/place.js'
 import type { OffsetWarp } from './offset-warp.js'
 import type { Result } from './recorded-warp.js'
-import { type TextOptions, type WarpOptions, checkNames } from './warp-options.js'
+import { type RecordOptions, type TextOptions, textOptions } from './warp-options.js'
 import type { WarpText } from './warp-text.js'
 
-/** The methods of a compiled warp that make further texts and frame constants. */
+/** The methods of a compiled warp that write more code and compute frame constants. */
 export interface Emits {
   /**
-   * The text once more: in another language, or for a host with other names. The offset function is not called again, so
-   * that it is the same warp, also if it was made by chance. What is not given is as in the options of `compileWarp`.
+   * Writes the same warp in another language, or with other names. The offset function is not called again, so that it is the
+   * same warp even if the function uses random numbers. Default: the names of the options of `compileWarp`.
    */
   emit(target: Target, options?: TextOptions): WarpText
   /**
-   * With the option `perFrame`: values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. It takes the inputs
-   * that are the same for a frame, such as `{ millis: performance.now() }`, and values in the place of those that the option `uniforms` gave.
-   * Throws a `WarpError` for a value that is missing or wrong.
+   * With the option `perFrame`: returns values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. `inputs` are
+   * those that are constant during a frame, such as `{ millis: performance.now() }`, and values that replace those of the option
+   * `uniforms`. Throws a `WarpError` for a missing or wrong value.
    */
   frameUniforms(inputs?: Uniforms): Record<string, number[]>
 }
 
-export function textsOf(warp: OffsetWarp, options: WarpOptions): WarpText & Emits {
-  const { normals = true, tangents = false } = options
+const emitPlace = new Place('emit')
+const framePlace = new Place('frameUniforms')
+
+export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Emits {
+  const { target, normals, tangents } = options
   const results: Result[] = [
     'offset',
     'position',
@@ -35,24 +38,20 @@ export function textsOf(warp: OffsetWarp, options: WarpOptions): WarpText & Emit
     const { parameters: _, frame: __, ...text } = warp.text(target, results, names)
     return text
   }
-  const text = write(checkTarget(options.target))
+  const text = write(target!)
   if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
   return {
     ...text,
-    emit(target, names = {}) {
-      checkOptions('emit', names, ['names', 'outputs'])
-      checkNames('emit', names)
-      return write(checkTarget(target), names)
-    },
+    emit: (target, names) =>
+      write(
+        targetKind.read(target, emitPlace.part('the target')),
+        textOptions.read(names, emitPlace),
+      ),
     frameUniforms(given = {}) {
-      checkUniforms('frameUniforms', given, warp.variableNames())
-      // A copy of the caller's own.
-      return Object.fromEntries(
-        Object.entries(warp.frame(given, 'frameUniforms')).map(([name, values]) => [
-          name,
-          [...values],
-        ]),
-      )
+      checkUniforms(framePlace, given, warp.variableNames())
+      const constants = Object.entries(warp.frame(given, framePlace))
+      // Copies, which the caller may change.
+      return Object.fromEntries(constants.map(([name, values]) => [name, [...values]]))
     },
   }
 }

@@ -1,25 +1,31 @@
 /**
- * What a text reads that is the same for a whole frame, computed once a frame on the CPU: in double, so that a sketch may run for a
- * week, and less by whole periods where it is added inside of something periodic.
+ * Frame constants: values that shader code reads and that are constant during a frame, computed once per frame on the CPU. They are
+ * computed in double precision, so that a page may run for a week, and reduced by whole periods where they are added to the
+ * argument of a periodic function.
  */
-import { runInDouble } from '../cpu/double.js'
-import { type KeptModule, type Known, makeFrame } from '../core/module/kept-module.js'
 import type { Variable } from '../core/expression/shapes.js'
+import {
+  type IsFrameConstant,
+  type SerializedModule,
+  makeFrame,
+} from '../core/module/serialized-module.js'
+import { runInDouble } from '../cpu/double.js'
 
-/** By name, vec4s for uniforms of the shader. */
+/** Maps the name of a uniform of the shader → vec4. */
 export type FrameConstants = Readonly<Record<string, readonly number[]>>
 
-export const isFrameConstant = ({ name }: { name: string }) => /^warpjetFrame\d+$/.test(name)
+/** Tests for a uniform that carries frame constants. */
+export const isFrameUniform = ({ name }: { name: string }) => /^warpjetFrame\d+$/.test(name)
 
-const nothing: FrameConstants = {}
+const noConstants: FrameConstants = {}
 
 /**
- * `read` gives the numbers of a known input. It is called only for inputs that the frame constants depend on. While these stay
- * the same, so does the object.
+ * Returns a function that computes the constants. Its argument `read` returns the numbers of an input, and is called only for
+ * inputs that the constants depend on. While these numbers stay the same, the same object is returned.
  */
-export function frameOf(module: KeptModule, isKnown: Known) {
-  const frame = makeFrame(module, isKnown)
-  if (!frame) return () => nothing
+export function frameOf(module: SerializedModule, isFrameConstant: IsFrameConstant) {
+  const frame = makeFrame(module, isFrameConstant)
+  if (!frame) return () => noConstants
   const { program, count, isRead } = frame
   const needed = program.inputs.filter((_, i) => isRead[i])
   let last: { numbers: (readonly number[])[]; constants: FrameConstants } | undefined
@@ -39,7 +45,7 @@ export function frameOf(module: KeptModule, isKnown: Known) {
   }
 }
 
-/** For numbers of the same inputs. */
+/** Compares the numbers of the same inputs. */
 const areSame = (a: readonly (readonly number[])[], b: readonly (readonly number[])[]) =>
   a.every((list, i) => list.every((number, k) => Object.is(number, b[i]![k])))
 

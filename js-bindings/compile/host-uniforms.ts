@@ -1,25 +1,26 @@
-// The option `uniforms` in a host: what the shader calls each one, and its value now, as numbers or as the host's image.
+// The option `uniforms` in a host: the name of each uniform in the shader, and its value now, as numbers or as the host's image.
+import { type ShapeName, imageShape, typeOf } from '../core/expression/shapes.js'
 import {
   type DeclaredUniform,
   type DeclaredUniforms,
-  readDeclared,
+  uniformsKind,
   unknownUniform,
 } from '../core/inputs/declared-uniforms.js'
 import { numbersFor } from '../core/inputs/uniform-values.js'
-import { type ShapeName, imageShape, typeOf } from '../core/expression/shapes.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { isCallable, isList } from '../options/options.js'
+import { type WarpError, describe } from '../errors/errors.js'
+import { isCallable, isList } from '../options/guards.js'
+import type { Place } from '../options/place.js'
 import type { Host, HostValues } from './host.js'
 import { samplingNumbers, samplingUniforms } from './image-sampling.js'
 
-/** One uniform of the shader. */
+/** A uniform of the shader. */
 export interface HostUniform {
   /** Its name in the shader. */
   label: string
   type: ShapeName
-  /** Its numbers now, column by column; none of an image. */
+  /** Returns its numbers now, column by column; empty for an image. */
   numbers: () => number[]
-  /** Present for an image: returns the image that it is now. */
+  /** Present for an image: returns its present image. */
   image?: () => unknown
 }
 
@@ -28,14 +29,15 @@ const plainNumbers: HostValues = { isImage: () => false, toNumbers: (value) => v
 export class HostUniforms {
   /** Maps the user's names to uniforms, with their present values. */
   readonly declared: DeclaredUniforms
-  /** The uniforms of the shader. The sampling of an image follows the image. */
+  /** The uniforms of the shader. Those for the sampling of an image follow the image. */
   readonly inShader: readonly HostUniform[]
   readonly names: readonly string[]
   private readonly labels: ReadonlyMap<string, string>
   private readonly values: Record<string, unknown>
 
   constructor(
-    private readonly method: string,
+    /** The call that made the warp. */
+    private readonly place: Place,
     option: object | undefined,
     private readonly host: Host | undefined,
   ) {
@@ -48,21 +50,21 @@ export class HostUniforms {
     )
   }
 
-  /** Returns the name that a uniform has in the shader. */
+  /** Returns the name of a uniform in the shader. */
   readonly labelOf = (name: string): string => this.labels.get(name)!
 
-  /** The value that was given, or what its function gives now. */
+  /** Returns the present value; that of a function is what it returns. */
   get(name: string): unknown {
     const value = this.values[name]
     return isCallable(value) ? (value as () => unknown)() : value
   }
 
-  /** The value that was given: a function as it is. */
+  /** Returns the value that the user set, which may be a function. */
   given(name: string): unknown {
     return this.values[name]
   }
 
-  /** Checks the value here, where the mistake is. */
+  /** Sets and checks a value, so that an error has the user's line in its stack. */
   set(name: string, value: unknown) {
     if (!this.declared.has(name)) throw this.unknown(name)
     this.read(name, value)
@@ -70,19 +72,19 @@ export class HostUniforms {
   }
 
   unknown(name: string): WarpError {
-    return unknownUniform(this.method, name, this.names)
+    return unknownUniform(this.place, name, this.names)
   }
 
-  /** The numbers of a value in the place of the present one. */
+  /** Reads a value that a call passes in place of the present one. */
   numbersFor(name: string, value: unknown): number[] {
-    return numbersFor(placeOf(name), this.declared.get(name)!.shape, value)
+    return numbersFor(this.place.uniform(name), this.declared.get(name)!.shape, value)
   }
 
   private declare(option: object | undefined): DeclaredUniforms {
     const { values } = this.host ?? {}
-    const declared = readDeclared(
-      this.method,
+    const declared = uniformsKind.read(
       values && isRecord(option) ? this.plain(option) : option,
+      this.place,
     )
     const { hasTransform } = this.host?.sampling ?? {}
     return new Map(
@@ -97,6 +99,7 @@ export class HostUniforms {
     )
   }
 
+  /** Replaces values of the host's classes. */
   private plain(option: object) {
     return Object.fromEntries(
       Object.entries(option).map(([name, given]: [string, unknown]) => [
@@ -111,7 +114,7 @@ export class HostUniforms {
     return isImage(value) ? { width: 1, height: 1, image: value } : toNumbers(value)
   }
 
-  /** Numbers of a list that may change in place, or of another value that was set. */
+  /** Reads the value anew each time, since an array may change in place, and another value may be set. */
   private liveValue(name: string, { shape }: DeclaredUniform): Partial<DeclaredUniform> {
     const read = () => this.read(name, this.values[name], shape)
     read()
@@ -124,21 +127,19 @@ export class HostUniforms {
     }
   }
 
-  /** The numbers of a value, or the host's image. */
+  /** Returns the numbers of a value, or the host's image. */
   private read(name: string, value: unknown, shape = this.declared.get(name)!.shape): unknown {
     const now = this.toPlain(isCallable(value) ? (value as () => unknown)() : value)
-    if (shape !== imageShape) return numbersFor(placeOf(name), shape, now)
+    if (shape !== imageShape) return numbersFor(this.place.uniform(name), shape, now)
     const { image } = (now ?? {}) as { image?: unknown }
     if (image) return image
-    throw new WarpError(
-      `${placeOf(name)} must be a texture of ${this.host!.name}, but is ${describe(value)}.`,
-    )
+    throw this.place.uniform(name).expected(`a texture of ${this.host!.name}`, describe(value))
   }
 
   private shaderUniforms(name: string, { shape, image }: DeclaredUniform): HostUniform[] {
     const label = this.labelOf(name)
     const { numbers } = this.declared.get(name)!
-    const uniform = { label, type: typeOf(shape), numbers: () => numbers(this.method) }
+    const uniform = { label, type: typeOf(shape), numbers: () => numbers(this.place) }
     if (!image) return [uniform]
     const read = () => hostImage(image())
     return [{ ...uniform, image: read }, ...this.samplingOf(label, read)]
@@ -166,7 +167,5 @@ export class HostUniforms {
 const isRecord = (option: unknown): option is object =>
   typeof option === 'object' && option !== null && !isList(option)
 
-/** Undoes `toPlain` of an image. p5's images are as they were. */
+/** Undoes `toPlain` for an image. Images of p5 are not wrapped. */
 const hostImage = (value: object): unknown => ('image' in value ? value.image : value)
-
-const placeOf = (name: string) => `The warp's uniform "${name}"`

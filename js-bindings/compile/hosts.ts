@@ -1,4 +1,4 @@
-// The façade for adapters of hosts: all that they import of core, compile and cpu.
+// The façade for adapters of hosts: their only import from core, compile and cpu.
 export { HostWarp } from './host-warp.js'
 export type { Host } from './host.js'
 export type { FrameConstants } from './frame.js'
@@ -21,7 +21,7 @@ export {
 } from '../core/inputs/inputs.js'
 export { componentsOf, imageFor, scalarOrArray } from '../core/inputs/uniform-values.js'
 export { type Vertices, arrayNames } from '../core/inputs/vertices.js'
-export type { Target } from '../core/module/kept-module.js'
+export type { Target } from '../core/module/serialized-module.js'
 export { lazily } from '../core/module/lazily.js'
 export type { Declared } from '../core/module/result.js'
 export type { Vec3 } from '../core/types/expressions.js'

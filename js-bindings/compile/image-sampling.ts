@@ -1,21 +1,21 @@
-// The sampling of an image, as the numbers of uniforms.
+// How a host samples an image, as uniforms.
 import { hostWraps, samplingUniforms } from '../core/expression/sampling.js'
 
 export { samplingUniforms }
 
 export interface ImageSampling {
-  /** In u and v. */
+  /** The wrapping in u and v. */
   wrap: readonly [Wrap, Wrap]
-  /** `true` if the filter takes the nearest texel. */
+  /** `true` if the filter returns the nearest texel. */
   isNearest: boolean
-  /** The mat3 for texture coordinates, column by column, where the host has one. */
+  /** Present if the host has one: the mat3 for texture coordinates, column by column. */
   transform?: readonly number[]
 }
 
-/** Other ways of the host count as `'clamp'`. */
+/** Other modes of a host count as `'clamp'`. */
 export type Wrap = keyof typeof hostWraps
 
-/** The numbers of the uniform `settings`. */
+/** Returns the numbers of the uniform `settings`. */
 export const samplingNumbers = ({ wrap: [u, v], isNearest }: ImageSampling): number[] => [
   hostWraps[u],
   hostWraps[v],

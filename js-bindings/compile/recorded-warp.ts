@@ -1,35 +1,35 @@
-// Calls an offset function, once, and keeps what it did: everything else is written or run from there.
-import { operationNumber } from '../core/expression/operations.js'
+// Calls an offset function, once, and records it as a module, from which shader code and CPU programs are made.
 import { type Expression, toExpression } from '../core/expression/expression.js'
+import { operationNamed } from '../core/expression/operations.js'
 import type { Session } from '../core/expression/session.js'
 import { type InputName, inputSizes } from '../core/inputs/inputs.js'
-import { type KeptModule, resultsOf } from '../core/module/kept-module.js'
+import { type SerializedModule, resultsOf } from '../core/module/serialized-module.js'
 import { withSession } from '../core/module/result.js'
 import type { OffsetFunction } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
-import { WarpError, describe, describeShape } from '../errors/errors.js'
+import { describe, describeShape } from '../errors/errors.js'
 import { Place } from '../options/place.js'
-import { turnedResults, warpOperands, warpResults } from '../wasm/tables.js'
+import { variantCount, warpOperands, warpResults } from '../wasm/tables.js'
 import { warpInputs } from './warp-inputs.js'
 import type { Settings } from './warp-options.js'
 
 export interface RecordedWarp {
-  module: KeptModule
+  module: SerializedModule
   settings: Settings
   /** Maps an input's name to its number in the module. */
   inputs: Readonly<Record<InputName, number>>
   /** `true` if the warped normal depends on how normal and uv vary over the surface. */
   varies: boolean
-  /** `true` if texts treat them as constant all the same, and no option accepts that. */
+  /** `true` if shader code treats them as constant nevertheless, and no option accepts that. */
   isApproximate: boolean
   /** The number of the offset's Jacobian among the results, if the settings ask for it. */
   jacobian: number | undefined
 }
 
-/** A result that a text may have. The Jacobian J of the offset is for directions t, which become t + J t. */
+/** A result of shader code. The Jacobian J of the offset transforms a direction t into t + J t. */
 export type Result = 'offset' | 'position' | 'normal' | 'tangent' | 'jacobian'
 
-/** The number of a result in the module. If the text knows how normal and uv vary over the surface, normals and tangents are others. */
+/** Returns the number of a result in the module. `knowsVariation` selects normals and tangents that take into account how normal and uv vary over the surface. */
 export function resultNumber(
   { jacobian }: Pick<RecordedWarp, 'jacobian'>,
   result: Result,
@@ -39,30 +39,30 @@ export function resultNumber(
   return knowsVariation ? onSurface(warpResults[result]) : warpResults[result]
 }
 
-/** The number of a result where normal and uv vary over the surface. */
+/** Returns the number of the variant of a result that takes into account how normal and uv vary over the surface. */
 export const onSurface = (result: number) =>
-  result < warpResults.normal ? result : result + turnedResults
+  result < warpResults.normal ? result : result + variantCount
 
 export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): RecordedWarp {
-  const { method, target, names, normals, surfaceVariation, isAccepted, debug } = settings
+  const { place, target, names, normals, surfaceVariation, isAccepted, debug } = settings
   const record = (session: Session): RecordedWarp => {
     const given: Record<string, Expression> = {}
     for (const [name, label] of Object.entries(names)) {
       given[name] = session.input(
         label,
         [1, inputSizes[name as InputName]],
-        `${method} names.${name}`,
+        `${place.method} names.${name}`,
       )
       session.inputNames.set(label, name)
     }
-    const offset = checkOffset(session, method, offsetFunction(warpInputs(session, given)))
+    const offset = readOffset(session, place, offsetFunction(warpInputs(session, given)))
     const operands = warpOperands.map((name) => given[name]!)
-    const { varies } = session.warp(method, [offset, ...operands], normals, !surfaceVariation)
+    const { varies } = session.warp(place, [offset, ...operands], normals, !surfaceVariation)
     const inputs = Object.fromEntries(
       Object.entries(given).map(([name, input]) => [name, session.numberOf(input)]),
     ) as RecordedWarp['inputs']
     const isApproximate = varies && !surfaceVariation && !isAccepted
-    if (settings.jacobian) askJacobian(session, offset, given.position!)
+    if (settings.jacobian) addJacobian(session, offset, given.position!)
     const module = session.finish()
     const jacobian = settings.jacobian ? resultsOf(module).length - 1 : undefined
     return { module, settings, inputs, varies, isApproximate, jacobian }
@@ -70,20 +70,24 @@ export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): 
   return withSession(target, record, { debug })
 }
 
-function askJacobian(session: Session, offset: Expression, position: Expression) {
-  const operation = operationNumber('jacobian')
-  session.output('jacobian', session.call(operation, 'jacobian', [offset, position]), 'jacobian')
+const jacobianPlace = new Place('jacobian')
+
+/** Adds the Jacobian of the offset to the results. */
+function addJacobian(session: Session, offset: Expression, position: Expression) {
+  const jacobian = session.call(operationNamed('jacobian'), [offset, position])
+  session.output('jacobian', jacobian, jacobianPlace)
 }
 
-function checkOffset(session: Session, method: string, offset: unknown): Expression {
-  const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
-  if (!isExpression(offset))
-    throw new WarpError(
-      `${method}: ${expected}, but returned ${describe(offset)}${offset === undefined ? ' (is its "return" missing?)' : offset instanceof Promise ? ' (leave its "async" out)' : ''}.`,
+function readOffset(session: Session, place: Place, offset: unknown): Expression {
+  const wrong = (got: string) =>
+    place.error(
+      `the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned ${got}.`,
     )
-  const vector = toExpression(session, offset, new Place(method, 'the offset'))
+  if (offset === undefined) throw wrong('undefined (is its "return" missing?)')
+  if (offset instanceof Promise) throw wrong('a promise (leave its "async" out)')
+  if (!isExpression(offset)) throw wrong(describe(offset))
+  const vector = toExpression(session, offset, place.part('the offset'))
   const [columns, rows] = session.shapeOf(vector)
-  if (columns !== 1 || rows !== 3)
-    throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
+  if (columns !== 1 || rows !== 3) throw wrong(describeShape([columns, rows]))
   return vector
 }

@@ -1,11 +1,11 @@
-// What a warp is called in the shaders of a host: all of it begins with warpjet, so that it meets nobody else's names.
+// The names of a warp's variables in the shaders of a host. All begin with warpjet, so that they collide with no others.
 
 export const shaderNames = {
   offset: 'warpjetOffset',
   position: 'warpjetPosition',
   normal: 'warpjetNormal',
   tangent: 'warpjetTangent',
-  jacobian: 'warpjetSlope',
+  jacobian: 'warpjetJacobian',
   /** 1, or -1 where the warp mirrors all of space. */
   orientation: 'warpjetOrientation',
   millis: 'warpjetMillis',

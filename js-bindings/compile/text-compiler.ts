@@ -1,3 +1,3 @@
-/** The compiler to text, for modules that need no evaluation. A script beside the page's main one uses the compiler of that. */
+/** The compiler to shader code, for modules that need no evaluation. Further scripts of a page use that of its main script. */
 export { compile } from './compile.js'
 export { compileWarp } from './compile-warp-text.js'

@@ -6,12 +6,12 @@ import type { Session } from '../core/expression/session.js'
 import { inputSizes, variationInputs } from '../core/inputs/inputs.js'
 import { lazyObject } from '../core/lazy-object.js'
 import type { WarpInputs } from '../core/types/types.js'
-import { didYouMean, refusing } from '../errors/nearest.js'
+import { didYouMean, throwingPrototype } from '../errors/nearest.js'
 
 const part = (session: Session, vector: Expression, i: number) =>
   session.swizzle('xyz'[i]!, vector, [i])
 
-/** Maps names that other shaders use to ours, for "did you mean". */
+/** Maps names from other shaders → ours, for "did you mean". */
 const meant = {
   time: 'millis',
   frameCount: 'millis',
@@ -22,12 +22,12 @@ const meant = {
   resolution: 'size',
 }
 
-/** The inputs that an offset function gets under their own names. */
+/** The inputs that an offset function gets by their own names. */
 const givenNames = Object.keys(inputSizes).filter(
   (name) => name !== 'tangent' && !(name in variationInputs),
 )
 
-/** Components that have names of their own. */
+/** Components with names of their own. */
 const namedParts = {
   mouseX: ['mouse', 0],
   mouseY: ['mouse', 1],
@@ -40,16 +40,16 @@ const offsetInputs = new Map(
 )
 
 export function warpInputs(session: Session, inputs: Record<string, Expression>): WarpInputs {
-  // Also for an offset that does not read it: it gives expressions their methods.
+  // Needed even if the offset does not read it: the first builder installs the methods of expressions.
   const glsl = createBuilder(session)
   const make = (name: string) => {
     if (name === 'glsl') return glsl
     const [vector, i] = namedParts[name as keyof typeof namedParts] ?? []
-    // p5 has millis(), and a component may be called too.
+    // Inputs can be called, as millis() in p5 and as components can.
     return callable(name, vector ? part(session, inputs[vector]!, i!) : inputs[name]!)
   }
   const names = [...offsetInputs.keys()]
   const unknown = (name: string) =>
     `An offset function gets no "${name}"; ${didYouMean(name, names, `it gets ${names.join(', ')}, and uniforms by the option "uniforms".`, meant)}`
-  return lazyObject(refusing(unknown), { names: offsetInputs, make }) as WarpInputs
+  return lazyObject(throwingPrototype(unknown), { names: offsetInputs, make }) as WarpInputs
 }

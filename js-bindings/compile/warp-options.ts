@@ -1,53 +1,59 @@
-// The options of `compileWarp`: their types, checks and defaults.
-import { inputSizes, type InputName, variationInputs } from '../core/inputs/inputs.js'
-import { type Target, checkTarget } from '../core/module/kept-module.js'
+// The options of `compileWarp`: types, schema and defaults.
+import { type InputName, inputSizes, variationInputs } from '../core/inputs/inputs.js'
+import { type Target, targetKind, targets } from '../core/module/serialized-module.js'
 import type { CompileOptions } from '../core/module/result.js'
 import type { UniformOptions, UniformValues } from '../core/types/types.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { checkCallback, checkOptions } from '../options/options.js'
+import { anything, boolean, optional, text } from '../options/kinds.js'
+import type { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import { shaderNames } from './shader-names.js'
 
-/** The host shader's expression for each input; its name unless given. */
+/** Maps an input → the host shader's expression for it. Default: the input's own name. */
 export type InputNames = Partial<Record<InputName, string>>
 
-/** The names of the results: `warpedPosition`, `warpedNormal`, `warpedTangent` and `offset` unless given. */
+/** The names of the results. */
 export interface OutputNames {
+  /** @default 'warpedPosition' */
   position?: string
+  /** @default 'warpedNormal' */
   normal?: string
+  /** @default 'warpedTangent' */
   tangent?: string
+  /** @default 'offset' */
   offset?: string
 }
 
 export interface WarpOptions<
   Uniforms extends UniformValues = UniformValues,
 > extends CompileOptions {
-  /** What the offset function reads as `uniforms`, with the values that count on the CPU unless others are given; your
-   * shader declares and sets them, under the same names. */
+  /** The values that the offset function reads as `uniforms`. Your shader declares and sets uniforms of the same names; on the
+   * CPU these values apply unless a call passes others. */
   uniforms?: UniformOptions<Uniforms>
-  /** What your shader calls the inputs, as in `{ position: 'aPosition' }`; each by its own name unless given. */
+  /** Your shader's names for the inputs, as in `{ position: 'aPosition' }`. Default: their own names. */
   names?: InputNames
-  /** What the text calls the results, as in `{ position: 'moved' }`. */
+  /** Names for the results, as in `{ position: 'moved' }`. */
   outputs?: OutputNames
   /** `false` leaves the normal out. */
   normals?: boolean
-  /** `true` also turns the tangent, a vec4 as in glTF. */
+  /** `true` also transforms the tangent, a vec4 as in glTF. */
   tangents?: boolean
   /**
    * `true`: the shader has the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
    * `vGradient`, vec3s that say how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes
-   * them; the text reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` says that this will do.
+   * them; the code reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` accepts that
+   * without a warning.
    */
   surfaceVariation?: boolean
   /**
-   * `true`: what is the same for a whole frame is computed on the CPU, in double, by `frameUniforms`, and the text reads it as
-   * uniforms `warpjetFrame0`, …: then float32 keeps its digits however long a page runs.
+   * `true`: everything that is constant during a frame is computed on the CPU, in double precision, by `frameUniforms`, and the
+   * code reads it as uniforms `warpjetFrame0`, …: float32 then keeps its digits however long a page runs.
    */
   perFrame?: boolean
-  /** `true`: comments say which lines of the sketch each statement comes from. */
+  /** `true`: comments say which lines of your code each statement comes from. */
   debug?: boolean
 }
 
-/** Names that a text uses in place of those of the options. */
+/** Names that replace those of the options in one text. */
 export interface TextOptions {
   names?: InputNames | undefined
   outputs?: OutputNames | undefined
@@ -64,25 +70,61 @@ export interface RecordOptions extends TextOptions {
   jacobian?: boolean | undefined
 }
 
+const variableName = optional(text('the name of a shader variable'))
+const inputKinds = Object.fromEntries(
+  Object.keys(inputSizes).map((name) => [name, variableName]),
+) as Record<InputName, typeof variableName>
+
+const textKinds = {
+  names: object(inputKinds),
+  outputs: object({
+    position: variableName,
+    normal: variableName,
+    tangent: variableName,
+    offset: variableName,
+  } satisfies KindsOf<OutputNames>),
+} satisfies KindsOf<TextOptions>
+
+/** The options of `emit`. */
+export const textOptions = object(textKinds)
+
+const warpOptions = object({
+  uniforms: anything<UniformOptions<UniformValues>>(),
+  target: targetKind,
+  ...textKinds,
+  normals: boolean(true),
+  tangents: boolean(false),
+  surfaceVariation: optional(boolean()),
+  perFrame: boolean(false),
+  debug: boolean(false),
+} satisfies KindsOf<WarpOptions>)
+
+/** Reads the options of `compileWarp`. */
+export function readWarpOptions(given: unknown, place: Place) {
+  const options = warpOptions.read(given, place)
+  if (options.tangents && !options.normals)
+    throw place.error('tangents are transformed with the normal; remove "normals: false".')
+  return options
+}
+
 /** The options with their defaults. */
 export type Settings = ReturnType<typeof settingsOf>
 
-export function settingsOf(method: string, options: RecordOptions, defaults = publicOutputs) {
+export function settingsOf(place: Place, options: RecordOptions, defaults = publicOutputs) {
+  const { target = targets[0]!, debug = false, jacobian = false } = options
   const { normals = true, tangents = false, surfaceVariation = false } = options
-  const { debug = false, jacobian = false } = options
   const isAccepted = options.surfaceVariation === false
-  const target = checkTarget(options.target)
-  const shown = { normals, tangents, surfaceVariation }
-  const names = namesOf(shown, options.names)
+  const results = { normals, tangents, surfaceVariation }
+  const names = namesOf(results, options.names)
   const outputs: Record<keyof typeof shaderNames | keyof OutputNames, string> = {
     ...shaderNames,
     ...defaults,
     ...withoutGaps(options.outputs),
   }
-  return { method, target, debug, jacobian, ...shown, isAccepted, names, outputs }
+  return { place, target, debug, jacobian, ...results, isAccepted, names, outputs }
 }
 
-/** Names of results where the user reads them. */
+/** Names of results in texts that the user reads. */
 const publicOutputs: Record<keyof OutputNames, string> = {
   offset: 'offset',
   position: 'warpedPosition',
@@ -90,58 +132,21 @@ const publicOutputs: Record<keyof OutputNames, string> = {
   tangent: 'warpedTangent',
 }
 
-/** Throws a `WarpError` for options of `compileWarp` that are none, or wrong. */
-export function checkWarpOptions(
-  method: string,
-  offset: unknown,
-  options: Omit<WarpOptions, 'uniforms'>,
-) {
-  checkCallback(method, offset)
-  checkOptions(method, options, [
-    'uniforms',
-    'target',
-    'names',
-    'outputs',
-    'normals',
-    'tangents',
-    'surfaceVariation',
-    'perFrame',
-    'debug',
-  ])
-  checkNames(method, options)
-  const { normals = true, tangents = false, surfaceVariation = false } = options
-  const { perFrame = false, debug = false } = options
-  const choices = { normals, tangents, surfaceVariation, perFrame, debug }
-  for (const [name, value] of Object.entries(choices))
-    if (typeof value !== 'boolean')
-      throw new WarpError(
-        `${method}: the option "${name}" must be true or false, but is ${describe(value)}.`,
-      )
-  if (tangents && !normals)
-    throw new WarpError(
-      `${method}: tangents are turned with the normal; leave "normals: false" out.`,
-    )
-}
+type ResultFlags = Record<'normals' | 'tangents' | 'surfaceVariation', boolean>
 
-type Shown = Record<'normals' | 'tangents' | 'surfaceVariation', boolean>
-
-function namesOf({ tangents, surfaceVariation }: Shown, given: InputNames | undefined) {
+function namesOf({ tangents, surfaceVariation }: ResultFlags, given: InputNames | undefined) {
   const names: Record<string, string> = {}
   for (const name of Object.keys(inputSizes)) {
     const isLeftOut = name === 'tangent' ? !tangents : name in variationInputs && !surfaceVariation
-    names[name] = isLeftOut ? hidden(name) : (given?.[name as InputName] ?? name)
+    names[name] = isLeftOut ? hiddenName(name) : (given?.[name as InputName] ?? name)
   }
   return names
 }
 
-export function checkNames(method: string, { names, outputs }: TextOptions) {
-  checkOptions(`${method} names`, names, Object.keys(inputSizes))
-  checkOptions(`${method} outputs`, outputs, ['position', 'normal', 'tangent', 'offset'])
-}
+/** Names an input that the code does not read, though the CPU may. User code has no such name. */
+const hiddenName = (name: string) => `_warpjet_${name}`
 
-/** The name of an input that the text does not read, though the CPU may. User code has no such name. */
-const hidden = (name: string) => `_warpjet_${name}`
-
+/** Removes options that are `undefined`. */
 export const withoutGaps = <Options extends object>(options?: Options) =>
   Object.fromEntries(
     Object.entries(options ?? {}).filter(([, value]) => value !== undefined),

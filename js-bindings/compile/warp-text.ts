@@ -1,28 +1,25 @@
-// The text of a recorded warp, in a language and under the names of a host.
-import { type Declared, type Compiled, declared, declaredOf } from '../core/module/result.js'
-import { resultName } from '../core/expression/session.js'
+// Writes the shader code of a recorded warp, in a language and with the names of a host.
 import { drawInputs, vertexInputs } from '../core/inputs/inputs.js'
-import { type Known, type Target, writeText } from '../core/module/kept-module.js'
-import { WarpError } from '../errors/errors.js'
-import { isFrameConstant } from './frame.js'
+import { type Compiled, type Declared, declaredOf, toDeclared } from '../core/module/result.js'
+import { type IsFrameConstant, type Target, writeText } from '../core/module/serialized-module.js'
+import { Place } from '../options/place.js'
+import { isFrameUniform } from './frame.js'
 import { type RecordedWarp, type Result, resultNumber } from './recorded-warp.js'
 import { type TextOptions, withoutGaps } from './warp-options.js'
 
-/** An offset function as shader text. */
+/** An offset function as shader code. */
 export interface WarpText extends Compiled {
-  /** The inputs that are read and are the same for a whole draw call: millis, mouse, size,
-   * pixelDensity, and the sketch's own parameters. */
+  /** The uniforms that the code reads: millis, mouse, size, pixelDensity, and your own. */
   uniforms: Declared[]
-  /** The inputs that are read and differ by vertex: position, normal, uv, color, tangent, and those of
-   * `surfaceVariation`. */
+  /** The attributes that the code reads: position, normal, uv, color, tangent, and those of `surfaceVariation`. */
   attributes: Declared[]
 }
 
-/** A text for a host, which declares what the text reads. */
+/** Shader code for a host, which declares the variables that it reads. */
 export interface HostText extends WarpText {
-  /** Variables of the shader that are no inputs of the warp: uniforms of the option, and parameters. */
+  /** Variables of the shader that are not inputs of the warp: uniforms of the option, and parameters. */
   parameters: Declared[]
-  /** Names of the frame constants. */
+  /** Names of the uniforms that carry frame constants. */
   frame: string[]
 }
 
@@ -30,14 +27,14 @@ export function writeWarp(
   recorded: RecordedWarp,
   target: Target,
   results: readonly Result[],
-  options: TextOptions & { known?: Known | undefined } = {},
+  options: TextOptions & { isFrameConstant?: IsFrameConstant | undefined } = {},
 ): HostText {
   const { settings, module, inputs } = recorded
-  const { method, surfaceVariation } = settings
+  const { place, surfaceVariation } = settings
   const names: Record<string, string> = { ...settings.names, ...withoutGaps(options.names) }
   const outputs = { ...settings.outputs, ...withoutGaps(options.outputs) }
-  checkMerged(inputs, settings.names, names)
-  // A plain name is in the module as it was when the offset was recorded.
+  rejectSplitInputs(inputs, settings.names, names)
+  // The module has the names from the recording; expressions such as ( p ).xy must be passed again.
   const renamed = Object.entries(inputs)
     .filter(([name]) => names[name] !== settings.names[name] || !/^\w+$/.test(names[name]!))
     .map(([name, number]): [number, string] => [number, names[name]!])
@@ -50,35 +47,35 @@ export function writeWarp(
     inputs: renamed,
     results: results.map((result) => [
       resultNumber(recorded, result, surfaceVariation),
-      resultName(outputs[result], `${method} outputs`),
+      outputs[result],
     ]),
-    known: options.known,
+    isFrameConstant: options.isFrameConstant,
   })
   const numbers = new Set<number>(Object.values(inputs))
   const others = read.filter(({ number }) => !numbers.has(number))
-  const frame = declaredOf(others.filter(isFrameConstant))
-  const parameters = declaredOf(others.filter((variable) => !isFrameConstant(variable)))
-  const among = (sizes: Partial<Record<keyof typeof inputs, number>>) =>
+  const frame = declaredOf(others.filter(isFrameUniform))
+  const parameters = declaredOf(others.filter((variable) => !isFrameUniform(variable)))
+  const declaredAmong = (sizes: Partial<Record<keyof typeof inputs, number>>) =>
     (Object.keys(sizes) as (keyof typeof inputs)[]).flatMap((name) => {
       const input = read.find(({ number }) => number === inputs[name])
-      return input ? declared({ ...input, name }) : []
+      return input ? toDeclared({ ...input, name }) : []
     })
-  const uniforms = among(drawInputs)
-  refuseNamesakes(method, names, uniforms, parameters)
+  const uniforms = declaredAmong(drawInputs)
+  rejectNamesakes(place, names, uniforms, parameters)
   return {
     code,
     declarations,
     stats,
     uniforms: [...uniforms, ...frame, ...parameters],
-    attributes: among(vertexInputs),
+    attributes: declaredAmong(vertexInputs),
     parameters,
     frame: frame.map(({ name }) => name),
   }
 }
 
-/** A parameter under the name of an input that the shader calls otherwise: both would be one uniform. */
-function refuseNamesakes(
-  method: string,
+/** Throws for a parameter that has the name of an input which has another name in the shader: both would be one uniform. */
+function rejectNamesakes(
+  place: Place,
   labels: Record<string, string>,
   inputs: readonly Declared[],
   parameters: readonly Declared[],
@@ -86,24 +83,26 @@ function refuseNamesakes(
   const taken = new Set(inputs.map(({ name }) => name))
   for (const { name } of parameters)
     if (taken.has(name))
-      throw new WarpError(
-        `${method}: the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
+      throw place.error(
+        `the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
       )
 }
 
-/** Inputs that had one name when the function was called are one. */
-function checkMerged(
+const emit = new Place('emit')
+
+/** Inputs with the same name in the recording are one input. Throws if they have different names now. */
+function rejectSplitInputs(
   inputs: Record<string, number>,
-  were: Record<string, string>,
-  are: Record<string, string>,
+  recordedNames: Record<string, string>,
+  names: Record<string, string>,
 ) {
   const first = new Map<number, string>()
   for (const [name, number] of Object.entries(inputs)) {
     const other = first.get(number) ?? name
     first.set(number, other)
-    if (are[name] !== are[other])
-      throw new WarpError(
-        `emit: ${other} and ${name} were one input, "${were[name]}", when the offset was compiled; give both one name again, or compile it with these names.`,
+    if (names[name] !== names[other])
+      throw emit.error(
+        `${other} and ${name} were one input, "${recordedNames[name]}", when the offset was compiled; use one name for both again, or compile it with these names.`,
       )
   }
 }

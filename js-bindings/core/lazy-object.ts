@@ -1,12 +1,12 @@
-// Objects whose values are made when they are first read: what a sketch gets has hundreds, of which it reads a few.
+// Objects whose values are made when they are first read: `glsl` has hundreds, of which a function reads a few.
 
 interface Lazy {
-  /** All names, in order; `false` hides one from lists, as `Object.keys` makes them. */
+  /** Maps each name, in order → whether it is enumerable. */
   names: ReadonlyMap<string, boolean>
   make: (name: string) => unknown
 }
 
-/** However one looks at the object, every value is there. A value that is assigned or deleted stays so. */
+/** Makes every value appear to exist, however it is accessed. Assigned and deleted values stay assigned and deleted. */
 class Handler implements ProxyHandler<object> {
   private readonly made = new Set<PropertyKey>()
 
@@ -56,6 +56,6 @@ class Handler implements ProxyHandler<object> {
   }
 }
 
-/** `refusing` of nearest.ts may be the prototype. `Reflect.ownKeys` makes no value. */
+/** Makes a lazy object. The prototype may be a `throwingPrototype`. `Reflect.ownKeys` makes no value. */
 export const lazyObject = (prototype: object, lazy: Lazy): object =>
   new Proxy(Object.create(prototype) as object, new Handler(lazy))

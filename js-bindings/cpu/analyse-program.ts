@@ -1,10 +1,10 @@
-// Analyses a program without running it.
+// Analyses a program without evaluating it.
 import type { Variable } from '../core/expression/shapes.js'
 import type { Range } from '../core/inputs/vertices.js'
-import type { Program } from '../core/module/kept-module.js'
+import type { Program } from '../core/module/serialized-module.js'
 import { type Program as LoadedProgram, evaluation } from '../wasm/evaluation.js'
 
-/** Does `work` with a program that is loaded into the wasm. */
+/** Does `work` with a program that is loaded into the wasm, and unloads it. */
 export const withProgram = <Result>(
   { words, instructions }: Program,
   work: (program: LoadedProgram) => Result,
@@ -18,7 +18,7 @@ export const inputsRead = (program: Program, wanted: readonly number[]): boolean
     Array.from(loaded.inputsRead(wanted, program.inputs.map(sizeOf)), Boolean),
   )
 
-/** Ranges of wanted results, from those of the program's inputs, number by number. */
+/** Returns the range of each wanted result. `ranges` has that of each number of the program's inputs. */
 export const boundProgram = (
   program: Program,
   ranges: readonly Range[],

@@ -1,29 +1,32 @@
-// `bounds`: a box around all that a warp makes of a box.
+// `bounds`: a box that contains the warped points of a box.
 import type { VertexInput } from '../core/inputs/inputs.js'
 import { type Box, type Range, readRanges, uniformsOf } from '../core/inputs/vertices.js'
+import { Place } from '../options/place.js'
 import { boundProgram } from './analyse-program.js'
 import type { Bounds, EvaluationOptions } from './cpu-warp.js'
-import { originsOf, readingOf } from './origins.js'
+import { originsOf, planInputs } from './origins.js'
 import { positionsAlone } from './results.js'
 import { type WarpProgram, programOf } from './warp-program.js'
+
+const place = new Place('bounds')
 
 export function bounds(
   warp: WarpProgram,
   box: Box,
   options: EvaluationOptions | undefined,
 ): Bounds {
-  const uniforms = uniformsOf('bounds', options)
-  const program = programOf('bounds', warp)
+  const uniforms = uniformsOf(place, options)
+  const program = programOf(place, warp)
   const ranges: Partial<Record<VertexInput, Range[]>> = {
-    position: readRanges('bounds', 'box', box, 3),
+    position: readRanges(place.part('box'), box, 3),
     normal: Array<Range>(3).fill([-1, 1]),
-    uv: box.uvs ? readRanges('bounds', 'box.uvs', box.uvs, 2) : Array<Range>(2).fill([0, 1]),
+    uv: box.uvs ? readRanges(place.part('box.uvs'), box.uvs, 2) : Array<Range>(2).fill([0, 1]),
     color: Array<Range>(4).fill([0, 1]),
   }
-  const reading = readingOf(warp, program, positionsAlone)
-  const given = originsOf('bounds', warp, reading, uniforms).flatMap(
+  const plan = planInputs(warp, program, positionsAlone)
+  const given = originsOf(place, warp, plan, uniforms).flatMap(
     ({ input, numbers }) =>
-      // Inputs that only transform the normal do not move the vertex.
+      // Inputs that only transform the normal have no range: they do not move the vertex.
       (input && ranges[input]) ?? numbers.map((x): Range => [x, x]),
   )
   const found = boundProgram(program, given, positionsAlone.numbers)

@@ -1,11 +1,11 @@
-// The methods of a warp on the CPU, which run the graph of its shader source on the vertices of a mesh.
+// The types of a warp on the CPU, which evaluates the graph of its shader code at the vertices of a mesh.
 import type { VertexInput } from '../core/inputs/inputs.js'
 import type { Box, Uniforms, Vertices } from '../core/inputs/vertices.js'
 import type { WarpedVertices } from './results.js'
 import type { RunningProgram, warpProgram } from './warp-program.js'
 
 export interface EvaluationOptions {
-  /** Those left out have the values of `compileWarp`'s option `uniforms`; a function there is called each time. */
+  /** Default: the values of `compileWarp`'s option `uniforms`, where a function is called each time. */
   uniforms?: Uniforms | undefined
 }
 
@@ -19,83 +19,83 @@ export interface EvaluateOptions extends EvaluationOptions {
   out?: Partial<WarpedVertices> | undefined
 }
 
-/** What the warp is to know of one vertex; the numbers of each as in `Vertices`. */
+/** The inputs of one vertex, each with as many numbers as in `Vertices`. */
 export interface PointInputs
   extends Partial<Record<Exclude<VertexInput, 'position'>, ArrayLike<number>>>, EvaluationOptions {}
 
 export interface WarpedPoint {
   position: number[]
-  /** If a normal came. */
+  /** Present if a normal was passed. */
   normal?: number[]
-  /** If a normal and a tangent came. */
+  /** Present if a normal and a tangent were passed. */
   tangent?: number[]
 }
 
 export interface InverseOptions
   extends Partial<Record<'normal' | 'uv' | 'color', ArrayLike<number>>>, EvaluationOptions {
-  /** Where the search starts; the point itself unless given. Give where the point came from a moment ago. */
+  /** Where the search starts, best the position that was found for the point a moment ago. Default: the point itself. */
   near?: ArrayLike<number> | undefined
 }
 
 export interface WarpInverse {
-  /** The place that the warp brings the point from: if there are several, the one that the way from `near` leads to. */
+  /** The position that the warp moves to the point: of several, the one that the search from `near` reaches. */
   position: number[]
-  /** Whether space is inside out there, det(I + J) not above 0. Then other places come to the point too, which are found from
-   * another `near`, unless the warp mirrors all of space or the point lies just on a crease. Where it is false others may
-   * come there as well: of three layers of a fold only the one in the middle is inside out. */
+  /** `true` if the warp turns space inside out there, det(I + J) <= 0. Then it moves other positions to the point too, which are
+   * found from another `near`, unless the warp mirrors all of space or the point is exactly on a crease. Other positions may exist if
+   * it is `false` too: of three layers of a fold, only the middle one is inside out. */
   isFolded: boolean
 }
 
-/** Bounds of x, y and z, without NaN. `min` is above `max` for a coordinate that is NaN everywhere. */
+/** Bounds of x, y and z, ignoring NaN. `min` exceeds `max` for a coordinate that is NaN everywhere. */
 export interface Bounds {
   min: number[]
   max: number[]
 }
 
 export interface Foldover {
-  /** 1 for each vertex where det(I + J) is not above 0, so that space is inside out there, or no number; 0 elsewhere. If
-   * the offset depends on normal or uv, space is the thin layer around the surface where these stay the same along each
-   * normal: its two sides have changed places there. */
+  /** 1 for each vertex where the warp turns space inside out, det(I + J) <= 0, or where the determinant is NaN; otherwise 0. If the
+   * offset depends on normal or uv, space means the thin layer around the surface in which these are constant along each normal:
+   * its two sides are swapped there. */
   mask: Uint8Array
-  /** How many those are. */
+  /** The number of ones in `mask`. */
   count: number
 }
 
 /**
- * All throw a `WarpError` for arrays that do not fit, numbers that are not finite, a uniform or an attribute that the warp
- * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn` or `glsl.texture`, which only the GPU can run.
- * They compute in float32, as the GPU does, and change nothing that comes in. Where the offset function has no finite
- * value, such as the logarithm of a negative number, neither have the results.
+ * All methods throw a `WarpError` for arrays of wrong length, numbers that are not finite, a missing uniform or attribute that the
+ * warp reads, an unknown uniform, and a warp that calls a `glsl.fn` or `glsl.texture`, which only the GPU can evaluate. They compute in
+ * float32, as the GPU does, and leave their arguments unchanged. Where the offset function has no finite value, such as the
+ * logarithm of a negative number, neither have the results.
  */
 export interface CpuWarp {
   /**
-   * Moves vertices, any number, even none: it needs the results' memory, unless `out` has it, and a few megabytes. Numbers of
-   * a Float32Array are checked when it comes for the first time; what is written into it later is the caller's care.
+   * Moves any number of vertices. Needs memory for the results, unless `out` provides it, and a few megabytes. A Float32Array is
+   * checked only when it is passed for the first time: numbers that you write into it later must be finite.
    */
   evaluate(mesh: Vertices, options?: EvaluateOptions): WarpedVertices
   /** Moves one vertex. */
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint
   /**
-   * A box around all that the warp makes of `box`: never too small for what `evaluate` gives, and seldom much larger than
-   * that. A GPU whose sine is less exact, as WebGPU allows to 2^-11, may go beyond by that part of a wave's height. It takes
-   * from a tenth of a millisecond to some tens, for warps that are hard to bound. Where the offset depends on them, normals count as any numbers from -1 to 1, colors from 0 to 1, and texture coordinates from 0 to 1
-   * unless `box.uvs` says otherwise. A side is infinite if the offset may be.
+   * Returns a box that contains the warped positions of all points in `box`: never too small for the results of `evaluate`, and
+   * seldom much larger. A GPU with a less exact sine (WebGPU allows an error of 2^-11) may exceed it by that share of a wave's
+   * height. Takes 0.1 ms, up to some 10 ms for warps that are hard to bound. If the offset depends on them, normals range from -1 to
+   * 1, colors from 0 to 1, and texture coordinates over `box.uvs`, by default from 0 to 1. A side is infinite if the offset may be.
    *
-   * The bounds of each coordinate contain all of its values except NaN: for sqrt(x) with x from -1 to 1, which is NaN on one
-   * half, they are 0 and 1. So finite bounds do not guarantee that each vertex has a finite position. If a coordinate is NaN
+   * The bounds of each coordinate contain all of its values except NaN: for sqrt(x) with x from -1 to 1, which is NaN for
+   * negative x, they are 0 and 1. So finite bounds do not guarantee that each vertex has a finite position. If a coordinate is NaN
    * everywhere, its `min` is Infinity and its `max` is -Infinity, as for an empty box.
    */
   bounds(box: Box, options?: EvaluationOptions): Bounds
   /**
-   * Where the warp brings a point from, such as what of a calm sea is under a boat: evaluateAt of `position` is the point, up
-   * to float32. In double, the warp moves `position` to within 1e-9 of the point's distance from the origin, plus at most 1e-10
-   * for rounding. It is one place, and says whether that is in a fold; `undefined` if the search meets none, which proves
-   * nothing of places that it does not come near. In double, by Newton's method with the exact Jacobian, each
-   * step halved until it leads closer, and the way to the point taken in pieces where that fails. Normals and the like
-   * count as constant. A warp compiled with `normals: false` has no Jacobian, and throws.
+   * Finds a position that the warp moves to a point, such as the point of a calm sea that is under a boat: `evaluateAt` of
+   * `position` is the point, up to float32. In double precision, the distance is at most 1e-9 of the point's distance from the
+   * origin, plus 1e-10 for rounding. Returns one position, and whether it is in a fold; `undefined` if the search finds none, which
+   * does not prove that there is none. The search is Newton's method with the exact Jacobian, in double precision, damped by
+   * halving each step until it gets closer, and by intermediate goals where that fails. Other inputs, such as the normal, count as
+   * constant. Throws for a warp compiled with `normals: false`, which has no Jacobian.
    */
   inverseAt(point: ArrayLike<number>, options?: InverseOptions): WarpInverse | undefined
-  /** Where the warp turns the surface inside out. */
+  /** Finds the vertices where the warp turns the surface inside out. */
   foldover(mesh: Vertices, options?: EvaluationOptions): Foldover
   /** @internal */
   readonly [warpProgram]: RunningProgram

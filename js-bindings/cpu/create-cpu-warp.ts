@@ -1,4 +1,4 @@
-// Makes a warp that runs on the CPU, of its programs.
+// Makes the methods of a warp on the CPU from its programs.
 import { lazily } from '../core/module/lazily.js'
 import { bounds } from './bounds.js'
 import type { CpuWarp } from './cpu-warp.js'
@@ -11,7 +11,7 @@ import { type WarpProgram, warpProgram } from './warp-program.js'
 export const createCpuWarp = (warp: WarpProgram): CpuWarp => ({
   [warpProgram]: {
     ...warp,
-    isMirrored: (method, uniforms) => isMirrored(warp, method, uniforms),
+    isMirrored: (place, uniforms) => isMirrored(warp, place, uniforms),
     mirrors: lazily(() => mirrors(warp)),
   },
   evaluate: (mesh, options) => evaluate(warp, mesh, options),

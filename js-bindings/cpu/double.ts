@@ -1,11 +1,11 @@
-// Named expressions on the CPU, in double.
-import { getCore } from '../wasm/core.js'
-import { WarpError } from '../errors/errors.js'
-import type { Program } from '../core/module/kept-module.js'
-import { finiteDouble } from '../options/numbers.js'
-import { own } from '../options/options.js'
+// Evaluates named expressions on the CPU, in double precision.
 import type { Variable } from '../core/expression/shapes.js'
 import { inputNumbers } from '../core/inputs/input-numbers.js'
+import type { Program } from '../core/module/serialized-module.js'
+import { own } from '../options/guards.js'
+import { finiteDouble } from '../options/numbers.js'
+import { Place } from '../options/place.js'
+import { getCore } from '../wasm/core.js'
 
 export type Numbers = number | ArrayLike<number>
 
@@ -13,7 +13,9 @@ const sizeOf = ({ shape: [columns, rows] }: Variable) => columns * rows
 const totalSize = (variables: readonly Variable[]) =>
   variables.reduce((sum, variable) => sum + sizeOf(variable), 0)
 
-/** Runs `program` on the values of its inputs by name; one that the text does not read, since it cancels, counts as 0. */
+const place = new Place('evaluate')
+
+/** Evaluates `program`. `given` maps an input → its value. An input that is not in `read`, since it cancels out in the code, is 0. */
 export function evaluate(
   program: Program | undefined,
   read: readonly Variable[],
@@ -21,8 +23,8 @@ export function evaluate(
   given: Readonly<Record<string, Numbers>>,
 ): Record<string, number | number[]> {
   if (!program)
-    throw new WarpError(
-      'evaluate: only the GPU can call a function of glsl.fn and read an image by glsl.texture.',
+    throw place.error(
+      'only the GPU can call a function of glsl.fn or read an image by glsl.texture.',
     )
   const names = new Set(read.map(({ name }) => name))
   const numbers = program.inputs.flatMap((input) =>
@@ -38,13 +40,10 @@ export function evaluate(
   )
 }
 
-const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): number[] => {
-  const layout = input.shape[0] > 1 ? ', column by column' : ''
-  const value = own(given ?? {}, input.name)
-  return inputNumbers(`evaluate: "${input.name}"`, input, value, finiteDouble, layout)
-}
+const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): number[] =>
+  inputNumbers(place.part(`"${input.name}"`), input, own(given ?? {}, input.name), finiteDouble)
 
-/** The first results of a program, from the numbers of its inputs. */
+/** Returns the first `resultCount` results of a program, from the numbers of its inputs. */
 export const runInDouble = (
   { words, instructions }: Program,
   inputs: readonly number[],

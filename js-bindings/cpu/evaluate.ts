@@ -1,12 +1,23 @@
-// `evaluate` and `evaluateAt`: where a warp moves vertices.
+// `evaluate` and `evaluateAt`: warp vertices.
 import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
 import { type Vertices, arrayNames, checkVertices, uniformsOf } from '../core/inputs/vertices.js'
 import { readNumbers } from '../options/numbers.js'
-import { checkOptions } from '../options/options.js'
+import { Place } from '../options/place.js'
+import { rejectUnknownOptions } from '../options/schema.js'
 import type { EvaluateOptions, PointInputs, WarpedPoint } from './cpu-warp.js'
-import { type Wanted, type WarpedVertices, leaveSinks, takeSinks, wanted } from './results.js'
+import {
+  type VertexResults,
+  type WarpedVertices,
+  releaseSinks,
+  takeSinks,
+  vertexResults,
+} from './results.js'
 import { runOnVertices } from './vertex-run.js'
 import type { WarpProgram } from './warp-program.js'
+
+const place = new Place('evaluate')
+const pointPlace = new Place('evaluateAt')
+const outPlace = place.part('out')
 
 const pointOptions = [
   ...Object.keys(vertexInputs).filter((name) => name !== 'position'),
@@ -20,14 +31,14 @@ export function evaluate(
   mesh: Vertices,
   options: EvaluateOptions | undefined,
 ): WarpedVertices {
-  const uniforms = uniformsOf('evaluate', options, evaluateOptions)
+  const uniforms = uniformsOf(place, options, evaluateOptions)
   const out = options?.out
-  checkOptions('evaluate: out', out, wanted.frame.names)
-  const vertices = checkVertices('evaluate', mesh)
-  const results = wantedOf(warp, mesh)
+  rejectUnknownOptions(out, vertexResults.frame.names, outPlace)
+  const vertices = checkVertices(place, mesh)
+  const results = resultsFor(warp, mesh)
   const sinks = takeSinks(results, vertices, out)
-  runOnVertices(warp, 'evaluate', mesh, vertices, uniforms, results, sinks)
-  return leaveSinks(results, sinks, out)
+  runOnVertices(warp, place, mesh, vertices, uniforms, results, sinks)
+  return releaseSinks(results, sinks, out)
 }
 
 export function evaluateAt(
@@ -35,17 +46,17 @@ export function evaluateAt(
   position: ArrayLike<number>,
   inputs: PointInputs = {},
 ): WarpedPoint {
-  checkOptions('evaluateAt', inputs ?? null, pointOptions)
-  const vertex: Vertices = { positions: readNumbers('evaluateAt: the position', position, 3) }
+  rejectUnknownOptions(inputs ?? null, pointOptions, pointPlace)
+  const vertex: Vertices = { positions: readNumbers(pointPlace.part('the position'), position, 3) }
   for (const key of Object.keys(inputs)) {
     const name = key as VertexInput
     const value = inputs[key as 'normal']
     if (key === 'uniforms' || value === undefined) continue
-    vertex[arrayNames[name]] = readNumbers(`evaluateAt: the ${key}`, value, vertexInputs[name])
+    vertex[arrayNames[name]] = readNumbers(pointPlace.part(`the ${key}`), value, vertexInputs[name])
   }
-  const results = wantedOf(warp, vertex)
+  const results = resultsFor(warp, vertex)
   const { point } = results
-  runOnVertices(warp, 'evaluateAt', vertex, 1, inputs.uniforms, results, point)
+  runOnVertices(warp, pointPlace, vertex, 1, inputs.uniforms, results, point)
   const [positions, normals, tangents] = point
   return {
     position: Array.from(positions!.values),
@@ -54,7 +65,7 @@ export function evaluateAt(
   }
 }
 
-function wantedOf({ hasNormals }: WarpProgram, mesh: Vertices): Wanted {
-  if (!hasNormals || !mesh.normals) return wanted.place
-  return mesh.tangents ? wanted.frame : wanted.surface
+function resultsFor({ hasNormals }: WarpProgram, mesh: Vertices): VertexResults {
+  if (!hasNormals || !mesh.normals) return vertexResults.position
+  return mesh.tangents ? vertexResults.frame : vertexResults.surface
 }

@@ -1,6 +1,6 @@
-// A program as machine code: a wasm module whose bytes the evaluation's C++ writes, on the evaluation's own memory, where it
-// holds nothing between two runs.
-import type { Program } from '../core/module/kept-module.js'
+// A program as machine code: a wasm module whose bytes the C++ of the evaluation writes. It uses the memory of the evaluation, and
+// holds none between two runs.
+import type { Program } from '../core/module/serialized-module.js'
 import {
   type Code as WrittenCode,
   type Evaluation,
@@ -9,31 +9,33 @@ import {
 } from '../wasm/evaluation.js'
 import { withProgram } from './analyse-program.js'
 
-/** The numbers of an input, `size` a vertex or, if it is uniform, `size` in all. */
+/** The numbers of an input: `size` per vertex or, if it is uniform, `size` in total. */
 export interface Stream extends InputArray {
   values: ArrayLike<number>
 }
 
-/** Where results go, `results.length` of them a vertex, by their numbers in the program. */
+/** Receives results of the program. */
 export interface Sink {
+  /** `results.length` floats per vertex. */
   values: Float32Array
+  /** Numbers of the results in the program. */
   results: readonly number[]
 }
 
 export const sizeOf = ({ results }: Sink) => results.length
 
-/** So much is in the wasm's memory at a time, whatever the size of the mesh. */
-export const verticesAtOnce = 4096
+/** The number of vertices per batch: only one batch is in the wasm's memory at a time, whatever the size of the mesh. */
+export const batchSize = 4096
 
-/** What such a module exports, as src/eval/machine_code.hpp says. */
+/** The exports of the module; src/eval/machine_code.hpp documents them. */
 interface Code {
   start(memory: number, at: number): void
   run(memory: number, end: number): void
 }
 
-/** For inputs and results like those that it was made for. */
+/** Machine code of a program for some results, and for inputs that are uniform or not as when it was made. */
 export class MachineCode {
-  /** Of the results of a whole batch, and of the last one. */
+  /** Views of the results of full batches, and of the last batch. */
   private readonly batches = new Views()
   private readonly lasts = new Views()
 
@@ -43,7 +45,7 @@ export class MachineCode {
     private readonly written: WrittenCode,
   ) {}
 
-  /** Null if the program is too long; throws where the engine compiles nothing. */
+  /** Returns `null` if the program is too long. Throws if the engine compiles no code. */
   static of(
     program: Program,
     wanted: readonly number[],
@@ -52,7 +54,7 @@ export class MachineCode {
   ): MachineCode | null {
     const core = evaluation.get()
     const written = withProgram(program, (loaded) =>
-      loaded.code(wanted, inputs, sinks.map(sizeOf), verticesAtOnce),
+      loaded.code(wanted, inputs, sinks.map(sizeOf), batchSize),
     )
     if (!written.module.length) return null
     const module = new WebAssembly.Module(written.module as Uint8Array<ArrayBuffer>)
@@ -62,7 +64,7 @@ export class MachineCode {
     return new MachineCode(core, code, written)
   }
 
-  /** Makes nothing, once it has run for the same arrays. */
+  /** Evaluates vertices. Creates no garbage if it has run with the same arrays before. */
   run(vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
     const { core, written } = this
     const at = core._malloc(written.sharedAt + written.shared.byteLength)
@@ -83,65 +85,67 @@ export class MachineCode {
       if (isUniform) copy(floats, (at + inputsAt[i]!) / 4, values, 0, size)
     }
     code.start(at, 0)
-    for (let first = 0; first < vertices; first += verticesAtOnce) {
-      const now = Math.min(verticesAtOnce, vertices - first)
+    for (let first = 0; first < vertices; first += batchSize) {
+      const count = Math.min(batchSize, vertices - first)
       for (let i = 0; i < inputs.length; i++) {
         const { values, size, isUniform } = inputs[i]!
-        if (!isUniform) copyFours(floats, (at + inputsAt[i]!) / 4, values, first, now, size)
+        if (!isUniform) copyFours(floats, (at + inputsAt[i]!) / 4, values, first, count, size)
       }
-      code.run(at, 16 * Math.ceil(now / 4))
-      const views = now === verticesAtOnce ? this.batches : this.lasts
+      code.run(at, 16 * Math.ceil(count / 4))
+      const views = count === batchSize ? this.batches : this.lasts
       for (let i = 0; i < sinks.length; i++) {
         const { values, results } = sinks[i]!
         const size = results.length
         const from = (at + resultsAt[i]!) / 4
-        if (now * size < worthAView) copy(values, first * size, floats, from, now * size)
-        else values.set(views.of(i, floats, from, now * size), first * size)
+        if (count * size < minViewLength) copy(values, first * size, floats, from, count * size)
+        else values.set(views.of(i, floats, from, count * size), first * size)
       }
     }
   }
 }
 
-/** Parts of the wasm's memory, by a number of one's own. */
+/** Caches views of the wasm's memory. */
 class Views {
   private readonly views: Float32Array[] = []
 
-  /** The view of before, if it is that part still: calls mostly want the same. It is empty if the memory has grown. */
+  /** Returns the previous view of index `i` if it is the same part, as it mostly is. A view becomes empty if the memory grows. */
   of(i: number, floats: Float32Array, at: number, count: number): Float32Array {
-    const kept = this.views[i]
-    if (kept?.length === count && kept.byteOffset === 4 * at) return kept
+    const last = this.views[i]
+    if (last?.length === count && last.byteOffset === 4 * at) return last
     return (this.views[i] = floats.subarray(at, at + count))
   }
 }
 
-/** A caller's array in parts of a batch each, and what it was then. */
-interface Parts {
+/** Views of a caller's array, one per batch. */
+interface Batches {
+  /** The length of the array when the views were made. */
   length: number
+  /** The numbers per vertex. */
   size: number
   views: readonly Float32Array[]
 }
 
-/** Kept as long as the arrays: they mostly come again. */
-const partsOf = new WeakMap<Float32Array, Parts>()
+/** Maps an array → its views, since most arrays are passed again. */
+const batchesOf = new WeakMap<Float32Array, Batches>()
 
 function batchOf(values: Float32Array, size: number, first: number): Float32Array {
-  let parts = partsOf.get(values)
+  let batches = batchesOf.get(values)
   // A resizable array may be longer now.
-  if (parts?.size !== size || parts.length !== values.length)
-    partsOf.set(values, (parts = cut(values, size)))
-  return parts.views[first / verticesAtOnce]!
+  if (batches?.size !== size || batches.length !== values.length)
+    batchesOf.set(values, (batches = splitIntoBatches(values, size)))
+  return batches.views[first / batchSize]!
 }
 
-function cut(values: Float32Array, size: number): Parts {
+function splitIntoBatches(values: Float32Array, size: number): Batches {
   const { length } = values
-  const count = size * verticesAtOnce
+  const count = size * batchSize
   const views = Array.from({ length: Math.ceil(length / count) }, (_, i) =>
     values.subarray(i * count, (i + 1) * count),
   )
   return { length, size, views }
 }
 
-/** The last of so many vertices is repeated to whole fours: these hold nothing that arithmetic is slow on. */
+/** Copies vertices, and repeats the last one up to a multiple of 4: SIMD evaluates 4 at a time, and is slow on denormals. */
 function copyFours(
   to: Float32Array,
   at: number,
@@ -151,13 +155,14 @@ function copyFours(
   size: number,
 ) {
   const count = vertices * size
-  if (count < worthAView || !(from instanceof Float32Array)) copy(to, at, from, first * size, count)
+  if (count < minViewLength || !(from instanceof Float32Array))
+    copy(to, at, from, first * size, count)
   else to.set(from.length === count ? from : batchOf(from, size, first), at)
   for (let i = vertices * size; i % (4 * size); i++) to[at + i] = to[at + i - size]!
 }
 
-/** Fewer are copied one by one: for `set` of a part there must be a view of it, which is an object. */
-const worthAView = 256
+/** Shorter parts are copied number by number, since `set` needs a view, which is an object. */
+const minViewLength = 256
 
 export function copy(
   to: Float32Array,
@@ -166,8 +171,8 @@ export function copy(
   first: number,
   count: number,
 ) {
-  // Each loop sees arrays of one kind: where kinds mix, engines make an object of each number.
+  // Each loop sees arrays of one type: where types mix, engines allocate an object for each number.
   if (!(from instanceof Float32Array)) for (let i = 0; i < count; i++) to[at + i] = from[first + i]!
-  else if (count < worthAView) for (let i = 0; i < count; i++) to[at + i] = from[first + i]!
+  else if (count < minViewLength) for (let i = 0; i < count; i++) to[at + i] = from[first + i]!
   else to.set(from.subarray(first, first + count), at)
 }

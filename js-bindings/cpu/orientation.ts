@@ -1,28 +1,29 @@
-// Tests for a warp that mirrors all of space, so that the outer side of each triangle is its back.
+// Tests for a warp that mirrors all of space, so that the back of each triangle is its outer side.
 import type { Uniforms } from '../core/inputs/vertices.js'
 import { ResultSet } from '../core/module/result-set.js'
+import type { Place } from '../options/place.js'
 import { inputsRead } from './analyse-program.js'
 import { runInDouble } from './double.js'
-import { keep, originsOf, readingOf } from './origins.js'
+import { originsOf, planInputs, releaseOrigins } from './origins.js'
 import type { WarpProgram } from './warp-program.js'
 
 const orientation = new ResultSet([0])
 
 export function isMirrored(
   warp: WarpProgram,
-  method: string,
+  place: Place,
   uniforms: Uniforms | undefined,
 ): boolean {
   if (!warp.hasNormals) return false
   const program = warp.orientationProgram()
-  const reading = readingOf(warp, program, orientation)
-  const origins = originsOf(method, warp, reading, uniforms)
+  const plan = planInputs(warp, program, orientation)
+  const origins = originsOf(place, warp, plan, uniforms)
   const numbers = origins.flatMap((origin) => origin.numbers)
-  keep(reading, origins)
+  releaseOrigins(plan, origins)
   return runInDouble(program, numbers, 1)[0]! < 0
 }
 
-/** `undefined` if uniforms decide it. */
+/** Like `isMirrored` without uniforms: `undefined` if it depends on them. */
 export function mirrors(warp: WarpProgram): boolean | undefined {
   if (!warp.hasNormals) return false
   const program = warp.orientationProgram()

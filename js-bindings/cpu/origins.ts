@@ -1,58 +1,63 @@
-// Where the inputs of a warp's program come from on the CPU: vertices, or uniforms, which are checked here.
-import { WarpError } from '../errors/errors.js'
-import { takeNumbers } from '../options/numbers.js'
-import { isList, own } from '../options/options.js'
+// Reads the inputs of a warp's program on the CPU, from vertices, or from uniforms, which are checked here.
 import type { Variable } from '../core/expression/shapes.js'
-import { inputNumbers } from '../core/inputs/input-numbers.js'
 import { type DeclaredUniform, withDeclared } from '../core/inputs/declared-uniforms.js'
-import { isWhole, numbersFor, scalarOrArray } from '../core/inputs/uniform-values.js'
+import { inputNumbers } from '../core/inputs/input-numbers.js'
 import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
+import { isWhole, numbersFor, scalarOrArray } from '../core/inputs/uniform-values.js'
 import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
-import type { Program } from '../core/module/kept-module.js'
+import type { ResultSet } from '../core/module/result-set.js'
+import type { Program } from '../core/module/serialized-module.js'
+import { isList, own } from '../options/guards.js'
+import { takeNumbers } from '../options/numbers.js'
+import type { Place } from '../options/place.js'
 import { inputsRead } from './analyse-program.js'
 import type { Stream } from './machine-code.js'
-import type { ResultSet } from '../core/module/result-set.js'
 import { Pool } from './pool.js'
 import type { WarpProgram } from './warp-program.js'
 
-/** A program's input, under the warp's name for it. */
+/** An input of a program, with the warp's name for it. */
 interface Input {
   variable: Variable
-  /** If it differs by vertex, which it is. */
+  /** Present for an input that differs by vertex. */
   input?: VertexInput
-  /** Whether the results depend on it. */
+  /** `true` if the results depend on it. */
   isRead: boolean
 }
 
-/** Where a program's input comes from: its own numbers, which all vertices share, unless the caller puts others there. They
- * are zeros if it differs by vertex, or is not read and may be missing. */
+/** The source of an input's numbers: by default `numbers`, which all vertices share; they are zeros for an input that differs by
+ * vertex, and for a missing one that is not read. */
 export interface Origin extends Stream, Input {
   readonly numbers: number[]
 }
 
-/** What stays the same of these from call to call, by program and wanted results. */
-export interface Reading {
-  /** The names of inputs that are no inputs of the warp. */
+/** The part of reading inputs that is the same in each call with a program and results. */
+export interface InputPlan {
+  /** Names of the program's inputs that are not inputs of the warp. */
   parameters: ReadonlySet<string>
-  /** What uniforms there are beside the inputs of a draw call. */
+  /** Names of the uniforms, without the inputs of a draw call. */
   known: ReadonlySet<string>
-  /** Declared uniforms that the program does not have, which may be given nevertheless. */
-  others: readonly (readonly [name: string, uniform: DeclaredUniform])[]
+  /** Declared uniforms that the program does not read; values for them are checked nevertheless. */
+  unread: readonly (readonly [name: string, uniform: DeclaredUniform])[]
   origins: Pool<Origin[]>
 }
 
-const readings = new WeakMap<Program, Map<ResultSet, Reading>>()
+const plans = new WeakMap<Program, Map<ResultSet, InputPlan>>()
 
-export function readingOf(warp: WarpProgram, program: Program, wanted: ResultSet): Reading {
-  let known = readings.get(program)
-  if (!known) readings.set(program, (known = new Map<ResultSet, Reading>()))
-  let reading = known.get(wanted)
-  if (!reading) known.set(wanted, (reading = read(warp, program, wanted)))
-  return reading
+/** Returns the plan for a program and results, which is made once. */
+export function planInputs(warp: WarpProgram, program: Program, wanted: ResultSet): InputPlan {
+  let ofProgram = plans.get(program)
+  if (!ofProgram) plans.set(program, (ofProgram = new Map<ResultSet, InputPlan>()))
+  let plan = ofProgram.get(wanted)
+  if (!plan) ofProgram.set(wanted, (plan = makePlan(warp, program, wanted)))
+  return plan
 }
 
-function read({ declared, inputs }: WarpProgram, program: Program, wanted: ResultSet): Reading {
-  // The first of two inputs that are one.
+function makePlan(
+  { declared, inputs }: WarpProgram,
+  program: Program,
+  wanted: ResultSet,
+): InputPlan {
+  // Of two inputs with the same number, the first one counts.
   const names = new Map(
     Object.entries(inputs)
       .reverse()
@@ -71,7 +76,7 @@ function read({ declared, inputs }: WarpProgram, program: Program, wanted: Resul
   return {
     parameters,
     known: new Set([...declared.keys(), ...parameters]),
-    others: [...declared].filter(([name, { image }]) => !image && !parameters.has(name)),
+    unread: [...declared].filter(([name, { image }]) => !image && !parameters.has(name)),
     origins: new Pool(() => inputsOfWarp.map(originOf)),
   }
 }
@@ -83,26 +88,26 @@ function originOf(input: Input): Origin {
 }
 
 /**
- * The program's inputs in order, the uniforms checked. They are the caller's until it gives them back by `keep`; meanwhile a
- * uniform's function may evaluate the same warp, which gets others.
+ * Returns the sources of the program's inputs in order, with checked uniforms. The caller owns them until it calls
+ * `releaseOrigins`; if a uniform's function evaluates the same warp meanwhile, that call gets others.
  */
 export function originsOf(
-  method: string,
-  { declared, valuesOfFrame }: WarpProgram,
-  reading: Reading,
+  place: Place,
+  { declared, frameConstants }: WarpProgram,
+  plan: InputPlan,
   given: Uniforms | undefined,
 ): Origin[] {
-  checkUniforms(method, given, reading.known)
-  const origins = reading.origins.take()
+  checkUniforms(place, given, plan.known)
+  const origins = plan.origins.take()
   let uniforms: Readonly<Record<string, unknown>> | undefined = given
   let frame: Readonly<Record<string, readonly number[]>> | undefined
-  if (valuesOfFrame) {
-    uniforms = withDeclared(method, declared, given, reading.parameters)
-    frame = valuesOfFrame(method, uniforms)
+  if (frameConstants) {
+    uniforms = withDeclared(place, declared, given, plan.parameters)
+    frame = frameConstants(place, uniforms)
   } else
-    for (const [name, { shape }] of reading.others) {
+    for (const [name, { shape }] of plan.unread) {
       const value = given && own(given, name)
-      if (value !== undefined) numbersFor(placeOf(method, name), shape, value)
+      if (value !== undefined) numbersFor(place.uniform(name), shape, value)
     }
   for (const origin of origins) {
     const { variable, input, isRead, numbers } = origin
@@ -110,54 +115,51 @@ export function originsOf(
     const { name } = variable
     const computed = frame && own(frame, name)
     if (computed) {
-      // Any numbers: what divides by a uniform of 0 is infinite, or NaN.
+      // They may be infinite or NaN, as after a division by a uniform that is 0.
       for (let i = 0; i < numbers.length; i++) numbers[i] = (computed as readonly number[])[i]!
       continue
     }
-    const uniform = valuesOfFrame ? undefined : declared.get(name)
+    const uniform = frameConstants ? undefined : declared.get(name)
     const value = uniforms && own(uniforms, name)
-    if (value !== undefined) fill(method, origin, value, uniform)
-    else if (uniform) fill(method, origin, valueOf(method, uniform), uniform, true)
+    if (value !== undefined) fill(place, origin, value, uniform)
+    else if (uniform) fill(place, origin, valueOf(place, uniform), uniform, true)
     else if (isRead)
-      throw new WarpError(
-        `${method}: the warp reads "${name}"; give it a value in the uniforms, as in { ${JSON.stringify(name)}: ${numbers.length === 1 ? 0 : `[${numbers.map(() => 0)}]`} }.`,
+      throw place.error(
+        `the warp reads "${name}"; pass a value in the uniforms, as in { ${JSON.stringify(name)}: ${numbers.length === 1 ? 0 : `[${numbers.map(() => 0)}]`} }.`,
       )
     else numbers.fill(0)
   }
   return origins
 }
 
-/** For the next call; what is the caller's own is let go. */
-export function keep(reading: Reading, origins: Origin[]) {
+/** Returns origins to the pool, without references to the caller's arrays. */
+export function releaseOrigins(plan: InputPlan, origins: Origin[]) {
   for (const origin of origins) {
     origin.values = origin.numbers
     origin.size = origin.numbers.length
     origin.isUniform = true
   }
-  reading.origins.giveBack(origins)
+  plan.origins.giveBack(origins)
 }
 
-/** `isOwn` says that it is the uniform's own value. */
+/** Copies a value into the numbers of an origin. `isOwn` says that it is the uniform's own value. */
 function fill(
-  method: string,
+  place: Place,
   { variable, numbers }: Origin,
   value: unknown,
   uniform: DeclaredUniform | undefined,
   isOwn = false,
 ) {
-  // What mostly comes, without the words for what is wrong, which would be made at each call. A list of one number is no
-  // value of a declared uniform.
+  // The fast path, which allocates nothing. An array of one number is not a value of a declared uniform.
   const isPlain = !variable.read && !(uniform && (isWhole(uniform) || isSingle(value)))
   if (isPlain && takeNumbers(numbers, value)) return
-  const place = placeOf(method, variable.name)
-  const fitting = uniform ? numbersFor(place, uniform.shape, value, isOwn) : value
-  const read = inputNumbers(place, variable, fitting)
+  const at = place.uniform(variable.name)
+  const checked = uniform ? numbersFor(at, uniform.shape, value, isOwn) : value
+  const read = inputNumbers(at, variable, checked)
   for (let i = 0; i < read.length; i++) numbers[i] = read[i]!
 }
 
-const valueOf = (method: string, { value, numbers }: DeclaredUniform) =>
-  value ? value() : scalarOrArray(numbers(method))
+const valueOf = (place: Place, { value, numbers }: DeclaredUniform) =>
+  value ? value() : scalarOrArray(numbers(place))
 
 const isSingle = (value: unknown) => isList(value) && value.length < 2
-
-const placeOf = (method: string, name: string) => `${method}: the uniform "${name}"`

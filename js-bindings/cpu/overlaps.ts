@@ -1,6 +1,8 @@
-// Checks how results and inputs of `evaluate` share memory.
-import { WarpError } from '../errors/errors.js'
+// Checks whether results and inputs of `evaluate` share memory.
+import { Place } from '../options/place.js'
 import type { Sink, Stream } from './machine-code.js'
+
+const place = new Place('evaluate')
 
 /** Throws if two results share memory. `names` are the keys of the option `out`. */
 export function rejectShared(names: readonly string[], sinks: readonly Sink[], vertices: number) {
@@ -10,8 +12,8 @@ export function rejectShared(names: readonly string[], sinks: readonly Sink[], v
       const b = sinks[i]!
       if (a.values.buffer !== b.values.buffer) continue
       if (!overlap(a.values, a.results.length, b.values, b.results.length, vertices)) continue
-      throw new WarpError(
-        `evaluate: out.${names[k]} and out.${names[i]} must have memory of their own, but ${a.values === b.values ? 'are the same array' : 'are views of the same part of a buffer'}.`,
+      throw place.error(
+        `out.${names[k]} and out.${names[i]} must not share memory, but ${a.values === b.values ? 'are the same array' : 'are views of the same part of a buffer'}.`,
       )
     }
 }
@@ -34,7 +36,7 @@ function isOverwritten({ values, size }: Stream, sinks: readonly Sink[], vertice
   for (let i = 0; i < sinks.length; i++) {
     const { values: to, results } = sinks[i]!
     if (to.buffer !== values.buffer) continue
-    // A result that begins no later and has no more bytes per vertex stays behind the vertices that are read.
+    // A result that starts no later and has no more bytes per vertex only overwrites vertices that have been read.
     const isBehind =
       to.byteOffset <= values.byteOffset && 4 * results.length <= size * values.BYTES_PER_ELEMENT
     if (!isBehind && overlap(values, size, to, results.length, vertices)) return true
@@ -47,7 +49,7 @@ type Typed = Pick<Float32Array, 'buffer' | 'byteOffset' | 'BYTES_PER_ELEMENT'>
 const isTyped = (values: ArrayLike<number>): values is ArrayLike<number> & Typed =>
   ArrayBuffer.isView(values)
 
-/** For two arrays of one buffer, with `sizeOfA` and `sizeOfB` numbers per vertex. */
+/** Tests two arrays of one buffer, with `sizeOfA` and `sizeOfB` numbers per vertex. */
 const overlap = (a: Typed, sizeOfA: number, b: Typed, sizeOfB: number, vertices: number) =>
   a.byteOffset < endOf(b, sizeOfB, vertices) && b.byteOffset < endOf(a, sizeOfA, vertices)
 

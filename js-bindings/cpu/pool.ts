@@ -1,4 +1,4 @@
-/** Lends an object that is used again and again, so that a call need not make one. A call inside of another gets its own. */
+/** Lends one object again and again, so that calls create no garbage. A nested call gets an object of its own. */
 export class Pool<Item> {
   private spare: Item | undefined
 

@@ -1,17 +1,17 @@
-// The results of a warp on the CPU: which numbers of the program they are, and the arrays that they go into.
+// The results of a warp on the CPU: their numbers in the program, and the arrays that receive them.
+import { noteChecked } from '../core/inputs/vertices.js'
+import { ResultSet } from '../core/module/result-set.js'
 import { describe } from '../errors/errors.js'
 import { Place } from '../options/place.js'
-import { noteChecked } from '../core/inputs/vertices.js'
 import type { Sink } from './machine-code.js'
-import { ResultSet } from '../core/module/result-set.js'
 import { rejectShared } from './overlaps.js'
 import { Pool } from './pool.js'
 
-/** Flat arrays in the order of the vertices that came. */
+/** Flat arrays, in the order of the vertices that were passed. */
 export interface WarpedVertices {
-  /** Three numbers a vertex. */
+  /** 3 floats per vertex. */
   positions: Float32Array
-  /** Three numbers a vertex, of length 1, or 0 where the warp collapses the surface; if normals came. */
+  /** Present if normals were passed: 3 floats per vertex. The length is 1, or 0 where the warp collapses the surface. */
   normals?: Float32Array
   /**
    * Present if normals and tangents were passed: 4 floats per vertex. The last one is that of the input, or its negative if
@@ -20,48 +20,49 @@ export interface WarpedVertices {
   tangents?: Float32Array
 }
 
-/** The results of the program, by number, as host-warp.ts asks for them; a warp without normals has only the first three. */
-export const numbersOf = {
+/** Numbers of the results in the program, as host-warp.ts orders them. A warp without normals has only the first three. */
+export const resultNumbers = {
   positions: [0, 1, 2],
   normals: [3, 4, 5],
   tangents: [6, 7, 8, 9],
   determinant: [10],
 }
 
-/** Results that are computed together. */
-export class Wanted extends ResultSet {
-  /** Where `evaluateAt` has them for a moment. */
+/** Results of vertices that are computed together. */
+export class VertexResults extends ResultSet {
+  /** The sinks of `evaluateAt`, of one vertex. */
   readonly point: readonly Sink[]
-  /** For `evaluate`, whose sinks get the caller's arrays. */
+  /** The sinks of `evaluate`, which refer to the caller's arrays during a call. */
   readonly sinks: Pool<Sink[]>
 
   constructor(readonly names: readonly (keyof WarpedVertices)[]) {
-    super(names.flatMap((name) => numbersOf[name]))
-    this.point = names.map((name) => sinkOf(name, new Float32Array(numbersOf[name].length)))
-    this.sinks = new Pool(() => names.map((name) => sinkOf(name, nothing)))
+    super(names.flatMap((name) => resultNumbers[name]))
+    this.point = names.map((name) => sinkOf(name, new Float32Array(resultNumbers[name].length)))
+    this.sinks = new Pool(() => names.map((name) => sinkOf(name, noValues)))
   }
 }
 
-const nothing = new Float32Array()
+const noValues = new Float32Array()
 
 const sinkOf = (name: keyof WarpedVertices, values: Float32Array): Sink => ({
   values,
-  results: numbersOf[name],
+  results: resultNumbers[name],
 })
 
-export const wanted = {
-  place: new Wanted(['positions']),
-  surface: new Wanted(['positions', 'normals']),
-  frame: new Wanted(['positions', 'normals', 'tangents']),
+export const vertexResults = {
+  position: new VertexResults(['positions']),
+  surface: new VertexResults(['positions', 'normals']),
+  frame: new VertexResults(['positions', 'normals', 'tangents']),
 }
 
-/** For `bounds` and `foldover`. */
-export const positionsAlone = new ResultSet(numbersOf.positions)
-export const determinantAlone = new ResultSet(numbersOf.determinant)
+/** The result of `bounds`. */
+export const positionsAlone = new ResultSet(resultNumbers.positions)
+/** The result of `foldover`. */
+export const determinantAlone = new ResultSet(resultNumbers.determinant)
 
-/** Takes sinks into the caller's arrays, or new ones. None is left for a getter or a uniform's function that evaluates as well. */
+/** Takes sinks for the caller's arrays, or for new ones. If a getter or a uniform's function evaluates too, it gets others. */
 export function takeSinks(
-  results: Wanted,
+  results: VertexResults,
   vertices: number,
   out: Partial<WarpedVertices> | undefined,
 ): Sink[] {
@@ -76,32 +77,32 @@ export function takeSinks(
   return sinks
 }
 
-/** Gives them back without the arrays → these, in the caller's object if it holds just them. */
-export function leaveSinks(
-  results: Wanted,
+/** Returns sinks to the pool, and their arrays to the caller, in the object `out` if it holds exactly these. */
+export function releaseSinks(
+  results: VertexResults,
   sinks: Sink[],
   out: Partial<WarpedVertices> | undefined,
 ): WarpedVertices {
-  const warped = out && isJust(out, sinks) ? out : named(results.names, sinks)
+  const warped = out && hasExactly(out, sinks) ? out : arraysByName(results.names, sinks)
   for (const sink of sinks) {
     noteChecked(sink.values)
-    sink.values = nothing
+    sink.values = noValues
   }
   results.sinks.giveBack(sinks)
   return warped as WarpedVertices
 }
 
-/** Whether the caller's object holds these arrays, and no other. */
-function isJust(out: Partial<WarpedVertices>, sinks: readonly Sink[]) {
-  const all = wanted.frame.names
+/** Tests whether the caller's object holds these arrays and no others. */
+function hasExactly(out: Partial<WarpedVertices>, sinks: readonly Sink[]) {
+  const all = vertexResults.frame.names
   for (let i = 0; i < all.length; i++) if (out[all[i]!] !== sinks[i]?.values) return false
   return true
 }
 
-const named = (names: readonly string[], sinks: readonly Sink[]) =>
+const arraysByName = (names: readonly string[], sinks: readonly Sink[]) =>
   Object.fromEntries(names.map((name, i) => [name, sinks[i]!.values]))
 
-/** Where so many numbers of a result go: into the caller's array, if one came. */
+/** Returns the caller's array for a result, or a new one. */
 function arrayFor(name: string, length: number, given: unknown): Float32Array {
   if (given === undefined) return new Float32Array(length)
   if (given instanceof Float32Array && given.length >= length) return given

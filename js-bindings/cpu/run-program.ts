@@ -1,23 +1,16 @@
-// Programs on many vertices: by machine code where the engine compiles any, else by the evaluation's own interpreter. Both
-// give the same bits.
-import type { Program } from '../core/module/kept-module.js'
+// Evaluates programs at many vertices: by machine code where the engine compiles it, otherwise by the interpreter of the
+// evaluation. Both give the same bits.
+import type { Program } from '../core/module/serialized-module.js'
 import type { ResultSet } from '../core/module/result-set.js'
 import { WarpError } from '../errors/errors.js'
 import { evaluation } from '../wasm/evaluation.js'
 import { withProgram } from './analyse-program.js'
-import {
-  MachineCode,
-  type Sink,
-  type Stream,
-  copy,
-  sizeOf,
-  verticesAtOnce,
-} from './machine-code.js'
+import { MachineCode, type Sink, type Stream, copy, sizeOf, batchSize } from './machine-code.js'
 
 /**
- * Runs `program` on so many vertices; `inputs` has all of its inputs in order, and `wanted` are the results that the sinks
- * take. Nothing is left for the garbage
- * collector where that is there: functions that capture variables stand apart, for each call would make their scope.
+ * Evaluates `program`. `inputs` has all of its inputs in order, and `wanted` are the results that the sinks receive. With machine
+ * code it creates no garbage: `interpret` is a function of its own because its closures capture variables, whose scope each call
+ * would allocate.
  */
 export function runProgram(
   program: Program,
@@ -32,23 +25,23 @@ export function runProgram(
 }
 
 /**
- * Making machine code takes two to three times as long as readying the interpreter, and running it two thirds: so a program
- * that is run once has none unless it is run on so many vertices.
+ * The minimum number of vertices for machine code in the first run of a program. Making it takes 2 to 3 times as long as preparing
+ * the interpreter, and running it two thirds of the interpreter's time.
  */
-const worthwhile = 30_000
+const minVerticesForCode = 30_000
 
-/** What is known of a program for some results and inputs of one kind. */
-interface Known {
+/** A use of a program: for some results, and with inputs that are uniform or not. */
+interface Use {
   wanted: ResultSet
   isUniform: readonly boolean[]
-  /** Null if the program is too long, and nothing after it was run once. */
+  /** Missing after the first run; `null` if the program is too long. */
   code?: MachineCode | null
 }
 
-/** Of each program a few, which are compared: a key would be text that is made at each call. */
-const knowns = new WeakMap<Program, Known[]>()
+/** Maps a program → its few uses, which are compared: a string as a key would be garbage of each call. */
+const usesOf = new WeakMap<Program, Use[]>()
 
-/** Where a Content-Security-Policy or the engine itself compiled nothing more. */
+/** `true` once a Content-Security-Policy or the engine itself has refused to compile code. */
 let isForbidden = false
 
 function machineCodeOf(
@@ -59,17 +52,17 @@ function machineCodeOf(
   sinks: readonly Sink[],
 ): MachineCode | null | undefined {
   if (isForbidden) return undefined
-  let all = knowns.get(program)
-  if (!all) knowns.set(program, (all = []))
-  let known = likeThese(all, wanted, inputs)
-  if (!known) {
-    all.push((known = { wanted, isUniform: inputs.map(({ isUniform }) => isUniform) }))
-    if (vertices < worthwhile) return undefined
+  let uses = usesOf.get(program)
+  if (!uses) usesOf.set(program, (uses = []))
+  let use = findUse(uses, wanted, inputs)
+  if (!use) {
+    uses.push((use = { wanted, isUniform: inputs.map(({ isUniform }) => isUniform) }))
+    if (vertices < minVerticesForCode) return undefined
   }
-  const { code } = known
+  const { code } = use
   if (code === null || code?.core === evaluation.get()) return code
   try {
-    return (known.code = MachineCode.of(program, wanted.numbers, inputs, sinks))
+    return (use.code = MachineCode.of(program, wanted.numbers, inputs, sinks))
   } catch (error) {
     if (error instanceof WarpError) throw error
     isForbidden = true
@@ -77,16 +70,16 @@ function machineCodeOf(
   }
 }
 
-function likeThese(
-  all: readonly Known[],
+function findUse(
+  uses: readonly Use[],
   wanted: ResultSet,
   inputs: readonly Stream[],
-): Known | undefined {
-  next: for (const known of all) {
-    if (known.wanted !== wanted) continue
+): Use | undefined {
+  next: for (const use of uses) {
+    if (use.wanted !== wanted) continue
     for (let i = 0; i < inputs.length; i++)
-      if (inputs[i]!.isUniform !== known.isUniform[i]) continue next
-    return known
+      if (inputs[i]!.isUniform !== use.isUniform[i]) continue next
+    return use
   }
   return undefined
 }
@@ -98,22 +91,22 @@ function interpret(
   inputs: readonly Stream[],
   sinks: readonly Sink[],
 ) {
-  const atOnce = Math.min(vertices, verticesAtOnce)
+  const maxCount = Math.min(vertices, batchSize)
   withProgram(program, (loaded) =>
     evaluation.use(
-      ({ Evaluator }) => new Evaluator(loaded, wanted.numbers, inputs, sinks.map(sizeOf), atOnce),
+      ({ Evaluator }) => new Evaluator(loaded, wanted.numbers, inputs, sinks.map(sizeOf), maxCount),
       (evaluator) => {
         inputs.forEach(({ values, isUniform }, i) => {
           if (isUniform) evaluator.input(i).set(values)
         })
-        for (let first = 0; first < vertices; first += atOnce) {
-          const now = Math.min(atOnce, vertices - first)
+        for (let first = 0; first < vertices; first += maxCount) {
+          const count = Math.min(maxCount, vertices - first)
           inputs.forEach(({ values, size, isUniform }, i) => {
-            if (!isUniform) copy(evaluator.input(i), 0, values, first * size, now * size)
+            if (!isUniform) copy(evaluator.input(i), 0, values, first * size, count * size)
           })
-          evaluator.run(now)
+          evaluator.run(count)
           sinks.forEach(({ values, results: { length: size } }, i) =>
-            values.set(evaluator.result(i).subarray(0, now * size), first * size),
+            values.set(evaluator.result(i).subarray(0, count * size), first * size),
           )
         }
       },

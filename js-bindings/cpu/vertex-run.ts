@@ -1,35 +1,36 @@
-// Runs the program of a warp on the vertices of a mesh.
-import { WarpError } from '../errors/errors.js'
-import { noteApproximation } from '../errors/notes.js'
+// Evaluates the program of a warp at the vertices of a mesh.
 import { variationInputs, vertexInputs } from '../core/inputs/inputs.js'
 import { type Uniforms, type Vertices, arrayNames } from '../core/inputs/vertices.js'
 import type { ResultSet } from '../core/module/result-set.js'
+import { noteApproximation } from '../errors/notes.js'
+import type { Place } from '../options/place.js'
 import type { Sink } from './machine-code.js'
-import { runProgram } from './run-program.js'
-import { type Origin, keep, originsOf, readingOf } from './origins.js'
+import { type Origin, originsOf, planInputs, releaseOrigins } from './origins.js'
 import { copyOverwritten } from './overlaps.js'
-import { type WarpProgram, programOf } from './warp-program.js'
+import { runProgram } from './run-program.js'
+import { type WarpProgram, missingInput, programOf } from './warp-program.js'
 
-/** Puts the results that are wanted into sinks. */
+/** Computes results of all vertices into sinks. */
 export function runOnVertices(
   warp: WarpProgram,
-  method: string,
+  place: Place,
   mesh: Vertices,
   vertices: number,
   uniforms: Uniforms | undefined,
   results: ResultSet,
   sinks: readonly Sink[],
 ) {
-  const program = programOf(method, warp)
-  const reading = readingOf(warp, program, results)
-  const origins = originsOf(method, warp, reading, uniforms)
-  for (const origin of origins) takeVertices(warp, method, origin, mesh)
+  const program = programOf(place, warp)
+  const plan = planInputs(warp, program, results)
+  const origins = originsOf(place, warp, plan, uniforms)
+  for (const origin of origins) readFromMesh(warp, place, origin, mesh)
   copyOverwritten(origins, sinks, vertices)
   if (vertices > 0) runProgram(program, results, vertices, origins, sinks)
-  keep(reading, origins)
+  releaseOrigins(plan, origins)
 }
 
-function takeVertices(warp: WarpProgram, method: string, origin: Origin, mesh: Vertices) {
+/** Makes an input that differs by vertex read the array of the mesh. */
+function readFromMesh(warp: WarpProgram, place: Place, origin: Origin, mesh: Vertices) {
   const { input, isRead } = origin
   if (!input || !isRead) return
   const values = mesh[arrayNames[input]]
@@ -40,11 +41,8 @@ function takeVertices(warp: WarpProgram, method: string, origin: Origin, mesh: V
     return
   }
   if (input in variationInputs) {
-    if (!warp.isAccepted) noteApproximation(method, 'surfaceVariation(mesh) of warpjet/mesh')
+    if (!warp.isAccepted) noteApproximation(place.method, 'surfaceVariation(mesh) of warpjet/mesh')
     return
   }
-  const name = method === 'evaluateAt' ? input : arrayNames[input]
-  throw new WarpError(
-    `${method}: the warp reads the ${input} of each vertex, but no "${name}" came.`,
-  )
+  throw missingInput(place, input, place.method === 'evaluateAt' ? input : arrayNames[input])
 }

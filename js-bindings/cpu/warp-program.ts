@@ -1,57 +1,62 @@
-// What a warp that runs on the CPU keeps of its session, for other modules of ours too: they need nothing that runs it.
-import { WarpError } from '../errors/errors.js'
-import type { Program } from '../core/module/kept-module.js'
+// The programs of a warp on the CPU. Other modules import this file without the code that evaluates programs.
 import type { DeclaredUniforms } from '../core/inputs/declared-uniforms.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
+import type { Program } from '../core/module/serialized-module.js'
+import type { WarpError } from '../errors/errors.js'
+import type { Place } from '../options/place.js'
 
-/** What is kept of a session. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
+/** The programs of a recorded warp: `undefined` if it calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {
   /** The option `uniforms`. */
   declared: DeclaredUniforms
-  /** The uniforms that the program reads in place of others, from the values of these. */
-  valuesOfFrame?:
+  /** Present if the program reads frame constants: computes them from the values of inputs and uniforms. */
+  frameConstants?:
     | ((
-        method: string,
+        place: Place,
         given: Readonly<Record<string, unknown>>,
       ) => Readonly<Record<string, readonly number[]>>)
     | undefined
   program: () => Program | undefined
-  /** Its results are the position and what the tangent's direction becomes. */
+  /** Computes the warped position and the warped direction of the tangent. */
   directionProgram: () => Program | undefined
-  /** Its result is -1 if the warp mirrors all of space, otherwise 1. It reads no vertex. */
+  /** Computes -1 if the warp mirrors all of space, otherwise 1. It reads no vertex. */
   orientationProgram: () => Program
   hasNormals: boolean
-  /** Whether the turn depends on how normal and uv vary over the surface. */
+  /** `true` if the warped normal depends on how normal and uv vary over the surface. */
   varies: boolean
-  /** Whether they may count as constant nevertheless. */
+  /** `true` if the user accepts that they count as constant nevertheless. */
   isAccepted: boolean
-  /** By input of the warp, the number of the program's. */
+  /** Maps an input of the warp → its number in the module. */
   inputs: Record<string, number>
 }
 
-/** A `WarpProgram` that is running. */
+/** A `WarpProgram` with tests that evaluate it. */
 export interface RunningProgram extends WarpProgram {
-  /** Returns whether the warp mirrors all of space, so that the back of each triangle is the outer side. */
-  isMirrored: (method: string, uniforms: Uniforms | undefined) => boolean
+  /** Tests whether the warp mirrors all of space, so that the back of each triangle is its outer side. */
+  isMirrored: (place: Place, uniforms: Uniforms | undefined) => boolean
   /** Like `isMirrored`, but without uniforms: `undefined` if it depends on them. */
   mirrors: () => boolean | undefined
 }
 
-/** Where a warp keeps it, for other modules of ours. */
+/** The key of a warp's `RunningProgram`. It is the same in all scripts of a page. */
 export const warpProgram = Symbol.for('warpjet.program')
 
-/** Throws a `WarpError` for a warp that only the GPU can run. */
-export function programOf(method: string, warp: WarpProgram, make = warp.program): Program {
+/** Returns a program. Throws a `WarpError` for a warp that only the GPU can evaluate. */
+export function programOf(place: Place, warp: WarpProgram, make = warp.program): Program {
   const program = make()
   if (program) return program
-  throw new WarpError(
-    `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
+  throw place.error(
+    'this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.',
   )
 }
 
-export function rejectWithoutNormals(method: string, { hasNormals }: WarpProgram) {
+export function rejectWithoutNormals(place: Place, { hasNormals }: WarpProgram) {
   if (!hasNormals)
-    throw new WarpError(
-      `${method}: the warp was compiled with "normals: false", which leaves out its derivatives; compile it without.`,
+    throw place.error(
+      'the warp was compiled with "normals: false", which leaves out its derivatives; compile it without.',
     )
 }
+
+/** Makes the error for an input that the caller must pass as `name`. */
+export const missingInput = (place: Place, input: string, name: string): WarpError =>
+  place.error(`the warp reads the ${input} of each vertex; pass "${name}" too.`)

@@ -4,8 +4,8 @@ import { Place } from '../options/place.js'
 import { warpsOf } from './warps.js'
 
 /**
- * The sum of the offsets: each warp is given the vertex as it is, so that their order makes no difference. Throws a
- * `WarpError` for what is no function, and, when the warp is made, if one returns no vec3.
+ * Adds the offsets of several warps: each gets the original vertex, so their order does not matter. Throws a `WarpError`
+ * if an argument is not a function and, when the warp is made, if one does not return a vec3.
  */
 export function add<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]

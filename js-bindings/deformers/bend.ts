@@ -14,25 +14,25 @@ import type { KindsOf } from '../options/schema.js'
 import { readOptions, withFormula } from './deformer.js'
 
 export interface BendOptions {
-  /** What it is bent about; `'z'` unless given. */
+  /** The axis of the bend. Default: `'z'`. */
   axis?: AxisOption
-  /** The direction that is bent, straight before; `'y'` unless given, or `'x'` if the axis is the y axis. Only its part
-   * at right angles to the axis counts. */
+  /** The direction of the line that is bent. Default: `'y'`, or `'x'` if the axis is the y axis. Only its component
+   * perpendicular to the axis counts. */
   along?: AxisOption
-  /** A point of the line that keeps its length, and one that stays where `from` and `to` are on both sides of it, in
-   * units; `[0, 0, 0]` unless given. */
+  /** A point of the line that keeps its length, in units. Default: `[0, 0, 0]`. It does not move if it is between `from`
+   * and `to`. */
   center?: VectorOption
-  /** In radians, between the two straight ends; π/2 unless given, and 0 moves nothing. Seen from where the axis points
-   * to, what lies ahead turns counterclockwise. */
+  /** The angle between the two straight ends, in radians. Default: π/2; 0 moves nothing. Seen against the axis, the part
+   * ahead turns counterclockwise. */
   angle?: NumberOption
-  /** Where the bend begins and ends, in units along the line, measured from `center`; -100 and 100 unless given. `to`
-   * must be above `from`. */
+  /** The start and end of the bend, in units along the line, measured from `center`. Default: -100 and 100. `to` must be
+   * greater than `from`. */
   from?: NumberOption
   to?: NumberOption
 }
 
 /**
- * Bends a straight line into an arc, which goes on straight at both ends: the global linear bend of Barr, "Global and
+ * Bends a straight line into an arc that continues straight at both ends: the global linear bend of Barr, "Global and
  * Local Deformations of Solid Primitives" (1984). With k = angle / (to - from) and s' = clamp(s, from, to) for s along the
  * line, slices turn by θ = k s' about the centre of the arc, at 1 / k from the line. Space beyond that centre turns inside
  * out. Throws a `WarpError` for unknown options and wrong values.
@@ -57,9 +57,9 @@ export function bend(options?: BendOptions): OffsetFunction {
     const turn = angle.div(to.sub(from).max(1e-6)).mult(onArc)
     const [sin, cos] = [turn.sin(), turn.cos()]
 
-    // The end of the arc: s' sin θ / θ and s' (1 - cos θ) / θ, in which no radius becomes infinite.
+    // The end of the arc: s' sin θ / θ and s' (1 - cos θ) / θ, which avoid an infinite radius.
     const isSmall = turn.mult(turn).lt(0.1)
-    // 1 / θ where it is used, and finite everywhere, which `bounds` needs.
+    // 1 / θ where we use it, and finite everywhere, which `bounds` needs.
     const inverse = turn.div(turn.mult(turn).max(0.1))
     const ahead = onArc.mult(isSmall.ifElse(sineSeries(turn), sin.mult(inverse)))
     const aside = onArc.mult(isSmall.ifElse(versineSeries(turn), cos.neg().add(1).mult(inverse)))
@@ -80,14 +80,16 @@ const kinds = {
   to: number(100),
 } satisfies KindsOf<BendOptions>
 
-/** 1 - x² / a (1 - x² / b (1 - …)) */
-const nested = (x: Scalar, [divisor, ...others]: number[]): Scalar =>
-  divisor === undefined ? x.pow(0) : nested(x, others).mult(x.pow(2)).div(divisor).neg().add(1)
+/** Returns 1 - x² / a (1 - x² / b (1 - …)). */
+const nestedSeries = (x: Scalar, [divisor, ...others]: number[]): Scalar =>
+  divisor === undefined
+    ? x.pow(0)
+    : nestedSeries(x, others).mult(x.pow(2)).div(divisor).neg().add(1)
 
-/** sin x / x and (1 - cos x) / x up to x⁸ and x⁹; for x² < 0.1 what is left out is below 3e-13. */
-const sineSeries = (x: Scalar) => nested(x, [2 * 3, 4 * 5, 6 * 7, 8 * 9])
+/** Series of sin x / x and (1 - cos x) / x up to x⁸ and x⁹; for x² < 0.1 the remainder is below 3e-13. */
+const sineSeries = (x: Scalar) => nestedSeries(x, [2 * 3, 4 * 5, 6 * 7, 8 * 9])
 const versineSeries = (x: Scalar) =>
-  nested(x, [3 * 4, 5 * 6, 7 * 8, 9 * 10])
+  nestedSeries(x, [3 * 4, 5 * 6, 7 * 8, 9 * 10])
     .mult(x)
     .div(2)
 
@@ -96,7 +98,7 @@ function rejectParallel(axis?: number[], along?: number[]) {
   const cosine = axis.reduce((sum, x, i) => sum + x * along[i]!, 0)
   if (Math.abs(cosine) > 1 - 1e-9)
     throw place.error(
-      'the options "axis" and "along" have the same direction; bend about an axis at right angles to the line.',
+      'the options "axis" and "along" have the same direction; bend about an axis perpendicular to the line.',
     )
 }
 

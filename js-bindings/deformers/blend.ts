@@ -5,10 +5,9 @@ import { Place } from '../options/place.js'
 import { warpsOf } from './warps.js'
 
 /**
- * From one warp to another: each is given the vertex as it is, and points move on the straight line between where the two
- * move them. `amount` is 0 for the first, 1 for the second, and 0.5 unless given; if it varies over the shape, its slope
- * counts for the normals. Throws a `WarpError` for what is no function, for wrong amounts, and, when the warp is made, if
- * one returns no vec3.
+ * Blends two warps: each gets the original vertex, and points move on the straight line between the two results. `amount`
+ * is 0 for the first and 1 for the second. Default: 0.5. If it varies over the shape, normals account for its slope. Throws
+ * a `WarpError` if a warp is not a function, for wrong amounts and, when the warp is made, if one does not return a vec3.
  */
 export function blend<Uniforms extends UniformValues = {}>(
   from: OffsetFunction<Uniforms>,

@@ -13,22 +13,23 @@ import { deformer } from './deformer.js'
 import { falloff, fromAxis } from './parts.js'
 
 export interface BulgeOptions {
-  /** The middle of the bulge, in units; `[0, 0, 0]` unless given. */
+  /** The centre of the bulge, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** If given, points move away from this axis, as of a barrel; otherwise away from `center`, as of a ball. */
+  /** If present, points move away from this axis, like those of a barrel; otherwise away from `center`, like those of a
+   * ball. */
   axis?: AxisOption
-  /** By what part of their distance points move at the middle of the bulge; 0.5 unless given. 0 moves nothing, below 0
-   * it is a dent. Below -1 space turns inside out, and so it does above 1.5 without an axis, where the middle overtakes
-   * what lies around it. */
+  /** The fraction of their distance by which points move at the centre of the bulge. Default: 0.5. 0 moves nothing;
+   * negative values make a dent. Space turns inside out below -1, and also above 1.5 without an axis, where the centre
+   * overtakes its surroundings. */
   amount?: NumberOption
-  /** How far the bulge reaches, in units above 0: from `center`, or along the axis to both sides; 100 unless given. */
+  /** The extent of the bulge, in units above 0: from `center`, or along the axis in both directions. Default: 100. */
   radius?: NumberOption
 }
 
 /**
- * Moves points away by d · amount · w, where d leads to them from the centre (or the axis) and w = (1 - (r / radius)²)³
- * fades from 1 at the centre to 0 at `radius`, with continuous first and second derivatives; r is the distance from the
- * centre (or from it along the axis). Throws a `WarpError` for unknown options and wrong values.
+ * Moves points away by d · amount · w, where d is the vector to them from the centre (or the axis) and
+ * w = (1 - (r / radius)²)³ fades from 1 at the centre to 0 at `radius`, with continuous first and second derivatives; r is
+ * the distance from the centre (or from it along the axis). Throws a `WarpError` for unknown options and wrong values.
  */
 export const bulge = (options?: BulgeOptions): OffsetFunction =>
   deformer(

@@ -5,16 +5,16 @@ import { Place } from '../options/place.js'
 import { warpsOf } from './warps.js'
 
 /**
- * One warp after the other: the second acts on what the first moved, and so on. It is given the moved position, and as
- * `normal` the unit normal that the surface has by then, zero where the warps before have collapsed it; all other inputs
- * are those of the vertex. The normal is turned by the exact derivative of all that came before, so that
- * `chain(twist(), inflate())` inflates the twisted shape; where those before read `normal`, `uv` or `color`, these count as
- * constant in it.
+ * Applies one warp after another: the second acts on the result of the first, and so on. It gets the moved position, and as
+ * `normal` the unit normal of the surface at that stage, zero where the previous warps have collapsed it; all other inputs
+ * are those of the vertex. The normal is transformed by the exact derivative of all previous warps, so
+ * `chain(twist(), inflate())` inflates the twisted shape; if previous warps read `normal`, `uv` or `color`, these count as
+ * constant in that derivative.
  *
- * A moved position is no input, so that nothing can be derived by it: `glsl.derivative(x, position.x())` throws a
- * `WarpError` in all warps but the first.
+ * A moved position is not an input, so you cannot differentiate by it: `glsl.derivative(x, position.x())` throws a
+ * `WarpError` in all warps except the first.
  *
- * Throws a `WarpError` for what is no function, and, when the warp is made, if one returns no vec3.
+ * Throws a `WarpError` if an argument is not a function and, when the warp is made, if one does not return a vec3.
  */
 export function chain<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]

@@ -1,12 +1,12 @@
-// From the options of a deformer to its offset function.
+// Makes the offset function of a deformer from its options.
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { asOwn } from '../errors/operators.js'
 import { Place } from '../options/place.js'
 import { type Kinds, type KindsOf, type ValuesOf, object } from '../options/schema.js'
 import type { Computed } from './kinds.js'
 
-/** The values that a formula works with: computed ones are made. */
-export type Made<Values> = {
+/** The arguments of a formula: computed values are replaced by their results. */
+export type Evaluated<Values> = {
   [Name in keyof Values]: Values[Name] extends Computed<infer Value>
     ? Value
     : Values[Name] extends Computed<infer Value> | undefined
@@ -14,9 +14,9 @@ export type Made<Values> = {
       : Values[Name]
 }
 
-export type Formula<Values> = (inputs: WarpInputs, values: Made<Values>) => Vec3
+export type Formula<Values> = (inputs: WarpInputs, values: Evaluated<Values>) => Vec3
 
-/** The offset function of the deformer of that name. `kinds` has a kind for each of the options. */
+/** Returns the offset function of the deformer `name`. `kinds` has a kind for each option. */
 export function deformer<Options, All extends Kinds & KindsOf<Options>>(
   name: string,
   options: Options | undefined,
@@ -30,7 +30,7 @@ export function readOptions<All extends Kinds>(name: string, options: unknown, k
   const place = new Place(name)
   if (Object.keys(options ?? {}).includes('glsl'))
     throw place.error(
-      `it makes an offset function; call it with its options, as in createWarp(${name}({})).`,
+      `got the inputs of an offset function; call it with its options, as in createWarp(${name}({})).`,
     )
   return object(kinds).read(options, place)
 }
@@ -44,5 +44,5 @@ export const withFormula = <Values extends object>(
       name,
       typeof value === 'function' ? (value as Computed<unknown>)(inputs) : value,
     ])
-    return formula(inputs, Object.fromEntries(made) as Made<Values>)
+    return formula(inputs, Object.fromEntries(made) as Evaluated<Values>)
   })

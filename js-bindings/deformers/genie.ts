@@ -13,26 +13,27 @@ import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface GenieOptions {
-  /** The point that the shape vanishes into, in units; `[0, 200, 0]` unless given, below the shape in p5. */
+  /** The point that the shape vanishes into, in units. Default: `[0, 200, 0]`, which is below the shape in p5. */
   center?: VectorOption
-  /** The direction in which it is drawn there; `'y'` unless given. What lies beyond `center` is only narrowed. */
+  /** The direction in which the shape is pulled. Default: `'y'`. Parts beyond `center` are only narrowed. */
   axis?: AxisOption
-  /** 0, all there, to 1, gone; 0.5 unless given. */
+  /** From 0, unchanged, to 1, vanished. Default: 0.5. */
   amount?: NumberOption
-  /** How far from `center` the shape ends, in units above 0; 300 unless given. What is further is not quite drawn in. */
+  /** The distance from `center` to the end of the shape, in units above 0. Default: 300. Parts further away are not pulled
+   * in completely. */
   length?: NumberOption
-  /** What part of its width the shape still has at `center`; 0 unless given, a point. */
+  /** The fraction of its width that the shape has at `center`. Default: 0, a point. */
   neck?: NumberOption
-  /** If given, the shape keeps its width along this axis, and vanishes into an edge. */
+  /** If present, the shape keeps its width along this axis, and vanishes into an edge. */
   edge?: AxisOption
 }
 
 /**
- * Draws a shape into a point or an edge, as windows go into the Dock of macOS: it first narrows into a funnel and then
+ * Pulls a shape into a point or an edge, like windows into the Dock of macOS: it first narrows into a funnel and then
  * slides down it. With u the distance before `center` along the axis, u' = u - min(max(u, 0), length · m), and widths are
  * scaled by mix(1, mix(neck, 1, smoothstep(0, length, u')), k), where k = smoothstep(0, 0.6, amount) and
- * m = smoothstep(0.3, 1, amount). What has arrived has collapsed, and has no normals. Throws a `WarpError` for unknown
- * options and wrong values.
+ * m = smoothstep(0.3, 1, amount). Parts that have arrived are collapsed, and have no normals. Throws a `WarpError` for
+ * unknown options and wrong values.
  */
 export const genie = (options?: GenieOptions): OffsetFunction =>
   deformer(

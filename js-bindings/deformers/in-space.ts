@@ -16,23 +16,23 @@ import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
 import { warp as warpKind } from './warps.js'
 
-/** 16 numbers, column by column, the last row 0, 0, 0, 1, as in WebGL; an expression, where a mat3 shifts nothing; or a
- * function that gives one of them. */
+/** 16 numbers in column-major order with the last row 0, 0, 0, 1, as in WebGL; or a mat4, or a mat3 without translation; or
+ * a function that returns one of these. */
 export type MatrixOption = OrFunction<ArrayLike<number> | Mat3 | Mat4>
 
-/** p' = linear · p + shift */
+/** The affine transform p' = linear · p + shift. */
 interface Space {
   linear: Mat3
   shift: Vec3
 }
 
 /**
- * A warp in another space. Its `position` is p' = M p, its `normal` the unit normal there, which looks out of the shape
- * also where M mirrors, and the offset comes back by the inverse of the linear part of M: so the units, the axes and the
- * origin of the warp are those of the space that M leads to. As for `chain`, nothing can be derived by that position.
+ * Applies a warp in another space. Its `position` is p' = M p, its `normal` the unit normal there, which points outwards
+ * even if M mirrors, and the offset is transformed back by the inverse of the linear part of M. So the units, axes and
+ * origin of the warp are those of the space that M maps to. As for `chain`, you cannot differentiate by that position.
  *
- * Throws a `WarpError` for what is no matrix or no function, for constants whose linear part has determinant 0, and, when
- * the warp is made, if it returns no vec3. Where a matrix that is computed has determinant 0, points stay.
+ * Throws a `WarpError` if an argument is not a matrix or a function, for constants whose linear part has determinant 0 and,
+ * when the warp is made, if it does not return a vec3. If a computed matrix has determinant 0, points do not move.
  */
 export function inSpace<Uniforms extends UniformValues = {}>(
   matrix: MatrixOption,
@@ -87,20 +87,20 @@ function rejectNoMatrix(matrix: unknown): asserts matrix is ArrayLike<number> {
   if (other >= 0) throw wrong(`an array with ${describe(numbers[other])}`)
   const lastRow = [3, 7, 11, 15].map((i) => numbers[i])
   if (lastRow.some((x, i) => x !== (i === 3 ? 1 : 0)))
-    throw wrong(`one with the last row ${lastRow.join(', ')}`, ', the last row 0, 0, 0, 1')
+    throw wrong(`one with the last row ${lastRow.join(', ')}`, ', with the last row 0, 0, 0, 1')
   if (isFlat([0, 4, 8].map((i) => numbers.slice(i, i + 3))))
     throw place.error(
-      'the matrix has the determinant 0, so that no way leads back from its space; no axis may be scaled by 0.',
+      'the matrix has the determinant 0, so it has no inverse; no axis may be scaled by 0.',
     )
 }
 
-/** Whether three columns lie in a plane, as far as float32 can tell. */
+/** Returns whether three columns are in a plane, within the precision of float32. */
 const isFlat = (columns: number[][]) => Math.abs(volumeOf(columns)) < 1e-7
 
 const isLeftHanded = (matrix: ArrayLike<unknown>) =>
   volumeOf([0, 4, 8].map((i) => [0, 1, 2].map((k) => matrix[i + k] as number))) < 0
 
-/** What three columns span, each as one of length 1. */
+/** Returns the volume spanned by three columns, each scaled to length 1. */
 function volumeOf(columns: number[][]): number {
   const [a, b, c] = columns.map((column) => {
     const length = Math.hypot(...column) || 1

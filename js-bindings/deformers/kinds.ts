@@ -1,5 +1,5 @@
-// Kinds of options of deformers: numbers, vectors and axes, each a constant, an expression, or a function of the inputs of
-// an offset function. Constants are checked at once, computed values when the warp is made.
+// The kinds of deformers' options: numbers, vectors and axes. Each is a constant, an expression, or a function of the inputs
+// of an offset function. Constants are checked immediately, computed values when the warp is made.
 import type { Expression } from '../core/expression/expression.js'
 import type { Shape } from '../core/expression/shapes.js'
 import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
@@ -8,22 +8,22 @@ import { readOperators } from '../errors/operators.js'
 import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
 import { type Kind, wholeNumber } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
-import { mostSeed } from '../wasm/tables.js'
+import { maxSeed } from '../wasm/tables.js'
 
-/** What an offset function is given. Which uniforms there are is said where the warp is made, which is elsewhere. */
+/** The inputs of an offset function. The uniforms are untyped, since they are declared elsewhere, where the warp is made. */
 export type OptionInputs = WarpInputs & { uniforms: { readonly [name: string]: any } }
 
-/** A value, or what computes it where the warp is made: `({ uniforms }) => uniforms.amount`. */
+/** A value, or a function that computes it when the warp is made: `({ uniforms }) => uniforms.amount`. */
 export type OrFunction<Value> = Value | ((inputs: OptionInputs) => Value)
 
-/** A number; an expression made inside of the same warp; or a function that gives one of them. */
+/** A number; an expression made inside of the same warp; or a function that returns one of these. */
 export type NumberOption = OrFunction<Operand>
 
-/** Three numbers or expressions; a vec3 made inside of the same warp; or a function that gives one of them. */
+/** Three numbers or expressions; a vec3 made inside of the same warp; or a function that returns one of these. */
 export type VectorOption = OrFunction<Vec3 | Triple>
 export type Triple = readonly [Operand, Operand, Operand]
 
-/** A direction of any length: an axis by its name, or a vector. One that is computed and has length 0 moves nothing. */
+/** A direction of any length: the name of an axis, or a vector. A computed direction of length 0 moves nothing. */
 export type AxisOption = OrFunction<AxisName | Vec3 | Triple>
 export type AxisName = 'x' | 'y' | 'z'
 
@@ -33,7 +33,7 @@ export const isExpression = (value: unknown): value is Scalar | Vec3 => hasItsSh
 export type Computed<Value> = (inputs: WarpInputs) => Value
 
 interface Settings<Value> {
-  /** Stands for `undefined`. Without it, the value is required. */
+  /** Replaces `undefined`. Without it, the value is required. */
   default?: unknown
   /** Describes a constant in messages. */
   expected: string
@@ -75,7 +75,7 @@ function shapeOf(value: unknown, inputs: WarpInputs, place: Place): Shape {
   const { session } = inputs.position as unknown as Expression
   if (expression.session === session) return session.shapeOf(expression)
   throw place.error(
-    `${place.subject} comes from another warp; give a function such as ({ millis }) => millis.div(1000), or make the deformer inside of the offset function.`,
+    `${place.subject} belongs to another warp; pass a function such as ({ millis }) => millis.div(1000), or make the deformer inside of the offset function.`,
   )
 }
 
@@ -88,14 +88,14 @@ export const number = (standard?: number) =>
     make: (glsl, value: number) => glsl.val(value),
   })
 
-/** A whole number that seeds may be. */
+/** The kind of seeds: a whole number. */
 export const seed = (standard: number) =>
-  wholeNumber({ min: -mostSeed, max: mostSeed, default: standard })
+  wholeNumber({ min: -maxSeed, max: maxSeed, default: standard })
 
 /** The minimum of computed values: formulas divide by them. */
-const smallest = 1e-6
+const minComputed = 1e-6
 
-/** A number above 0. */
+/** The kind of a number above 0. */
 export const positive = (standard: number) =>
   computed<NumberOption, Scalar>({
     default: standard,
@@ -103,7 +103,7 @@ export const positive = (standard: number) =>
     rows: 1,
     acceptsConstant: (value) => isFiniteFloat(value) && value > 0,
     make: (glsl, value: number) =>
-      isExpression(value) ? glsl.max(value, smallest) : glsl.val(value),
+      isExpression(value) ? glsl.max(value, minComputed) : glsl.val(value),
   })
 
 const isTriple = (value: unknown): value is Triple =>
@@ -122,7 +122,7 @@ export const vector = (standard: Triple | ((inputs: WarpInputs) => Vec3) = [0, 0
 
 const unit = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const
 
-/** A constant direction as three numbers of length 1; `undefined` for a computed one. */
+/** Returns a constant direction as three numbers, scaled to length 1; `undefined` for a computed one. */
 export function constantDirection(value: unknown): number[] | undefined {
   if (Object.keys(unit).includes(value as string)) return [...unit[value as AxisName]]
   if (!isList(value) || !Array.from(value).every(isFiniteFloat)) return undefined
@@ -130,7 +130,7 @@ export function constantDirection(value: unknown): number[] | undefined {
   return Array.from(value, (x) => x / length)
 }
 
-/** A direction, of length 1 when it is made. */
+/** The kind of a direction, which is normalized. */
 export const axis = (standard?: AxisName) =>
   computed<AxisOption, Vec3>({
     default: standard,

@@ -5,10 +5,10 @@ import { Place } from '../options/place.js'
 import { warpsOf } from './warps.js'
 
 /**
- * A part of a warp: its offset times `weight`, from 0 for nothing to 1 for all. A weight that varies over the shape, such
- * as `({ glsl, position }) => glsl.smoothstep(100, 50, position.length())`, makes a warp local, and its slope counts for
- * the normals. Throws a `WarpError` for what is no function, for wrong weights and none, and, when the warp is made, if it
- * returns no vec3.
+ * Scales the offset of a warp by `weight`, from 0 for no effect to 1 for the full effect. A weight that varies over the
+ * shape, such as `({ glsl, position }) => glsl.smoothstep(100, 50, position.length())`, makes a warp local, and normals
+ * account for its slope. Throws a `WarpError` if the warp is not a function, for wrong or missing weights and, when the warp
+ * is made, if it does not return a vec3.
  */
 export function mask<Uniforms extends UniformValues = {}>(
   warp: OffsetFunction<Uniforms>,

@@ -12,24 +12,24 @@ import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface MeltOptions {
-  /** Where things fall; `'y'`, which is down in p5, unless given. */
+  /** The direction in which the shape falls. Default: `'y'`, which is down in p5. */
   axis?: AxisOption
-  /** A point of the upright line that the puddle spreads from, in units; `[0, 0, 0]` unless given. */
+  /** A point of the vertical line from which the puddle spreads, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** How much has melted: 0, nothing, to 1, flat on the ground; 0.5 unless given. */
+  /** From 0, unchanged, to 1, flat on the ground. Default: 0.5. */
   amount?: NumberOption
-  /** How far the ground is below `center`, in units along the axis; 100 unless given. */
+  /** The distance of the ground below `center`, in units along the axis. Default: 100. */
   ground?: NumberOption
-  /** By what part of its size the puddle grows when all has melted; 1 unless given. */
+  /** The fraction of its size by which the puddle grows when the shape has melted completely. Default: 1. */
   spread?: NumberOption
-  /** How high above the ground things spread, in units above 0; 100 unless given. */
+  /** The height above the ground in which the shape spreads, in units above 0. Default: 100. */
   height?: NumberOption
 }
 
 /**
- * Sinks to the ground and spreads there: a height u above the ground becomes u (1 - amount), and what is at right angles
- * to the axis grows by the factor 1 + spread · amount · exp(-(u / height)²). At amount 1 the shape is flat, and only what
- * faced up or down has normals. Throws a `WarpError` for unknown options and wrong values.
+ * Sinks a shape to the ground and spreads it there: a height u above the ground becomes u (1 - amount), and sizes
+ * perpendicular to the axis grow by the factor 1 + spread · amount · exp(-(u / height)²). At amount 1 the shape is flat, and
+ * only parts that faced up or down have normals. Throws a `WarpError` for unknown options and wrong values.
  */
 export const melt = (options?: MeltOptions): OffsetFunction =>
   deformer(

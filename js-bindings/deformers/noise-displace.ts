@@ -3,24 +3,24 @@ import { type NumberOption, type VectorOption, number, positive, seed, vector } 
 import { deformer } from './deformer.js'
 
 export interface NoiseDisplaceOptions {
-  /** How far points move at most, to each side, in units; 20 unless given, and 0 moves nothing. */
+  /** The max distance that points move in both directions, in units. Default: 20; 0 moves nothing. */
   amount?: NumberOption
-  /** About how large the bumps are, in units above 0; 50 unless given. */
+  /** The approximate size of the bumps, in units above 0. Default: 50. */
   scale?: NumberOption
-  /** Where to: any vector, whose length counts; the normal, made of length 1, unless given. */
+  /** Any vector, whose length counts. Default: the unit normal. */
   direction?: VectorOption
-  /** The point of the shape where the noise has its origin, in units; `[0, 0, 0]` unless given. */
+  /** The point of the shape where the noise has its origin, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** How many times a second the bumps become others; 0 unless given. A constant 0 stands still, and reads no time. */
+  /** The number of times per second that the bumps change. Default: 0. A constant 0 does not read the time. */
   speed?: NumberOption
-  /** Another whole number gives other bumps; a constant, 0 unless given. */
+  /** A constant whole number; different seeds give different bumps. Default: 0. */
   seed?: number
 }
 
 /**
- * Moves points by direction · amount · noise(d / scale, speed · t) with `glsl.noise`, where d leads to them from the centre
- * and t is in seconds after the sketch started. How the normal varies counts as for `inflate`. Throws a `WarpError` for
- * unknown options and wrong values.
+ * Moves points by direction · amount · noise(d / scale, speed · t) with `glsl.noise`, where d is the vector to them from
+ * the centre and t the time in seconds since the sketch started. Normals account for how the normal varies in the same way
+ * as for `inflate`. Throws a `WarpError` for unknown options and wrong values.
  */
 export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
   deformer(
@@ -36,9 +36,9 @@ export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
     },
     ({ glsl, position, millis }, { amount, scale, direction, center, speed, seed }) => {
       const place = position.sub(center).div(scale)
-      const stands = options?.speed === undefined || options.speed === 0
+      const isStill = options?.speed === undefined || options.speed === 0
       const when = speed.div(1000).mult(millis)
-      const noise = glsl.noise(stands ? place : glsl.vec4(place, when), { seed })
+      const noise = glsl.noise(isStill ? place : glsl.vec4(place, when), { seed })
       return direction.mult(noise.mult(amount))
     },
   )

@@ -1,28 +1,28 @@
-// Where a warp stands among others: its inputs at a place that is itself computed.
+// Computes the inputs of a warp inside a composition, where the position is itself computed.
 import type { Glsl, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
 
-/** What the normals at a place are turned from: the vertex, an input, and its normal. */
+/** The vertex and its normal, from which normals at a computed position are derived. */
 interface Surface {
   position: Vec3
   normal: Vec3
-  /** -1 or 1, by how many spaces that mirror lie between. */
+  /** 1 or -1, for an even or odd number of mirroring spaces in between. */
   side?: Scalar | number
 }
 
-/** No list of functions has it: -1 or 1 if the offset mirrors all of space or does not, 0 if it may mirror parts of it. */
+/** An internal method of the builder: returns -1 if the offset mirrors all of space, 1 if none, 0 if it may mirror parts of it. */
 interface Orienting {
   orientation(offset: Vec3, normal: Vec3, position: Vec3): Scalar
 }
 
-/** By the position that a warp is given, unless that is the vertex itself. */
+/** Maps the position that a warp gets to its surface, unless that position is the vertex itself. */
 const surfaces = new WeakMap<Vec3, Surface>()
 
 export const surfaceOf = (inputs: WarpInputs): Surface =>
   surfaces.get(inputs.position) ?? { position: inputs.position, normal: inputs.normal }
 
 /**
- * The inputs with another position, and with the unit normal that the surface has there. That is turned by all that lies
- * between the vertex and the position, warps and spaces alike, and not made unless somebody reads it.
+ * Returns the inputs with another position, and with the unit normal of the surface there. The normal is transformed by all warps
+ * and spaces between the vertex and the position, and computed only if it is read.
  */
 export function inputsAt(
   inputs: WarpInputs,
@@ -30,8 +30,8 @@ export function inputsAt(
   surface = surfaceOf(inputs),
 ): WarpInputs {
   surfaces.set(position, surface)
-  let turned: Vec3 | undefined
-  const normal = () => (turned ??= outwardNormal(inputs.glsl, position, surface))
+  let warpedNormal: Vec3 | undefined
+  const normal = () => (warpedNormal ??= outwardNormal(inputs.glsl, position, surface))
   return Object.defineProperties({} as WarpInputs, {
     ...Object.getOwnPropertyDescriptors(inputs),
     position: { value: position, enumerable: true },
@@ -39,11 +39,11 @@ export function inputsAt(
   })
 }
 
-/** The unit normal at `place`, on the outer side. If the orientation of the whole is unknown, that of its spaces counts. */
+/** Returns the outward unit normal at `place`. If the orientation of the whole offset is unknown, that of its spaces counts. */
 function outwardNormal(glsl: Glsl, place: Vec3, { position, normal, side }: Surface): Vec3 {
   const offset = place.sub(position)
-  const turned = glsl.adjustNormal(offset, normal, position)
-  if (side === undefined) return turned
+  const warpedNormal = glsl.adjustNormal(offset, normal, position)
+  if (side === undefined) return warpedNormal
   const known = (glsl as unknown as Orienting).orientation(offset, normal, position)
-  return turned.mult(known.eq(0).ifElse(side, 1))
+  return warpedNormal.mult(known.eq(0).ifElse(side, 1))
 }

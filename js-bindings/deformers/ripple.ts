@@ -9,26 +9,27 @@ import {
   vector,
 } from './kinds.js'
 import { deformer } from './deformer.js'
-import { falloff, fromAxis, travelling } from './parts.js'
+import { falloff, fromAxis, wavePhase } from './parts.js'
 
 export interface RippleOptions {
-  /** Where it moves points to, and back: out of the surface of the water; `'z'` unless given. The rings lie around it. */
+  /** The direction in which points move, perpendicular to the surface of the water. Default: `'z'`. The rings are around
+   * it. */
   axis?: AxisOption
-  /** Where the rings come from, in units; `[0, 0, 0]` unless given. */
+  /** The centre of the rings, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** How far points move at the centre, to each side, in units; 20 unless given, and 0 moves nothing. */
+  /** The distance that points at the centre move in both directions, in units. Default: 20; 0 moves nothing. */
   amount?: NumberOption
-  /** From ring to ring, in units above 0; 50 unless given. */
+  /** The distance between rings, in units above 0. Default: 50. */
   wavelength?: NumberOption
-  /** In units a second, away from the centre; 50 unless given. A constant 0 stands still, and reads no time. */
+  /** The speed away from the centre, in units per second. Default: 50. A constant 0 does not read the time. */
   speed?: NumberOption
-  /** How far the rings reach, in units above 0; they fade towards there; 200 unless given. */
+  /** The radius at which the rings have faded out, in units above 0. Default: 200. */
   radius?: NumberOption
 }
 
 /**
- * Rings that travel away from a centre: axis · amount · w · sin(2π (r - speed · t) / wavelength), t seconds after the
- * sketch started. r = √(d² + (wavelength / 8)²) is the distance d from the axis, rounded so that the middle is no spike,
+ * Makes rings that travel away from a centre: axis · amount · w · sin(2π (r - speed · t) / wavelength), t seconds after the
+ * sketch started. r = √(d² + (wavelength / 8)²) is the distance d from the axis, smoothed to avoid a spike at the centre,
  * and w = (1 - (d / radius)²)³ fades to 0 at `radius`. Throws a `WarpError` for unknown options and wrong values.
  */
 export const ripple = (options?: RippleOptions): OffsetFunction =>
@@ -47,7 +48,7 @@ export const ripple = (options?: RippleOptions): OffsetFunction =>
       const { across } = fromAxis(position, center, axis)
       const squared = across.dot(across)
       const distance = squared.add(wavelength.div(8).pow(2)).sqrt()
-      const rings = travelling(glsl, distance, wavelength, speed, millis).sin()
+      const rings = wavePhase(glsl, distance, wavelength, speed, millis).sin()
       return axis.mult(rings.mult(amount, falloff(squared.div(radius.pow(2)))))
     },
   )

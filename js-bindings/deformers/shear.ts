@@ -10,14 +10,13 @@ import {
 import { deformer } from './deformer.js'
 
 export interface ShearOptions {
-  /** Along which points move the further the further they are; `'y'` unless given. */
+  /** The axis along which the displacement grows. Default: `'y'`. */
   axis?: AxisOption
-  /** Where they move to; `'x'` unless given. */
+  /** The direction in which points move. Default: `'x'`. */
   direction?: AxisOption
-  /** A point of the slice that stays, in units; `[0, 0, 0]` unless given. */
+  /** A point of the slice that does not move, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** By how many units points move for each unit along the axis, the tangent of an angle; 0.5 unless given, and 0 moves
-   * nothing. */
+  /** The displacement per unit along the axis, which is the tangent of the angle. Default: 0.5; 0 moves nothing. */
   amount?: NumberOption
 }
 

@@ -3,18 +3,18 @@ import { type NumberOption, type VectorOption, number, vector } from './kinds.js
 import { deformer } from './deformer.js'
 
 export interface SpherifyOptions {
-  /** Of the sphere, in units; `[0, 0, 0]` unless given. A point that lies there stays. */
+  /** The centre of the sphere, in units. Default: `[0, 0, 0]`. A point at the centre does not move. */
   center?: VectorOption
-  /** Of the sphere, in units; 100 unless given. */
+  /** The radius of the sphere, in units. Default: 100. */
   radius?: NumberOption
-  /** From 0, the shape itself, to 1, the sphere, and beyond; 1 unless given. */
+  /** From 0, the shape itself, to 1, the sphere, and beyond. Default: 1. */
   amount?: NumberOption
 }
 
 /**
- * Blends towards a sphere: p becomes mix(p, center + radius · d / |d|, amount), where d = p - center. On the sphere itself
- * points have their directions from the centre only, so that what lies along one of them collapses. Throws a `WarpError`
- * for unknown options and wrong values.
+ * Blends towards a sphere: p becomes mix(p, center + radius · d / |d|, amount), where d = p - center. On the sphere itself,
+ * positions depend only on the direction from the centre, so points in the same direction collapse. Throws a `WarpError` for
+ * unknown options and wrong values.
  */
 export const spherify = (options?: SpherifyOptions): OffsetFunction =>
   deformer(

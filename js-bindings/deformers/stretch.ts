@@ -12,15 +12,15 @@ import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface StretchOptions {
-  /** Along what; `'y'` unless given. */
+  /** The axis along which the shape is stretched. Default: `'y'`. */
   axis?: AxisOption
-  /** The point that stays, in units; `[0, 0, 0]` unless given. */
+  /** The point that does not move, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** What part of its length the shape grows by; 0.5 unless given. 0 moves nothing, 1 doubles the length, -0.5 halves
-   * it. */
+  /** The fraction of its length by which the shape grows. Default: 0.5. 0 moves nothing, 1 doubles the length, -0.5
+   * halves it. */
   amount?: NumberOption
-  /** Whether it gets thinner as it gets longer, so that volumes stay; false unless given. The length is then at least a
-   * hundredth of what it was. */
+  /** If true, the shape becomes thinner as it becomes longer, such that volumes are preserved. Default: false. The length
+   * is then at least a hundredth of the original. */
   keepVolume?: boolean
 }
 

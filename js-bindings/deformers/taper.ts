@@ -12,20 +12,20 @@ import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface TaperOptions {
-  /** Where it gets narrower; `'y'`, which is down in p5, unless given. */
+  /** The direction in which the shape becomes narrower. Default: `'y'`, which is down in p5. */
   axis?: AxisOption
-  /** A point of the axis, the one whose slice keeps its size, in units; `[0, 0, 0]` unless given. */
+  /** The point of the axis whose slice keeps its size, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** What part of its size a slice loses for each `length` along the axis; 0.5 unless given. 0 moves nothing, below 0 it
-   * gets wider. */
+  /** The fraction of its size that a slice loses for each `length` along the axis. Default: 0.5. 0 moves nothing; negative
+   * values make the shape wider. */
   amount?: NumberOption
-  /** In units, above 0; 200 unless given. */
+  /** The length over which `amount` applies, in units above 0. Default: 200. */
   length?: NumberOption
 }
 
 /**
  * Scales each slice across an axis, by r = max(0, 1 - amount · h / length) at h along it: the global taper of Barr,
- * "Global and Local Deformations of Solid Primitives" (1984), with a linear profile. Where r is 0 the shape ends in a
+ * "Global and Local Deformations of Solid Primitives" (1984), with a linear profile. Where r is 0 the shape collapses to a
  * line, which has no normals. Throws a `WarpError` for unknown options and wrong values.
  */
 export const taper = (options?: TaperOptions): OffsetFunction =>

@@ -12,21 +12,21 @@ import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface TwistOptions {
-  /** What is turned about; `'y'` unless given. */
+  /** The axis of the twist. Default: `'y'`. */
   axis?: AxisOption
-  /** A point of the axis, the one whose slice stays as it is, in units; `[0, 0, 0]` unless given. */
+  /** The point of the axis whose slice does not move, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** In radians, by how much the slices that are `length` apart are turned against each other; π/2 unless given, and 0
-   * moves nothing. Seen from where the axis points to, what lies ahead turns counterclockwise. */
+  /** The angle between slices that are `length` apart, in radians. Default: π/2; 0 moves nothing. Seen against the axis,
+   * the part ahead turns counterclockwise. */
   angle?: NumberOption
-  /** In units, above 0; 200 unless given. */
+  /** The length over which `angle` applies, in units above 0. Default: 200. */
   length?: NumberOption
 }
 
 /**
- * Turns each slice about an axis, the further the further it is along: the global axial twist of Barr, "Global and Local
- * Deformations of Solid Primitives" (1984), by the angle θ = angle · h / length at h along the axis. It goes on beyond
- * `length`, and keeps volumes. Throws a `WarpError` for unknown options and wrong values.
+ * Rotates each slice about an axis by an angle that grows along the axis, θ = angle · h / length at h along it: the global
+ * axial twist of Barr, "Global and Local Deformations of Solid Primitives" (1984). The twist continues beyond `length`, and
+ * preserves volumes. Throws a `WarpError` for unknown options and wrong values.
  */
 export const twist = (options?: TwistOptions): OffsetFunction =>
   deformer(
@@ -36,7 +36,7 @@ export const twist = (options?: TwistOptions): OffsetFunction =>
     ({ position }, { axis, center, angle, length }) => {
       const { along, across } = fromAxis(position, center, axis)
       const turn = angle.div(length).mult(along)
-      // Rodrigues' formula, for what is at right angles to the axis.
+      // Rodrigues' formula, for the component perpendicular to the axis.
       return across.mult(turn.cos().sub(1)).add(axis.cross(across).mult(turn.sin()))
     },
   )

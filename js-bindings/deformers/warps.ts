@@ -1,4 +1,4 @@
-// The offset functions that compositions are given.
+// The kind of the offset functions that are arguments of compositions.
 import type { Expression } from '../core/expression/expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { describe, describeShape } from '../errors/describe.js'
@@ -9,7 +9,7 @@ import { type Computed, isExpression } from './kinds.js'
 
 const offsetFunction = callable<OffsetFunction>('an offset function, such as twist({ angle: 1 }),')
 
-/** An offset function, whose result is checked where it is made. */
+/** The kind of an offset function, whose result is checked when it is called. */
 export const warp: Kind<Computed<Vec3>, OffsetFunction> = {
   read(given, place) {
     const offset = readOperators(offsetFunction.read(given, place), { method: place.method })
@@ -17,7 +17,7 @@ export const warp: Kind<Computed<Vec3>, OffsetFunction> = {
   },
 }
 
-/** At least one of them, each an argument. */
+/** Reads the arguments of a composition, at least one offset function. */
 export function warpsOf(place: Place, given: readonly unknown[]): Computed<Vec3>[] {
   if (given.length === 0) throw place.expected('at least one offset function', 'none')
   return given.map((each, i) => warp.read(each, place.argument(i + 1)))

@@ -9,26 +9,26 @@ import {
   vector,
 } from './kinds.js'
 import { deformer } from './deformer.js'
-import { travelling } from './parts.js'
+import { wavePhase } from './parts.js'
 
 export interface WaveOptions {
-  /** Where the wave travels to; `'x'` unless given. */
+  /** The direction in which the wave travels. Default: `'x'`. */
   axis?: AxisOption
-  /** Where it moves points to, and back; `'y'` unless given. */
+  /** The direction in which points move. Default: `'y'`. */
   direction?: AxisOption
-  /** A point where the wave begins to rise when the sketch starts, in units; `[0, 0, 0]` unless given. */
+  /** A point where the wave begins to rise when the sketch starts, in units. Default: `[0, 0, 0]`. */
   center?: VectorOption
-  /** How far points move to each side, in units; 20 unless given, and 0 moves nothing. */
+  /** The distance that points move in both directions, in units. Default: 20; 0 moves nothing. */
   amount?: NumberOption
-  /** From crest to crest, in units above 0; 100 unless given. */
+  /** The distance between crests, in units above 0. Default: 100. */
   wavelength?: NumberOption
-  /** In units a second; 100 unless given. A constant 0 stands still, and reads no time. */
+  /** The speed in units per second. Default: 100. A constant 0 does not read the time. */
   speed?: NumberOption
 }
 
 /**
- * A plane wave that travels along an axis: direction · amount · sin(2π (h - speed · t) / wavelength) at h along the axis
- * and t seconds after the sketch started. Throws a `WarpError` for unknown options and wrong values.
+ * Makes a plane wave that travels along an axis: direction · amount · sin(2π (h - speed · t) / wavelength) at h along the
+ * axis and t seconds after the sketch started. Throws a `WarpError` for unknown options and wrong values.
  */
 export const wave = (options?: WaveOptions): OffsetFunction =>
   deformer(
@@ -44,6 +44,6 @@ export const wave = (options?: WaveOptions): OffsetFunction =>
     },
     ({ glsl, position, millis }, { axis, direction, center, amount, wavelength, speed }) => {
       const along = position.sub(center).dot(axis)
-      return direction.mult(travelling(glsl, along, wavelength, speed, millis).sin().mult(amount))
+      return direction.mult(wavePhase(glsl, along, wavelength, speed, millis).sin().mult(amount))
     },
   )

@@ -1,13 +1,13 @@
-/** An expression, known by its shape: there may be several copies of its class, each in a file of its own. */
+/** Tests for an expression by its properties: several scripts of a page may each have a copy of the class. */
 export const isExpression = (value: unknown): boolean =>
   ((typeof value === 'object' && value !== null) || typeof value === 'function') &&
   'session' in value &&
   'handle' in value
 
-/** Such as p5's createVector makes. */
+/** The description of vectors such as those of p5's createVector. */
 export const vectorOfNumbers = 'a vector of numbers'
 
-/** How a value that came in is shown in a message. */
+/** Describes a value in a message. */
 export function describe(value: unknown): string {
   if (value === null || value === undefined) return String(value)
   if (typeof value === 'string') return `the text "${shorten(value)}"`
@@ -21,16 +21,16 @@ export function describe(value: unknown): string {
   return `the ${typeof value} ${shorten(String(value))}`
 }
 
-/** Whether it can only be called with `new`, and so is no function to a sketch. Of those alone `prototype` is for good. */
+/** Tests for a class, which is not callable without `new`: only a class has a `prototype` that cannot be assigned. */
 export const isClass = (value: Function): boolean =>
   Object.getOwnPropertyDescriptor(value, 'prototype')?.writable === false
 
-/** What an expression of so many columns and rows is. */
+/** Describes an expression of a shape in a message. */
 export function describeShape([columns, rows]: readonly [number, number]): string {
   return columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
 }
 
-/** A text from outside, on one line and not too long. */
+/** Puts the beginning of a string on one line. */
 export function shorten(text: string): string {
   return text.slice(0, 60).replace(/\s+/g, ' ')
 }

@@ -1,7 +1,7 @@
-// What was meant by a name that is not there.
+// Suggestions for unknown names.
 import { WarpError } from './errors.js'
 
-/** The fewest letters to put in, take out, change or swap with the next. */
+/** Returns the Damerau-Levenshtein distance: the minimum number of letters to insert, delete, change or swap with the next. */
 function distance(a: string, b: string) {
   const rows = [Array.from({ length: b.length + 1 }, (_, j) => j)]
   for (let i = 1; i <= a.length; i++) {
@@ -22,23 +22,23 @@ function distance(a: string, b: string) {
   return rows[a.length]![b.length]!
 }
 
-/** The name among `names` that is nearest to `name`, if any is near. */
+/** Returns the name among `names` that is nearest to `name`; `undefined` if none is near. */
 export function nearest(name: string, names: Iterable<string>): string | undefined {
   const word = name.toLowerCase()
   let found: string | undefined
-  let least = Math.max(1, Math.floor(name.length / 3)) + 0.5
+  let minDistance = Math.max(1, Math.floor(name.length / 3)) + 0.5
   for (const each of names) {
     const known = each.toLowerCase()
     const isPart =
       word.length > 2 && known.length > 2 && (word.startsWith(known) || known.startsWith(word))
-    const far = Math.min(distance(word, known), isPart ? 1.2 : Infinity)
-    if (far < least) [found, least] = [each, far]
+    const wordDistance = Math.min(distance(word, known), isPart ? 1.2 : Infinity)
+    if (wordDistance < minDistance) [found, minDistance] = [each, wordDistance]
   }
   return found
 }
 
-/** Asked for by JavaScript, promises, consoles, frameworks and tests, of whatever object they meet. */
-const asked = new Set([
+/** Properties that JavaScript, promises, consoles, frameworks and tests read from any object. */
+const probedNames = new Set([
   'then',
   'toJSON',
   'constructor',
@@ -57,22 +57,25 @@ const asked = new Set([
   '$$typeof',
 ])
 
-/**
- * The end of a chain of prototypes: asked for a name that no object before it has, throws a `WarpError`, which `refuse` words.
- */
-export const refusing = (refuse: (name: string, object: object) => string): object =>
+/** Makes the end of a prototype chain, which throws a `WarpError` for a name that no object before it has. */
+export const throwingPrototype = (message: (name: string, object: object) => string): object =>
   new Proxy(
     {},
     {
       get(target, name, receiver) {
-        if (typeof name === 'symbol' || name in target || asked.has(name) || /^\d+$|^_/.test(name))
+        if (
+          typeof name === 'symbol' ||
+          name in target ||
+          probedNames.has(name) ||
+          /^\d+$|^_/.test(name)
+        )
           return Reflect.get(target, name, receiver)
-        throw new WarpError(refuse(name, receiver as object))
+        throw new WarpError(message(name, receiver as object))
       },
     },
   )
 
-/** `meant`: words of other trades, with what is meant here. */
+/** Suggests the nearest name, or says `otherwise`. `meant` maps names from other libraries → ours. */
 export function didYouMean(
   name: string,
   names: Iterable<string>,

@@ -1,25 +1,25 @@
-// Where in the user's code an operation was written.
+// Finds the line of the user's code that calls a function.
 
-/** Of a stack, those that name a place. */
+/** Returns the lines of a stack that have a line number. */
 export function stackLines(error = new Error()): string[] {
   return (error.stack ?? '').split('\n').filter((line) => /:\d+:\d+\)?$/.test(line))
 }
 
-/** The name before the bracket may itself end in "at", as `format` does, and as a minifier may name any function. */
+/** Returns the file of a line. A function's name may itself end in "at", such as `format` and names of minifiers. */
 export const fileOf = (line: string) =>
   line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at (?!\())(?=\S*$)/, '')
 
-/** The file's name alone. */
+/** Returns the name of the file, without its folder. */
 export const nameIn = (line: string) =>
   fileOf(line)
     .replace(/[?#].*$/, '')
     .replace(/^.*\//, '') || 'the page'
 
-/** The prefix that the addresses of our files share: this file's address, or the folder of the files that entries share. Found on
- * first use. */
+/** The common prefix of the addresses of our files: this file's address, or the folder of the files that entries share. Found when
+ * it is first needed. */
 let ours: string | undefined
 
-/** The first line of the stack that is not ours, such as `setup (sketch.js:12:5)`. */
+/** Returns the first line of the stack that is outside of our files, such as `From setup (sketch.js:12:5)`. */
 export function callerOutside(): string {
   const lines = stackLines()
   ours ??= fileOf(lines[0] ?? '').replace(/(?<=[/\\]shared[/\\])[\w-]+\.js$/, '')

@@ -1,4 +1,4 @@
-// What a text reads from outside, as expressions.
+// Binds the uniforms and attributes of GLSL source to expressions.
 import { isExpression } from '../errors/describe.js'
 import { describe, describeShape } from '../errors/errors.js'
 import type { Place } from '../options/place.js'
@@ -9,10 +9,10 @@ import type { TypeName } from '../core/expression/shapes.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../core/inputs/inputs.js'
 import type { Vec4, WarpInputs } from '../core/types/types.js'
 import { imageSizeText, instanceID, textsAsFloats } from './function-text.js'
-import { Columns, type Given as Value, Halves, halvesOf } from './halves.js'
+import { Columns, type GlslValue, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
 import { article } from './options.js'
-import type { Given } from './replay.js'
+import type { ReplayInputs } from './replay.js'
 
 const hidden = new Set(['tangent', ...Object.keys(variationInputs)])
 
@@ -26,18 +26,18 @@ export const inputTypes: Readonly<Record<string, string>> = Object.assign(
   ),
 )
 
-/** Options of `texture()` in GLSL: for an image with `HostSampling`, and for one whose sampler only the shader knows. */
+/** Options of `texture()` in GLSL: for an image with `HostSampling`, and for one whose sampler is known only in the shader. */
 const asHostSamples = { transform: false }
 const bySampler = { wrap: 'sampler' }
 
-/** The inputs of an offset function, or none of them. */
+/** The inputs of an offset function, all optional. */
 export type Inputs = Partial<WarpInputs>
 
 export const inputNamed = (inputs: Inputs, name: string) =>
   inputs[name as keyof WarpInputs] as unknown as Expression | undefined
 
 /**
- * Uniforms and attributes by name: what the sketch declared under it, an input such as `millis` of the right type, or a
+ * Binds uniforms and attributes by name: to a uniform that the sketch declared, to an input of the same type such as `millis`, or to a
  * variable of the host's shader.
  */
 export function bindExternals(
@@ -45,27 +45,27 @@ export function bindExternals(
   glsl: Builder,
   externals: readonly External[],
   inputs: Inputs,
-): Pick<Given, 'external' | 'texture' | 'imageSize'> {
+): Pick<ReplayInputs, 'external' | 'texture' | 'imageSize'> {
   const declared = (inputs.uniforms ?? {}) as unknown as Record<string, unknown>
   const isDeclared = (name: string) => Object.hasOwn(declared, name)
-  const made = new Map<number, Value>()
-  const find = (external: External): Value => {
+  const made = new Map<number, GlslValue>()
+  const find = (external: External): GlslValue => {
     const { name, type, isAttribute } = external
     if (!isAttribute && isDeclared(name)) {
       if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
-      return checked(place, glsl, external, declared[name])
+      return checkDeclared(place, glsl, external, declared[name])
     }
     if (isAttribute && name === instanceID)
       return inputNamed(inputs, 'instance') ?? parameterOf(place, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
-    // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
+    // The parts of `size` and `mouse` have names, such as height, to which the source may give another meaning.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) {
       rejectInputName(place, glsl, external)
       return parameterOf(place, glsl, external)
     }
     throw place.error(
-      `nothing gives the attribute ${name} its value; a warp knows position, normal, uv, color and ${instanceID}.`,
+      `the attribute ${name} has no value; a warp knows position, normal, uv, color and ${instanceID}.`,
     )
   }
   const imageOf = (index: number) => {
@@ -81,7 +81,7 @@ export function bindExternals(
     if (!value) made.set(index, (value = find(externals[index]!)))
     return value
   }
-  // A uniform whose value cancels out is read too, so that `evaluate` accepts a value for it.
+  // Reads uniforms whose values cancel out too, so that `evaluate` accepts values for them.
   for (const [index, { name, type, isAttribute }] of externals.entries())
     if (!isAttribute && isParameter(type) && !isDeclared(name) && !Object.hasOwn(inputSizes, name))
       external(index)
@@ -99,28 +99,28 @@ export function bindExternals(
   }
 }
 
-/** In the shader of a warp, `position` is the position, whatever the text declares under that name. */
+/** Throws for a uniform with the name of an input: in the shader of a warp, that name is the input. */
 function rejectInputName(place: Place, glsl: Builder, { name }: Named) {
   const [root = ''] = /^\w+/.exec(name) ?? []
   const { target, inputNames } = glsl.val!(0).session as Session
   const input = inputNames.get(root)
   if (input !== undefined)
     throw place.error(
-      `the uniform ${root} has the name of an input, ${input}; rename it in the text, such as my${root[0]!.toUpperCase()}${root.slice(1)}.`,
+      `the uniform ${root} has the name of an input, ${input}; rename it in the source, such as my${root[0]!.toUpperCase()}${root.slice(1)}.`,
     )
   if (root.startsWith('gl_') && target === 'wgsl')
-    throw place.error(`WGSL has no ${root}; give its value by a uniform.`)
+    throw place.error(`WGSL has no ${root}; pass its value by a uniform.`)
 }
 
-function checked(
+function checkDeclared(
   place: Place,
   glsl: Builder,
   { name, type, shape }: External,
   declared: unknown,
-): Value {
+): GlslValue {
   if (typeof declared === 'string')
     throw place.error(
-      `the uniform ${name} is ${article(type)} in the text, but an image was given.`,
+      `the uniform ${name}: expected ${article(type)}, as declared in the source, got an image.`,
     )
   if (typeof declared !== 'number' && !isExpression(declared))
     throw place
@@ -130,13 +130,13 @@ function checked(
   const value = typeof declared === 'number' ? glsl.val!(declared) : (declared as Expression)
   const given = value.session.shapeOf(value)
   if (`${given}` === `${shape}`) return value
-  // Four numbers of the option are a vec4 until a text wants a matrix of them.
+  // Four numbers of the option are a vec4, unless the source declares a matrix.
   if (type === 'mat2' && `${given}` === '1,4') {
     const { x, y, z, w } = value as unknown as Vec4
     return glsl.mat2!(x(), y(), z(), w())
   }
   throw place.error(
-    `the uniform ${name} is ${article(type)} in the text, but ${describeShape(given)} was given.`,
+    `the uniform ${name}: expected ${article(type)}, as declared in the source, got ${describeShape(given)}.`,
   )
 }
 
@@ -151,8 +151,8 @@ const parameterTypes = /^(float|vec|mat|u?int|bool|[iub]vec)(\d?)$/
 const matrixTypes = /^mat(\d)x(\d)$/
 const isParameter = (type: string) => parameterTypes.test(type) || matrixTypes.test(type)
 
-/** A variable of the host's shader: a parameter of a function, or a uniform. */
-export function parameterOf(place: Place, glsl: Builder, { name, type }: Named): Value {
+/** Returns an expression for a variable of the host's shader: a parameter of a function, or a uniform. */
+export function parameterOf(place: Place, glsl: Builder, { name, type }: Named): GlslValue {
   const [, columns, rows] = matrixTypes.exec(type) ?? []
   if (rows && columns !== rows)
     return new Columns(
@@ -161,7 +161,7 @@ export function parameterOf(place: Place, glsl: Builder, { name, type }: Named):
   const [, word, size] = parameterTypes.exec(type) ?? []
   if (word === undefined)
     throw place.error(
-      `${name} is ${article(type)}; only numbers, vectors and matrices can be given.`,
+      `${name} is ${article(type)}; only numbers, vectors and matrices can be passed.`,
     )
   if (word === 'float') return glsl.param!(name)
   if (word === 'vec' || word === 'mat') return glsl[`${type}Param`]!(name)

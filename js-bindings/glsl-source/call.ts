@@ -1,4 +1,4 @@
-// `glsl.source`: a function of shader text among a sketch's own expressions.
+// `glsl.source`: makes a function of GLSL source callable with expressions.
 import { WarpError, describe, describeShape } from '../errors/errors.js'
 import { record } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -8,17 +8,17 @@ import { frontEndKey } from '../errors/front-end.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import { bindExternals } from './bind.js'
-import { type Given, halvesOf } from './halves.js'
+import { type GlslValue, halvesOf } from './halves.js'
 import { type FunctionHead, type Named, withSource } from './listing.js'
 import { type GlslOptions, article, glslKinds, sourceKind } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface GlslSourceOptions extends GlslOptions {
-  /** What the uniforms of the text are, as an offset function gets it; those that it lacks are the shader's own. */
+  /** The values of the source's uniforms, such as the `uniforms` of an offset function; uniforms it lacks are the shader's own. */
   uniforms?: object
 }
 
-/** Calls the function with numbers and expressions, as often as the sketch likes. */
+/** Calls the function with numbers and expressions. */
 export type SourceFunction = (...operands: unknown[]) => Expression
 
 const place = new Place('source')
@@ -41,7 +41,7 @@ function functionOf(glsl: Builder, source: unknown, given?: GlslSourceOptions): 
   return (...operands) => {
     if (operands.length !== parameters.length)
       throw new WarpError(
-        `${name}: it takes ${parameters.length} arguments (${parameters.map((each) => each.type).join(', ')}), but ${operands.length} came.`,
+        `${name}: expected ${parameters.length} arguments (${parameters.map((each) => each.type).join(', ')}), got ${operands.length}.`,
       )
     const given = operands.map((operand, i) =>
       toParameter(glsl, parameters[i]!, operand, new Place(name).argument(i + 1)),
@@ -52,7 +52,7 @@ function functionOf(glsl: Builder, source: unknown, given?: GlslSourceOptions): 
 
 function rejectOtherTypes({ name, type, parameters }: FunctionHead) {
   if (!/^(?:float|int|uint|bool|vec[234]|mat[234])$/.test(type))
-    throw place.error(`${name} gives ${article(type)}, which no expression can be.`)
+    throw place.error(`${name} returns ${article(type)}, which no expression can be.`)
   for (const each of parameters) {
     if (each.isOut)
       throw place.error(`the parameter ${each.name} of ${name} is out; return a value.`)
@@ -63,8 +63,8 @@ function rejectOtherTypes({ name, type, parameters }: FunctionHead) {
   }
 }
 
-/** An operand as a value of a parameter's type. */
-function toParameter(glsl: Builder, { type }: Named, operand: unknown, place: Place): Given {
+/** Converts an operand to a value of a parameter's type. */
+function toParameter(glsl: Builder, { type }: Named, operand: unknown, place: Place): GlslValue {
   if (typeof operand === 'number' && /^u?int$/.test(type)) return halvesOf(glsl, operand)
   const value = typeof operand === 'number' ? glsl.val!(operand) : operand
   if (!isExpression(value)) throw place.expected(article(type), describe(operand))
@@ -77,7 +77,7 @@ function toParameter(glsl: Builder, { type }: Named, operand: unknown, place: Pl
   throw place.expected(article(type), describeShape(shape))
 }
 
-/** So that `glsl.source` finds it, in whichever copy of warpjet. */
+/** Registers the front end, such that `glsl.source` of any copy of warpjet finds it. */
 export function registerFrontEnd() {
   Reflect.set(globalThis, frontEndKey, functionOf)
 }

@@ -1,11 +1,11 @@
-// `differentiate`: a function of shader text as the text of one that gives its derivatives too.
+// `differentiate`: generates the source of a function that returns the derivatives of another.
 import { compile } from '#text-compiler'
 import { anything, kind, optional, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
-import { type Target, targetKind } from '../core/module/kept-module.js'
+import { type Target, targetKind } from '../core/module/serialized-module.js'
 import type { Vector } from '../core/types/types.js'
 import { bindExternals, parameterOf } from './bind.js'
 import { functionText } from './function-text.js'
@@ -14,11 +14,14 @@ import { type GlslOptions, article, glslKinds, sourceKind } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface DifferentiateOptions extends GlslOptions {
-  /** The parameter to differentiate by, a float or a vector; the first one unless given. */
+  /** The parameter to differentiate by, a float or a vector. Default: the first parameter. */
   by?: string
-  /** The language of the new text; `'glsl300'` unless given. */
+  /**
+   * The language of the new function.
+   * @default 'glsl300'
+   */
   target?: Target
-  /** What the new function is called; that of the function, and `Gradient` or `Jacobian`, unless given. */
+  /** The name of the new function. Default: the name of the original, followed by `Gradient` or `Jacobian`. */
   name?: string
 }
 
@@ -31,12 +34,12 @@ const differentiateOptions = object({
 } satisfies KindsOf<DifferentiateOptions>)
 
 /**
- * The text of a function with the parameters of the one in `source`. Where that gives a float, the new one,
- * `…Gradient`, gives a vector of the value and then its derivatives by each component of `by`: `vec4 mapGradient(vec3 p)`
- * of a distance field. Where it gives a vector, `…Jacobian` gives the matrix of its derivatives, a column for each
+ * Returns the source of a function with the same parameters as the one in `source`. If that returns a float, the new one,
+ * `…Gradient`, returns a vector of the value and its derivatives by each component of `by`: `vec4 mapGradient(vec3 p)` for a
+ * distance field. If it returns a vector, `…Jacobian` returns the matrix of its derivatives, with a column for each
  * component of `by`, or a vector if `by` is a float.
  *
- * Uniforms stay the shader's. Throws a `WarpError` with the line and column of what is wrong in the text.
+ * Uniforms remain uniforms of the shader. Throws a `WarpError` with the line and column of a mistake in the source.
  */
 export function differentiate(source: string, options?: DifferentiateOptions): string {
   const sourceText = sourceKind.read(source, place.part('the source'))
@@ -67,10 +70,10 @@ export function differentiate(source: string, options?: DifferentiateOptions): s
   })
 }
 
-/** What an expression such as `lights[0].color` is a part of. */
+/** Returns the variable that an expression such as `lights[0].color` is part of. */
 const rootOf = ({ name }: Named) => /^\w*/.exec(name)![0]
 
-/** A parameter that has the name of a uniform would hide it, which another function of the text may read. */
+/** Renames parameters with the name of a uniform, since they would hide it from other functions of the source that read it. */
 function renameParameters({ head, externals }: Listing): Named[] {
   const taken = new Set([...head.parameters, ...externals].map(rootOf))
   const hidden = new Set(externals.filter((each) => each.isRead).map(rootOf))
@@ -82,7 +85,7 @@ function renameParameters({ head, externals }: Listing): Named[] {
   })
 }
 
-/** For the output: of no parameter and no uniform. */
+/** Returns a name for the output that no parameter or uniform has. */
 function freeName({ head, externals }: Listing): string {
   const taken = new Set([...head.parameters, ...externals].map(rootOf))
   const name = ['result', 'outcome', 'derivatives'].find((each) => !taken.has(each))
@@ -94,7 +97,7 @@ function freeName({ head, externals }: Listing): string {
 
 interface ResultShape {
   type: string
-  /** Whether the value comes before its derivatives. */
+  /** True if the value precedes its derivatives. */
   isValue: boolean
 }
 
@@ -110,7 +113,7 @@ function derivativesOf(
   const outside = bindExternals(place, glsl, externals, {})
   const value = pack(glsl, head.type, replay(glsl, listing, { arguments: operands, ...outside }))
   const index = head.parameters.findIndex(({ name }) => name === by)
-  // Floats, as resultShape says.
+  // The parameter has floats, as resultShape checks.
   const input = operands[index] as Expression
   const isNumber = head.parameters[index]!.type === 'float'
   if (isNumber) {
@@ -123,7 +126,7 @@ function derivativesOf(
   return glsl[`vec${size + 1}`]!(value, slopes)
 }
 
-/** The name of the parameter to differentiate by. */
+/** Returns the name of the parameter to differentiate by. */
 function parameterNamed({ name, parameters }: FunctionHead, by: unknown): string {
   const names = parameters.map((each) => each.name)
   if (names.length === 0) throw place.error(`${name} has no parameter to differentiate by.`)
@@ -134,13 +137,13 @@ function parameterNamed({ name, parameters }: FunctionHead, by: unknown): string
   ).read(by, place.option('by'))
 }
 
-/** The type of the result. Throws if there is none. */
+/** Returns the type of the result. Throws if the function is unsupported. */
 function resultShape(
   { name, type, parameters }: FunctionHead,
   by: string,
   target: Target,
 ): ResultShape {
-  const refuse = (why: string): never => {
+  const reject = (why: string): never => {
     throw place.error(`${why}.`)
   }
   const isFloats = (word: string) => /^(?:float|vec[234])$/.test(word)
@@ -150,28 +153,29 @@ function resultShape(
       !/^(?:float|u?int|bool|vec[234]|mat[234](?:x[234])?)$/.test(each.type) ||
       each.name === '?'
     )
-      refuse(
+      reject(
         each.isOut
           ? `the parameter ${each.name} of ${name} is out; return a value`
-          : `the parameter ${each.name} of ${name} is ${article(each.type)}, which nothing can be given for`,
+          : `the parameter ${each.name} of ${name} is ${article(each.type)}, which is unsupported`,
       )
   const wide = parameters.find((each) => /x/.test(each.type))
   if (wide && target === 'glsl100')
-    refuse(`glsl100 has no ${wide.type}, which the parameter ${wide.name} is; take glsl300 or wgsl`)
+    reject(
+      `glsl100 lacks ${wide.type}, the type of the parameter ${wide.name}; use glsl300 or wgsl`,
+    )
   const input = parameters.find((each) => each.name === by)!.type
   if (!isFloats(input))
-    refuse(`${by} is ${article(input)}; only a float or a vector can be differentiated by`)
-  if (!isFloats(type))
-    refuse(`${name} gives ${article(type)}; only a float or a vector has derivatives here`)
+    reject(`${by} is ${article(input)}; expected a float or a vector to differentiate by`)
+  if (!isFloats(type)) reject(`${name} returns ${article(type)}; expected a float or a vector`)
   const sizeOf = (word: string) => (word === 'float' ? 1 : Number(word.at(-1)))
   const [from, to] = [sizeOf(input), sizeOf(type)]
   if (to === 1) {
     if (from === 4)
-      refuse(`value and gradient by a vec4 are five numbers, which no vector holds; split ${by}`)
+      reject(`value and gradient by a vec4 are five numbers, too many for a vector; split ${by}`)
     return { type: `vec${from + 1}`, isValue: true }
   }
   if (from === 1) return { type: `vec${to}`, isValue: false }
   if (from !== to && target === 'glsl100')
-    refuse(`glsl100 has no matrix of ${from} columns and ${to} rows; take glsl300 or wgsl`)
+    reject(`glsl100 has no matrix of ${from} columns and ${to} rows; use glsl300 or wgsl`)
   return { type: from === to ? `mat${to}` : `mat${from}x${to}`, isValue: false }
 }

@@ -1,18 +1,19 @@
-// What each language writes around statements that the compiler wrote: a whole function, and the size of an image.
-import type { Target } from '../core/module/kept-module.js'
+// Writes code that the compiler does not generate, in each language: whole functions, and the size of an image.
+import type { Target } from '../core/module/serialized-module.js'
 import type { Named } from './listing.js'
 
 export interface FunctionParts {
   name: string
   type: string
   parameters: readonly Named[]
-  /** Statements that declare and set `result`, and what stands above the function. */
+  /** Statements that declare and set `result`. */
   code: string
+  /** Source above the function. */
   declarations: string
   result: string
 }
 
-/** WGSL's words for types. */
+/** WGSL's names of types. */
 const wgslTypes: Record<string, string> = { float: 'f32', int: 'i32', uint: 'u32', bool: 'bool' }
 
 const wgslType = (type: string) =>
@@ -29,10 +30,10 @@ export function functionText(target: Target, parts: FunctionParts): string {
   return `${declarations}${head} {\n${body}\n}\n`
 }
 
-/** What GLSL calls the input `instance`. */
+/** The input `instance` in GLSL. */
 export const instanceID = 'gl_InstanceID'
 
-/** As each language asks for it; WebGL 1 has it told by a uniform. */
+/** Expressions for the size of an image in texels; WebGL 1 needs a size uniform. */
 const imageSizes: Record<Target, (image: string) => string> = {
   glsl300: (image) => `vec2(textureSize(${image}, 0))`,
   glsl100: (image) => `${image}Size`,
@@ -41,7 +42,7 @@ const imageSizes: Record<Target, (image: string) => string> = {
 
 export const imageSizeText = (target: Target, image: string) => imageSizes[target](image)
 
-/** How each language reads a variable of another type as floats, or as those of one half of whole numbers. */
+/** Returns expressions that convert a variable of another type to floats, or one 16-bit half of its integers. */
 export function textsAsFloats(
   name: string,
   type: string,
@@ -49,7 +50,7 @@ export function textsAsFloats(
 ): Record<Target, string> {
   const [size = ''] = /\d/.exec(type) ?? []
   const isUnsigned = type.startsWith('u')
-  /** WGSL has bits of vectors by vectors alone, and shifts by what has no sign. */
+  /** In WGSL, bitwise operands of vectors must be vectors, and shift counts unsigned. */
   const wgslNumber = (number: number, isUnsigned: boolean) =>
     size ? `vec${size}${isUnsigned ? 'u' : 'i'}(${number})` : `${number}${isUnsigned ? 'u' : ''}`
   const part = (number: (number: number, isUnsigned: boolean) => string, shift: boolean) => {

@@ -1,8 +1,8 @@
-// Whole numbers of 32 bits, of which a float tells only 24: as two halves of 16, of which the builder makes them again.
+// Represents 32-bit integers, of which a float holds only 24 bits, as two 16-bit halves that the builder recombines.
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 
-/** What stands for whole numbers that may be large: their lower 16 bits, and the rest with its sign. */
+/** Integers that may be large: their lower 16 bits, and the upper 16 bits with the sign. */
 export class Halves {
   constructor(
     readonly low: Expression,
@@ -15,22 +15,22 @@ export class Columns {
   constructor(readonly vectors: readonly Expression[]) {}
 }
 
-/** A float will do where numbers are known to be small. */
-export type Given = Expression | Halves | Columns
+/** A value of GLSL; an integer known to be small is a single float. */
+export type GlslValue = Expression | Halves | Columns
 
-/** The half that is asked for; there is no upper one of a float. */
+/** Returns one half of a value; `undefined` for the upper half of a float. */
 export function halfOf(given: Expression | Halves, isHigh: boolean): Expression | undefined {
   if (given instanceof Halves) return isHigh ? given.high : given.low
   return isHigh ? undefined : given
 }
 
-/** A number that is an int or uint, of a sketch or of a text. */
+/** Converts a constant int or uint. */
 export function halvesOf(glsl: Builder, value: number): Expression | Halves {
   if (Math.abs(value) <= 2 ** 24) return glsl.val!(value)
   const bits = Math.trunc(value) | 0
   return new Halves(glsl.val!(bits & 0xffff), glsl.val!(bits >> 16))
 }
 
-/** The whole number itself, by operations on bits, which GLSL 1.00 is refused: its numbers need not have so many. */
+/** Recombines the halves by bitwise operations, which are unsupported in GLSL 1.00, whose integers may have fewer bits. */
 export const wholeOf = (glsl: Builder, low: Expression, high: Expression): Expression =>
   glsl.bitOr!(glsl.shiftLeft!(glsl.int!(high), glsl.int!(glsl.val!(16))), glsl.int!(low))

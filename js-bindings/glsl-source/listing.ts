@@ -1,21 +1,21 @@
-// From shader text to a plain list of operations, once; it knows no session and outlives the wasm's memory.
+// Lowers GLSL source to a plain list of operations, once. The list is independent of any session and of wasm memory.
 import type { Place } from '../options/place.js'
 import * as wasm from '../wasm/glsl.js'
 
 export type FunctionHead = wasm.FunctionHead
 
-/** What a text calls from outside: a uniform or an attribute of the text. */
+/** A uniform or an attribute of the source. */
 export type External = wasm.HostName
 
 /** A name with its type, as GLSL writes it. */
 export type Named = Pick<External, 'name' | 'type'>
 
-/** A function of a text; see glsl.hpp for its words. */
+/** The operations of a function; glsl.hpp describes the words. */
 export interface Listing extends wasm.Listing {
   head: FunctionHead
 }
 
-/** Does some work with a text that was read, and closes it whatever happens. Throws a `WarpError` with line, column and a caret. */
+/** Parses source, passes it to `work` and closes it in any case. Throws a `WarpError` with line, column and a caret. */
 export const withSource = <Result>(
   place: Place,
   text: string,
@@ -42,11 +42,11 @@ export class OpenSource {
     if (problem) throw this.place.error(problem)
   }
 
-  /** The one of that name; without a name `offset`, or the last. */
+  /** Returns the function with the given name; without a name, the function `offset` or else the last one. */
   find(name: string | undefined): FunctionHead {
     const { functions, place } = this
     if (functions.length === 0)
-      throw place.error('the source has no function; write one that gives a value.')
+      throw place.error('the source has no function; write one that returns a value.')
     const named = functions.filter((each) => each.name === (name ?? 'offset'))
     if (named.length > 0) return named.at(-1)!
     if (name === undefined) return functions.at(-1)!

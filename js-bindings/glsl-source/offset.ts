@@ -1,4 +1,4 @@
-// `glslOffset`: a function of shader text as an offset function.
+// `glslOffset`: makes an offset function from GLSL source.
 import { asOwn } from '../errors/operators.js'
 import { nearest } from '../errors/nearest.js'
 import { oneOf } from '../options/kinds.js'
@@ -12,11 +12,14 @@ import { type GlslOptions, article, glslKinds, sourceKind } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface GlslOffsetOptions extends GlslOptions {
-  /** What the function gives: how far a vertex moves, or where it moves to. `'offset'` unless given. */
+  /**
+   * Meaning of the function's result: `'offset'` is added to the position, `'position'` is the new position.
+   * @default 'offset'
+   */
   returns?: 'offset' | 'position'
 }
 
-/** An offset function that any host takes: what the text reads beside the position, it finds by itself. */
+/** An offset function for any host; it reads the inputs that the source uses besides the position from its argument. */
 export type GlslOffset<Uniforms extends UniformValues = {}> = (
   inputs: Pick<WarpInputs<Uniforms>, 'glsl' | 'position' | 'uniforms'>,
 ) => Vec3
@@ -28,12 +31,12 @@ const offsetOptions = object({
 } satisfies KindsOf<GlslOffsetOptions>)
 
 /**
- * An offset function from a text in GLSL ES 3.00 or 1.00, for whatever takes one: `createWarp`, `compileWarp`, `chain`.
- * The text is read here, once. Parameters of its function are inputs by name (`position`, `normal`, `uv`, `color`,
- * `millis`, `mouse`, `size` …); a single vec3 is the position, whatever its name. Uniforms of the text are those of the
- * option `uniforms`, or else of your shader.
+ * Makes an offset function from source in GLSL ES 3.00 or 1.00, for `createWarp`, `compileWarp`, `chain` and so on. The source
+ * is parsed once. Parameters of its function are inputs by name (`position`, `normal`, `uv`, `color`, `millis`, `mouse`,
+ * `size` …); a single vec3 parameter is the position, whatever its name. Uniforms of the source are those of the option
+ * `uniforms`, or else uniforms of your shader.
  *
- * Throws a `WarpError` with the line and column of what is wrong in the text.
+ * Throws a `WarpError` with the line and column of a mistake in the source.
  */
 export function glslOffset<Uniforms extends UniformValues = {}>(
   source: string,
@@ -74,28 +77,28 @@ function unknownParameter(name: string, parameter: string, type: string) {
   const advice =
     near && inputTypes[near] === type
       ? `call it ${near}`
-      : `there are ${known.join(', ')}, and uniforms of the text`
-  return `nothing gives the parameter ${parameter} of ${name} its value; ${advice}.`
+      : `there are ${known.join(', ')}, and uniforms of the source`
+  return `the parameter ${parameter} of ${name} has no value; ${advice}.`
 }
 
 function rejectOtherHead({ name, type, parameters }: FunctionHead) {
   if (type !== 'vec3')
     throw place.error(
-      `${name} must give a vec3, how far a vertex moves, but gives ${type === 'void' ? 'nothing' : article(type)}; ${
-        type === 'void' ? 'return it' : 'differentiate takes other functions'
-      }, or name another one by the option "function".`,
+      `${name}: expected a function that returns a vec3, the offset of a vertex, got one that returns ${type === 'void' ? 'nothing' : article(type)}; ${
+        type === 'void' ? 'return the offset' : 'differentiate accepts other functions'
+      }, or name another function by the option "function".`,
     )
   for (const parameter of parameters) {
     if (parameter.isOut)
       throw place.error(
-        `the parameter ${parameter.name} of ${name} is out or inout; an offset function gives its vec3 back.`,
+        `the parameter ${parameter.name} of ${name} is out or inout; an offset function must return its vec3.`,
       )
     if (parameters.length === 1 && parameter.type === 'vec3' && !isInput(parameter.name)) continue
     const expected = inputTypes[parameter.name]
     if (!expected) throw place.error(unknownParameter(name, parameter.name, parameter.type))
     if (expected !== parameter.type)
       throw place.error(
-        `the parameter ${parameter.name} of ${name} is ${article(parameter.type)}, but ${parameter.name} is ${article(expected)}.`,
+        `the parameter ${parameter.name} of ${name}: expected ${article(expected)}, the type of the input ${parameter.name}, got ${article(parameter.type)}.`,
       )
   }
 }

@@ -1,37 +1,37 @@
-// Calls the builder for each operation of a list: what a sketch would have written by hand. Only the public builder is
-// used, so that nothing of the compiler is in this file's bundle.
+// Calls the builder for each operation of a list, as a sketch would by hand. It uses only the public builder, so that this file's
+// bundle contains no part of the compiler.
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import { glsl as wasm } from '../wasm/glsl.js'
-import { Columns, type Given as Value, Halves, halfOf, halvesOf, wholeOf } from './halves.js'
+import { Columns, type GlslValue, Halves, halfOf, halvesOf, wholeOf } from './halves.js'
 import type { Listing } from './listing.js'
 import { type Routine, record } from './record.js'
 
-/** By code, the builder's names of operations, and codes.hpp's of leaves. */
+/** Maps codes to the builder's names of operations and to names of leaves; see codes.hpp. */
 let operations: string[] | undefined
 
-export interface Given {
+export interface ReplayInputs {
   /** The arguments of the function, in order. */
-  arguments: readonly Value[]
-  /** The uniform or attribute of that place among the externals. */
-  external: (place: number) => Value
-  /** The texel at a vec2 of the image of that place: between the texels, or that with these numbers. */
+  arguments: readonly GlslValue[]
+  /** Returns the uniform or attribute with an index among the externals. */
+  external: (place: number) => GlslValue
+  /** Samples the image with an index among the externals at a vec2, or fetches the texel with these integer coordinates. */
   texture: (place: number, at: Expression, isFetched: boolean) => Expression
-  /** Its width and height. */
+  /** Returns the width and height of the image. */
   imageSize: (place: number) => Expression
 }
 
-/** The numbers that the function gives. */
-export function replay(glsl: Builder, listing: Listing, given: Given): Expression[] {
+/** Returns the results of the function, one expression per number. */
+export function replay(glsl: Builder, listing: Listing, given: ReplayInputs): Expression[] {
   operations ??= wasm.get().codes()
   const { words, constants } = listing
   const routines: Routine[] = []
   let at = 0
   const word = () => words[at++]!
 
-  /** Until the end of the list, or of the function whose body it is, whose results it gives then. */
+  /** Replays up to the end of the list, or of the current function's body, and returns the results. */
   const replayIn = (glsl: Builder, parameters: Expression[]): Expression[] => {
-    // The upper half of a whole number that is known to be small is missing.
+    // The upper half of an integer that is known to be small is `undefined`.
     const made: (Expression | undefined)[] = []
     const listed = (count: number) =>
       Array.from({ length: count }, () => made[word()] ?? glsl.val!(0))
@@ -100,8 +100,8 @@ function constantOf(glsl: Builder, value: number): Expression {
   return given instanceof Halves ? wholeOf(glsl, given.low, given.high) : glsl.int!(given)
 }
 
-/** Of an argument or a uniform, where the layout says of which half, too. */
-function partOf(value: Value, place: number, layout: number): Expression | undefined {
+/** Returns a component of an argument or a uniform; the layout also selects one half of an integer. */
+function partOf(value: GlslValue, place: number, layout: number): Expression | undefined {
   if (value instanceof Columns) {
     const rows = layout & 15
     return componentOf(value.vectors[Math.floor(place / rows)]!, place % rows, (1 << 4) | rows)
@@ -116,7 +116,7 @@ const highHalf = 128
 type Methods = Record<string, (...operands: unknown[]) => Expression>
 const methodsOf = (value: Expression) => value as unknown as Methods
 
-/** A number of a number, a vector or, column by column, a matrix; `layout` is columns and rows, four bits each. */
+/** Returns a component of a number, a vector or (in column-major order) a matrix; `layout` has columns and rows, 4 bits each. */
 function componentOf(value: Expression, place: number, layout: number): Expression {
   const [columns, rows] = [layout >> 4, layout & 15]
   if (columns * rows === 1) return value
@@ -124,7 +124,7 @@ function componentOf(value: Expression, place: number, layout: number): Expressi
   return methodsOf(vector)['xyzw'[place % rows]!]!()
 }
 
-/** Numbers together again, as a type of GLSL. */
+/** Combines numbers into a value of a GLSL type. */
 export function pack(glsl: Builder, type: string, numbers: readonly Expression[]): Expression {
   if (numbers.length === 1) return numbers[0]!
   const [, matrix, size] = /^(mat)?\w*?(\d)(?:x\2)?$/.exec(type) ?? []

@@ -1,4 +1,4 @@
-// `bakeWarp`: a mesh as a warp leaves it.
+// `bakeWarp`: applies a warp to a mesh on the CPU.
 import type { CpuWarp, EvaluationOptions } from '../cpu/cpu-warp.js'
 import type { WarpedVertices } from '../cpu/results.js'
 import { WarpError, describe } from '../errors/errors.js'
@@ -21,32 +21,32 @@ import {
 import { withJob } from './job.js'
 import { takeVariation } from './surface-variation.js'
 
-/** What of `compileWarp`'s result is used here. */
+/** The part of `compileWarp`'s result that meshes need. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
   /** @internal */
   readonly [warpProgram]?: RunningProgram
 }
 
-/** A warp that runs on the CPU, which one of the `makers` made. */
+/** The kind of a warp that runs on the CPU; `makers` names the functions that return one, for messages. */
 export const warpKind = (makers = 'compileWarp') =>
   kind<Evaluates>(
-    `what ${makers} returns`,
+    `a result of ${makers}`,
     (given) => typeof (given as Evaluates | undefined)?.evaluate === 'function',
   )
 
 const place = new Place('bakeWarp')
 const bakedWarp = warpKind()
 
-/** Whether the warp wants to know how normals and uvs vary over the mesh. */
-export const asksForVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?? false
+/** Returns whether the warp needs the gradients of normals and uvs over the mesh. */
+export const readsVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?? false
 
 /**
- * The mesh with every vertex moved and every normal and tangent turned; all else is copied. Missing normals are computed
- * before, and how normals and uvs vary over the surface, if the warp depends on them. `warp` is what `compileWarp` returns. If it
- * mirrors all of space, the vertices of each triangle come in the other order, by `indices`, so that its outer side stays the
- * front. An empty mesh stays empty; 10 million triangles take some seconds.
- * A `BufferGeometry` of three.js comes back as one, with all its other attributes and its groups; its morph targets are
- * warped, too. Throws a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex,
+ * Returns the mesh with warped positions, normals and tangents; all else is copied. Missing normals are computed first, and also the
+ * gradients of normals and uvs if the warp depends on them. `warp` is a result of `compileWarp`. If it mirrors all of space, `indices`
+ * of the result reverse each triangle, so that its outer side stays the front. An empty mesh stays empty; 10 million triangles take
+ * some seconds.
+ * For a `BufferGeometry` of three.js the result is one too, with all its other attributes and its groups; its morph targets are also
+ * warped. Throws a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex,
  * or the mesh is too large for the memory of the module (such as 40 million triangles).
  */
 export function bakeWarp<Given extends Geometry>(
@@ -62,27 +62,27 @@ export function bakeWarp(
 ): unknown {
   const baked = bake(given, warp, options)
   if (!isGeometry(given)) return baked
-  const isMirrored = isMirroredBy(warp, uniformsOf(place.method, options))
+  const isMirrored = isMirroredBy(warp, uniformsOf(place, options))
   return movedGeometry(given, baked, isMirrored, (mesh) => bake(mesh, warp, options))
 }
 
-/** False for a warp made by hand, which says nothing of it. */
+/** Returns whether the warp mirrors all of space; false for a warp made by hand, which doesn't have this information. */
 const isMirroredBy = (warp: Evaluates, uniforms: Uniforms | undefined) =>
-  warp[warpProgram]?.isMirrored(place.method, uniforms) ?? false
+  warp[warpProgram]?.isMirrored(place, uniforms) ?? false
 
 function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {
   bakedWarp.read(warp, place.part('the warp'))
-  const uniforms = uniformsOf(place.method, options)
+  const uniforms = uniformsOf(place, options)
   const { copy, variation } = withJob(place.method, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
-    return { copy: takeMesh(job), variation: asksForVariation(warp) ? takeVariation(job) : {} }
+    return { copy: takeMesh(job), variation: readsVariation(warp) ? takeVariation(job) : {} }
   })
   const vertices = { ...copy, ...variation }
   const { positions, normals, tangents } = evaluateFor(place, warp, vertices, uniforms)
   if (!normals)
     throw place.error(
-      'the warp was compiled with "normals: false", so that it turns none; compile it without.',
+      'the warp was compiled with "normals: false"; compile it without this option.',
     )
   rejectNonFinite('position', positions, 3, copy)
   rejectNonFinite('normal', normals, 3, copy)
@@ -91,7 +91,7 @@ function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions
   return isMirroredBy(warp, uniforms) ? reverseTriangles(baked) : baked
 }
 
-/** Calls `warp.evaluate`, whose messages then name the function that the user called. */
+/** Calls `warp.evaluate`, and makes its messages name the function that the user called. */
 export function evaluateFor(
   place: Place,
   warp: Evaluates,
@@ -102,7 +102,7 @@ export function evaluateFor(
   try {
     warped = warp.evaluate(vertices, { uniforms })
   } catch (error) {
-    // The warp may be of another script, which has a class of its own.
+    // The warp may come from another script, which has its own class WarpError.
     const { name, message = '' } = (error ?? {}) as Partial<Error>
     if (name !== 'WarpError') throw error
     throw new WarpError(message.replace(/^evaluate: /, `${place.method}: `))
@@ -111,11 +111,11 @@ export function evaluateFor(
   return warped
 }
 
-/** Checks what a warp that was made by hand gives. */
+/** Checks the result of a warp that was made by hand. */
 function rejectOtherArrays(place: Place, warped: unknown, vertices: Vertices) {
   const count = vertices.positions.length / 3
   const expectToGive = (what: string, got: string) =>
-    place.error(`expected ${place.subject} to give ${what}, got ${got}.`)
+    place.error(`expected ${place.subject} to return ${what}, got ${got}.`)
   if (typeof warped !== 'object' || warped === null)
     throw expectToGive('{ positions, normals }', describe(warped))
   for (const [name, size] of [
@@ -127,7 +127,7 @@ function rejectOtherArrays(place: Place, warped: unknown, vertices: Vertices) {
     if (numbers === undefined && name !== 'positions') continue
     if (!isList(numbers) || numbers.length !== size * count)
       throw expectToGive(
-        `${name} as an array of ${size * count} numbers, ${size} for each vertex that it is given`,
+        `${name} as an array of ${size * count} numbers, ${size} per vertex`,
         describe(numbers),
       )
     const wrong = firstWrong(numbers, anyNumber)
@@ -146,6 +146,6 @@ function rejectNonFinite(
   const vertex = Math.floor(i / size)
   const position = [...positions.subarray(3 * vertex, 3 * vertex + 3)].join(', ')
   throw place.error(
-    `the warp gives vertex ${vertex} at (${position}) no finite ${name}, but ${given[i]}; check what it does there, such as a division by 0.`,
+    `expected a finite ${name} of vertex ${vertex} at (${position}), got ${given[i]}; check the warp there, for a division by 0 for example.`,
   )
 }

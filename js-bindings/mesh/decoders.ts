@@ -1,4 +1,4 @@
-// Decoders of compressed models: given by the caller, or found.
+// Decoders of compressed models, either passed by the caller or found on the page or in a package.
 import { describe } from '../errors/errors.js'
 import { anything, optional } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
@@ -27,14 +27,14 @@ export interface DracoDecoderModule {
 
 /**
  * Decoders of compressed glTF files. The default of each is the page's global `MeshoptDecoder` or `DracoDecoderModule`, or the
- * package: in Node the installed one, in a page the one that an import map names. A project with a bundler gives its decoder.
+ * package: in Node the installed one, in a page the one that an import map names. A project with a bundler must pass the decoder.
  */
 export interface Decoders {
   /** For `EXT_meshopt_compression` and `KHR_meshopt_compression`: `MeshoptDecoder` of the package meshoptimizer. */
   meshopt?: MeshoptDecoder | Promise<MeshoptDecoder>
   /**
    * For `KHR_draco_mesh_compression`: the package draco3dgltf, its `createDecoderModule`, the function `DracoDecoderModule` of
-   * Draco's script, or the module that they make.
+   * Draco's script, or the module that these functions return.
    */
   draco?:
     | DracoDecoderModule
@@ -48,7 +48,7 @@ export type Codec = keyof Decoders
 interface Source {
   global: string
   package: string
-  /** Resolves to a ready decoder made from the caller's value; `undefined` if that is no decoder. */
+  /** Resolves to a ready decoder made from the caller's value; `undefined` if that is not a decoder. */
   prepare(given: unknown): Promise<unknown>
 }
 
@@ -74,14 +74,14 @@ const sources: Record<Codec, Source> = {
       // A CommonJS package is the default export of its module in Node.
       for (const name of ['default', 'createDecoderModule'])
         if (isObject(module) && !isDraco(module) && name in module) module = module[name]
-      // Draco's factory changes the options that it is given.
+      // Draco's factory modifies the options passed to it.
       if (typeof module === 'function') module = await (module as (options: object) => unknown)({})
       return isDraco(module) ? module : undefined
     },
   },
 }
 
-/** A package's member of that name, if it has one. */
+/** Returns a package's member `name`, or else the package itself. */
 const memberOr = (found: unknown, name: string) =>
   isObject(found) && name in found ? found[name] : found
 
@@ -92,7 +92,7 @@ export const decodersKind = optional(
   object({ meshopt: anything(), draco: anything() } satisfies KindsOf<Record<Codec, unknown>>),
 )
 
-/** The ready decoder, or `undefined` if none was given or found. */
+/** Returns the ready decoder; `undefined` if none was passed or found. */
 export async function findDecoder(
   place: Place,
   codec: Codec,
@@ -113,13 +113,13 @@ export async function findDecoder(
       const decoder = await source.prepare(memberOr(await find(source.package), source.global))
       if (decoder) return decoder
     } catch {
-      // The package is not installed, or a page has no way to it.
+      // The package is not installed, or not accessible to the page.
     }
   return undefined
 }
 
-/** The end of a message: how to get a decoder. */
+/** Returns the end of a message: advice how to get a decoder. */
 export const adviceFor = (codec: Codec) => {
   const { global, package: name } = sources[codec]
-  return `install the package ${name}, hand its decoder over as loadMesh(model, { decoders: { ${codec}: … } }), or add its script, which defines ${global}`
+  return `install the package ${name}, pass its decoder as loadMesh(model, { decoders: { ${codec}: … } }), or add its script, which defines ${global}`
 }

@@ -1,4 +1,4 @@
-// Draco's module of C++ classes, as far as it is needed to decode a primitive of a glTF.
+// Decodes a primitive of a glTF by Draco's module of C++ classes.
 
 /** The attributes of a primitive to decode. `componentType` is glTF's; `width` is the number of components per vertex. */
 export interface DracoPlan {
@@ -45,7 +45,7 @@ export interface DracoModule {
   destroy(object: object): void
 }
 
-/** Maps glTF's number of a component type to Draco's name of it and its size in bytes. */
+/** Maps glTF's number of a component type to Draco's name and the size in bytes. */
 const componentTypes: Record<number, [name: string, bytes: number]> = {
   5120: ['DT_INT8', 1],
   5121: ['DT_UINT8', 1],
@@ -56,7 +56,7 @@ const componentTypes: Record<number, [name: string, bytes: number]> = {
 }
 
 /** The maximum size of a mesh, as in files.hpp. */
-const mostBytes = 2 ** 30
+const maxBytes = 2 ** 30
 
 /** Returns the indices, then the values of each attribute. Throws an Error for what it cannot decode. */
 export function decodeDraco(
@@ -75,7 +75,7 @@ export function decodeDraco(
     const buffer = make(module.DecoderBuffer)
     buffer.Init(new Int8Array(bytes.buffer, bytes.byteOffset, bytes.length), bytes.length)
     if (decoder.GetEncodedGeometryType(buffer) !== module.TRIANGULAR_MESH)
-      throw new Error('it is no mesh of triangles')
+      throw new Error('it is not a triangle mesh')
     const mesh = make(module.Mesh)
     const status = decoder.DecodeBufferToMesh(buffer, mesh)
     if (!status.ok()) throw new Error(status.error_msg())
@@ -92,7 +92,7 @@ export function decodeDraco(
         if (!attribute.ptr || !type) throw new Error(`it has no attribute ${id}`)
         if (attribute.num_components() !== width)
           throw new Error(
-            `its attribute ${id} has ${attribute.num_components()} numbers a vertex, not ${width}`,
+            `its attribute ${id}: expected ${width} numbers per vertex, got ${attribute.num_components()}`,
           )
         const [name, size] = type
         const length = mesh.num_points() * width * size
@@ -109,7 +109,7 @@ export function decodeDraco(
 
 /** Returns a copy of the `length` bytes that `write` writes into the module's memory. */
 function read(module: DracoModule, length: number, write: (address: number) => boolean) {
-  if (length > mostBytes) throw new Error('it is too large')
+  if (length > maxBytes) throw new Error('it is too large')
   const address = module._malloc(length)
   try {
     if (length && (!address || !write(address))) throw new Error('it has too little data')

@@ -1,4 +1,4 @@
-// Geometries of three.js coming out, as they came in: what is not known here is kept, or lies between its neighbours.
+// Makes geometries of three.js from meshes. Attributes that we don't know are copied, or interpolated for new vertices.
 import {
   type Attribute,
   type Geometry,
@@ -8,7 +8,7 @@ import {
 } from '../core/inputs/geometry.js'
 import type { Mesh, MeshInput } from './mesh-arrays.js'
 
-/** What is used of a BufferGeometry that is made. */
+/** The members of a new BufferGeometry that we use. */
 interface Made extends Geometry {
   attributes: Record<string, Attribute>
   morphAttributes: Record<string, Attribute[]>
@@ -35,10 +35,10 @@ interface Group extends Range {
 type GeometryClass = new () => Made
 type AttributeClass = new (array: unknown, size: number, normalized?: boolean) => Attribute
 
-/** What three.js' own methods make of a geometry, such as a BufferGeometry of a BoxGeometry. */
+/** The type that three.js' own methods convert a geometry to: BufferGeometry for a BoxGeometry. */
 export type Plain<Given> = Given extends { toNonIndexed(): infer Made } ? Made : Given
 
-/** The class that defines `method`, of which `value` is, maybe by others that extend it. */
+/** Returns the class in the prototype chain of `value` that defines `method`. */
 function classWith(value: object, method: string) {
   let prototype: object | null = value
   while (prototype && !Object.hasOwn(prototype, method))
@@ -46,7 +46,7 @@ function classWith(value: object, method: string) {
   return prototype!.constructor
 }
 
-/** Classes of three.js, by a geometry: no import says where they are. */
+/** Finds classes of three.js through a geometry, since we don't import three.js. */
 function classesOf(geometry: object) {
   const method = 'isInstancedBufferGeometry' in geometry ? 'constructor' : 'setFromPoints'
   const Plain = classWith(Object.getPrototypeOf(geometry) as object, method) as GeometryClass
@@ -54,7 +54,7 @@ function classesOf(geometry: object) {
   return { Plain, Numbers: classWith(position!, 'setXYZ') as AttributeClass }
 }
 
-/** A loaded mesh as a geometry of the class; what that has no place for is in its `userData`. */
+/** Converts a loaded mesh to a geometry of the class, with the material and warnings in its `userData`. */
 export function geometryAs(Class: new () => unknown, mesh: Mesh): unknown {
   const made = new Class() as Made
   const { Numbers } = classesOf(made)
@@ -73,8 +73,7 @@ function put(made: Made, mesh: Mesh, Numbers: AttributeClass) {
 }
 
 /**
- * A copy whose vertices have moved to where `baked` has them, with its triangles if `isReversed`; `bake` moves its morph targets
- * likewise.
+ * Returns a copy of a geometry with the vertices of `baked`, and also its triangles if `isReversed`. `bake` warps the morph targets.
  */
 export function movedGeometry(
   given: Geometry,
@@ -92,8 +91,8 @@ export function movedGeometry(
 }
 
 /**
- * Each target becomes what the warp makes of the whole mesh when that target alone has all the influence. Without normals of
- * its own it gets some: where the vertices go, the warp turns otherwise.
+ * Warps each morph target: the mesh with this target at full influence and no other. A target without normals gets some, since
+ * the warp transforms normals differently at its positions.
  */
 function moveTargets(
   made: Made,
@@ -121,7 +120,8 @@ function moveTargets(
   ] as const)
     made.morphAttributes[attribute] = targets.map((target, i) => {
       const numbers = sum(target[name], isRelative ? baked[name] : undefined, -1)
-      const { name: called } = (position?.[i] ?? normal?.[i]) as { name?: string }
+      const { name: called } =
+        ((position?.[i] ?? normal?.[i]) as { name?: string } | undefined) ?? {}
       return Object.assign(new Numbers(numbers, 3), called && { name: called })
     })
 }
@@ -134,13 +134,13 @@ interface Targets {
 const sum = (numbers: Float32Array, others: Float32Array | undefined, factor = 1) =>
   others ? numbers.map((number, i) => number + factor * others[i]!) : numbers
 
-/** As C++ has them: of new vertices two ends each, and of triangles the one that it is a part of. */
+/** The origins of new elements, from C++: `ends` has 2 vertices per new vertex, `triangles` the original of each triangle. */
 export interface Origins {
   ends: Uint32Array
   triangles: Uint32Array
 }
 
-/** A finer geometry. Texture coordinates, colours, and what else there is lie between their neighbours as positions do. */
+/** Returns a finer geometry, with texture coordinates, colours and all other attributes interpolated like positions. */
 export function finerGeometry(given: Geometry, mesh: Mesh, { ends, triangles }: Origins): unknown {
   const { Plain, Numbers } = classesOf(given)
   const made = withoutBounds(new Plain().copy(given))
@@ -164,7 +164,7 @@ function withoutBounds(made: Made) {
   return made
 }
 
-/** Triangles keep their order. */
+/** Converts a range of indices; triangles keep their order. */
 function finerRange({ start, count }: Range, triangles: Uint32Array): Range {
   const before = (end: number) => triangles.findIndex((origin) => 3 * origin >= end)
   const [first, last] = [before(start), before(start + count)]
@@ -175,7 +175,7 @@ function finerRange({ start, count }: Range, triangles: Uint32Array): Range {
   }
 }
 
-/** Whole numbers that count something have nothing between them: there the first end has its way. */
+/** Interpolates an attribute. Integers that are not normalized cannot be interpolated: a new vertex copies its first end. */
 function finerAttribute(given: Attribute, ends: Uint32Array, Numbers: AttributeClass): Attribute {
   const { itemSize: size, count, normalized } = given
   const read = readerOf(given)
@@ -194,7 +194,7 @@ function finerAttribute(given: Attribute, ends: Uint32Array, Numbers: AttributeC
   return Object.assign(made, name && { name }, usage && { usage }, gpuType && { gpuType })
 }
 
-/** Its raw numbers, also where several attributes share an array. */
+/** Returns a function that reads raw numbers, also if several attributes share an array. */
 function readerOf(given: Attribute) {
   const { data, offset } = given as {
     data?: { array: ArrayLike<number>; stride: number }
@@ -204,7 +204,7 @@ function readerOf(given: Attribute) {
   return (i: number, k: number) => given.array[given.itemSize * i + k]!
 }
 
-/** Between vertices of different bones it is moved by all of them: by the four that have most weight. */
+/** Moves a vertex between vertices with different bones by all of these bones, up to the four with max weight. */
 function mergeBones({ attributes }: Made, ends: Uint32Array) {
   const { skinIndex, skinWeight } = attributes as Record<string, Attribute & Settable>
   if (!skinIndex || !skinWeight) return

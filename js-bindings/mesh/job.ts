@@ -1,6 +1,6 @@
-// One call of a method of meshes: what enters the wasm, and what leaves it.
+// Passes the arrays of one call to the mesh wasm module and back.
 import { WarpError } from '../errors/errors.js'
-import { anyNumber, firstWrong, inWords } from '../options/numbers.js'
+import { anyNumber, firstWrong, describeNumber } from '../options/numbers.js'
 import type { ByteArray, FloatArray, IndexArray } from '../wasm/mesh-tables.js'
 import {
   type Mesh,
@@ -11,7 +11,7 @@ import {
   meshes,
 } from '../wasm/mesh.js'
 
-/** What can be done with a job: those without parameters. */
+/** The actions of a job that have no parameters. */
 type Action =
   | 'findFiles'
   | 'findPacked'
@@ -22,7 +22,7 @@ type Action =
   | 'addVariation'
   | 'writeFile'
 
-/** What enters and leaves one call of `method`. */
+/** The data of one call of `method`, in wasm memory. */
 export class Job {
   constructor(
     readonly method: string,
@@ -30,14 +30,14 @@ export class Job {
     private readonly bound: MeshModule,
   ) {}
 
-  /** Numbers only, though NaN and infinity may be among them: `size` a vertex. */
+  /** Copies numbers into the module, `size` per vertex. NaN and infinity are allowed, other values throw. */
   setFloats(name: FloatArray, numbers: ArrayLike<number>, size = 3) {
-    // Numbers for which there is no memory are not looked at.
+    // Checks for memory before it reads the numbers.
     this.expect(this.mesh.resizeFloats(name, numbers))
     const wrong = firstWrong(numbers, anyNumber)
     if (wrong >= 0)
       throw new WarpError(
-        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
+        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}: expected a finite number, got ${describeNumber(numbers[wrong])}.`,
       )
     this.expect(this.mesh.setFloats(name, numbers))
   }
@@ -83,24 +83,24 @@ export class Job {
     return color.length ? [...color] : undefined
   }
 
-  /** Does something in C++, or throws what is wrong. Returns the texts that it gives. */
+  /** Runs an action in C++ and returns its texts. Throws a `WarpError` if it fails. */
   act(action: Action): string[] {
     return this.expect(this.mesh[action]())
   }
 
-  /** Adds a further file that the model names. */
+  /** Adds a file that the model refers to. */
   addFile(name: string, contents: Uint8Array) {
     this.setBytes('contents', contents)
     this.expect(this.mesh.keepFile(name))
   }
 
-  /** The bytes of a compressed part of the file, after `findPacked`. */
+  /** Returns the bytes of a compressed part of the file, after `findPacked`. */
   packedBytes(part: number): Uint8Array {
     this.expect(this.mesh.openPacked(part))
     return this.bytes('contents')
   }
 
-  /** Puts decoded bytes in the place of a compressed part. */
+  /** Replaces a compressed part by its decoded bytes. */
   unpack(part: number, pieces: readonly Uint8Array[]) {
     for (const piece of pieces) {
       this.setBytes('contents', piece)
@@ -114,7 +114,7 @@ export class Job {
     return this.expect(this.mesh.refineUniformly(levels, maxTriangles))
   }
 
-  /** Returns warnings. `warp` moves the vertices of the job that it is given; what it throws is thrown on. */
+  /** Returns warnings. `warp` moves the vertices of the job passed to it; errors that it throws are rethrown. */
   refine(
     tolerance: number,
     angle: number,
@@ -125,7 +125,7 @@ export class Job {
     const evaluate = (vertices: Mesh) => {
       try {
         warp(new Job(this.method, vertices, this.bound))
-        // What the warp did with meshes may have ended this instance, even if it caught the error.
+        // The warp may itself have used this wasm instance and broken it, even if it caught the error.
         if (this.bound.isBroken) throw new WarpError(tooLarge(this.method))
         return true
       } catch (error) {
@@ -136,7 +136,7 @@ export class Job {
     try {
       return this.expect(this.mesh.refine(tolerance, angle, maxTriangles, evaluate))
     } catch (error) {
-      // The warp's own error says more.
+      // The warp's own error is more specific.
       throw problem ? problem.error : error
     }
   }
@@ -147,7 +147,7 @@ export class Job {
   }
 }
 
-/** Does `work` with a job, and deletes it whatever happens. */
+/** Runs `work` with a job, and deletes the job in any case. */
 export function withJob<Result>(method: string, work: (job: Job) => Result): Result {
   try {
     return meshes.use(
@@ -159,12 +159,11 @@ export function withJob<Result>(method: string, work: (job: Job) => Result): Res
     if (!(error instanceof MeshStartFailure)) throw error
     throw Object.assign(
       new WarpError(
-        `${method}: meshes need WebAssembly with exceptions, which every current browser has and this one lacks.`,
+        `${method}: meshes need WebAssembly with exceptions, which every current browser supports, but this one lacks.`,
       ),
       { cause: error.cause },
     )
   }
 }
 
-const tooLarge = (method: string) =>
-  `${method}: the mesh is too large or too deeply nested to be handled here.`
+const tooLarge = (method: string) => `${method}: the mesh is too large or too deeply nested.`

@@ -1,4 +1,4 @@
-// `loadMesh`: from a file to a mesh.
+// `loadMesh`: reads a model file as a mesh.
 import { callable, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object } from '../options/schema.js'
@@ -18,14 +18,14 @@ import {
 } from './sources.js'
 
 export interface LoadOptions {
-  /** Loads the further files that a .gltf, .obj or .mtl names. Default: those beside the model, if it has a URL. */
+  /** Loads the files that a .gltf, .obj or .mtl refers to. Default: loads files in the model's folder, if the model has a URL. */
   resolve?: Resolve
   /** Decoders for compressed glTF files. Default: those of the packages meshoptimizer and draco3dgltf, if they are installed. */
   decoders?: Decoders
 }
 
 export interface LoadAsOptions<Geometry> extends LoadOptions {
-  /** `BufferGeometry` of three.js: then the model comes as one, its material and warnings in `userData`. */
+  /** The class `BufferGeometry` of three.js: the result is then such a geometry, with material and warnings in `userData`. */
   as: new () => Geometry
 }
 
@@ -50,9 +50,8 @@ type FurtherFiles = Map<string, Uint8Array>
  * Reads a model: .glb and .gltf (2.0), .obj with its .mtl, and .stl. All triangles of its scene become one mesh, with the
  * transforms of nodes, instances and bones and the weights of morph targets applied. Missing normals are computed, other
  * normals scaled to length 1, and colours clamped to 0 to 1 (in an .obj, whole numbers up to 255 are scaled). `warnings` lists
- * what is left out, such as animations, and what is corrected. `source` is
- * bytes, a Blob or File, or a URL, which in Node may be a path. Throws a `WarpError` for a file that cannot be read, or is broken
- * or too large.
+ * parts that are left out, such as animations, and corrections. `source` is bytes, a Blob or File, or a URL, which in Node may be a
+ * path. Throws a `WarpError` for a file that cannot be read, or is broken or too large.
  */
 export function loadMesh<Geometry extends { readonly isBufferGeometry: true }>(
   source: Source,
@@ -68,7 +67,7 @@ export async function loadMesh(
   return as ? geometryAs(as, mesh) : mesh
 }
 
-/** A mesh. `painted` is 1 for each vertex that a material of an .obj gives a colour, otherwise 0; empty if none does. */
+/** A mesh. `painted` is 1 for each vertex coloured by a material of an .obj, otherwise 0; empty if no vertex is. */
 export interface LoadedModel {
   mesh: Mesh
   painted: Uint8Array
@@ -79,7 +78,7 @@ type Step =
   | { missing: string[]; needed?: undefined; model?: undefined }
   | { needed: Codec[]; missing?: undefined; model?: undefined }
 
-/** Reads a model, with options that were checked. */
+/** Reads a model, with options that are already checked. */
 export async function readModel(
   source: unknown,
   { resolve: given, decoders }: { resolve?: Resolve | undefined; decoders?: Decoders | undefined },
@@ -108,7 +107,7 @@ export async function readModel(
   }
 }
 
-/** Only a .gltf needs files; an .obj can do without its materials. */
+/** Recognizes a glTF: it needs the files that it refers to, whereas an .obj works without its materials. */
 function isGltf(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 64)).trimStart()
   return start.startsWith('glTF') || start.startsWith('{')
@@ -125,7 +124,7 @@ function load(job: Job): LoadedModel {
   return { mesh: warnings.length ? { ...mesh, warnings } : mesh, painted: job.bytes('painted') }
 }
 
-/** Adds those of the files that exist. The loader reports the missing ones. */
+/** Adds the files that exist. The loader reports missing ones. */
 async function gather(uris: readonly string[], resolve: Resolve, files: FurtherFiles) {
   for (const uri of uris) {
     const contents: Bytes | undefined = await resolve(uri)

@@ -1,6 +1,6 @@
-// What a mesh is here: flat arrays, going in and coming out.
+// Meshes as flat arrays: their types, and how they are checked and copied into a job and out of it.
 import { describe } from '../errors/errors.js'
-import { finiteFloat, firstWrong, inWords } from '../options/numbers.js'
+import { finiteFloat, firstWrong, describeNumber } from '../options/numbers.js'
 import { isList } from '../options/guards.js'
 import { kind, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -8,7 +8,7 @@ import { type Geometry, arraysOf, isGeometry } from '../core/inputs/geometry.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import type { Job } from './job.js'
 
-/** A picture as its file has it. */
+/** An image file. */
 export interface Picture {
   /** PNG or JPEG. */
   bytes: Uint8Array
@@ -21,26 +21,26 @@ export interface Material {
   baseColorTexture?: Picture
 }
 
-/** A triangle mesh, as every function here returns it. */
+/** A triangle mesh, as the functions of this module return it. */
 export interface Mesh {
-  /** Three numbers a vertex. */
+  /** 3 numbers per vertex. */
   positions: Float32Array
-  /** Three numbers a vertex, of length 1, or 0 where the surface has no direction. */
+  /** 3 numbers per vertex: a vector of length 1, or of length 0 where the surface has no normal. */
   normals: Float32Array
-  /** Two numbers a vertex, from the picture's top left corner. */
+  /** 2 numbers per vertex, from the image's top left corner. */
   uvs?: Float32Array
-  /** Four numbers a vertex: linear red, green, blue and alpha from 0 to 1. */
+  /** 4 numbers per vertex: linear red, green, blue and alpha from 0 to 1. */
   colors?: Float32Array
-  /** Four numbers a vertex: a direction, and 1 or -1 for the side of the bitangent, as in glTF. */
+  /** 4 numbers per vertex: a direction, and 1 or -1 for the side of the bitangent, as in glTF. */
   tangents?: Float32Array
-  /** Three a triangle; without them, every three vertices are one. */
+  /** 3 indices per triangle; without indices, every 3 vertices are a triangle. */
   indices?: Uint32Array
   material?: Material
-  /** What was left out of a file or put right, in sentences. */
+  /** Messages about parts of a file that were left out or corrected. */
   warnings?: string[]
 }
 
-/** The same, as every function takes it: arrays of any kind, and normals may be missing. */
+/** A triangle mesh, as the functions of this module accept it: arrays of any kind, and normals are optional. */
 export interface MeshInput {
   positions: ArrayLike<number>
   normals?: ArrayLike<number>
@@ -64,7 +64,7 @@ export const floatArrays: readonly FloatArray[] = [
 
 const sizes: Partial<Record<FloatArray, number>> = { uvs: 2, colors: 4, tangents: 4 }
 
-/** A geometry of three.js as a mesh. */
+/** A mesh, or a geometry of three.js. */
 export type MeshOrGeometry = MeshInput | Geometry
 
 /** Converts a geometry to a mesh. */
@@ -75,7 +75,7 @@ function meshOf(place: Place, given: unknown): unknown {
 }
 
 /**
- * Copies the mesh into the job and sees that its arrays fit together; throws a `WarpError` if they do not.
+ * Copies the mesh into the job and checks that its arrays fit together; throws a `WarpError` if they do not.
  */
 export function putMesh(job: Job, given: unknown) {
   const place = new Place(job.method)
@@ -126,7 +126,7 @@ function putMaterial(job: Job, given: unknown, place: Place) {
   if (color.length !== 4 || firstWrong(color, finiteFloat) >= 0)
     throw part('baseColor').expected(
       'four finite numbers, red, green, blue and alpha,',
-      `[${Array.from(color).slice(0, 5).map(inWords).join(', ')}]`,
+      `[${Array.from(color).slice(0, 5).map(describeNumber).join(', ')}]`,
     )
   job.setBaseColor(color)
   if (baseColorTexture === undefined) return
@@ -141,7 +141,7 @@ function putMaterial(job: Job, given: unknown, place: Place) {
   job.setText('mimeType', mimeTypeKind.read(mimeType, part('baseColorTexture.mimeType')))
 }
 
-/** The mesh that the job holds, as arrays of its own. */
+/** Copies the job's mesh into new arrays. */
 export function takeMesh(job: Job): Mesh {
   const mesh: Mesh = { positions: job.floats('positions'), normals: job.floats('normals') }
   for (const name of ['uvs', 'colors', 'tangents'] as const) {
@@ -158,7 +158,7 @@ export function takeMesh(job: Job): Mesh {
   return mesh
 }
 
-/** The mesh with each triangle's vertices in the other order; vertices stay where they are. */
+/** Returns the mesh with the vertices of each triangle in reverse order; the vertices themselves stay the same. */
 export function reverseTriangles(mesh: Mesh): Mesh {
   const { positions, indices } = mesh
   const reversed =

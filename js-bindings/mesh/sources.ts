@@ -1,14 +1,14 @@
-// Where the bytes of a model come from, in browsers and in Node.
+// Reads the bytes of models, in browsers and in Node.
 import { WarpError, describe, shorten } from '../errors/errors.js'
 import type { Place } from '../options/place.js'
 
-/** Bytes, or something that has them. */
+/** Bytes in any form. */
 export type Bytes = ArrayBuffer | ArrayBufferView | Blob
 
-/** Bytes, an address, or a file that the user chose or dropped. In Node a text may be a path. */
+/** Bytes, a URL, or a file that the user chose or dropped. In Node a string may be a path. */
 export type Source = Bytes | URL | string
 
-/** The bytes of a further file that a .gltf names, such as "scene.bin"; nothing if there is none. */
+/** Returns the bytes of a file that a .gltf refers to, such as "scene.bin"; `undefined` if it does not exist. */
 export type Resolve = (uri: string) => Bytes | undefined | Promise<Bytes | undefined>
 
 interface NodeModules {
@@ -23,23 +23,23 @@ interface NodeModules {
 declare const process:
   | {
       versions?: { node?: string }
-      // Not import(), which bundlers follow, those for browsers into an error.
+      // We avoid import(), since bundlers for browsers follow it and fail.
       getBuiltinModule<Name extends keyof NodeModules>(name: Name): NodeModules[Name]
       cwd(): string
     }
   | undefined
 
-/** Node, or nothing. */
+/** Returns Node's `process`; `undefined` elsewhere. */
 const node = () => (typeof process === 'object' && process.versions?.node ? process : undefined)
 
-/** Why a browser gives nothing that lies at a file: address. */
+/** Message for pages with a file: address, which cannot read other files. */
 export const filesAreClosed =
   'a page that was opened as a file may read no other file, so serve its folder, for example by: npx serve'
 
-/** Nothing is there. */
+/** The error about a file that does not exist. */
 class Missing extends WarpError {}
 
-/** The bytes, in an array that may share its memory with the source. */
+/** Returns the bytes, in an array that may share its memory with the source. */
 export async function readBytes(source: unknown, place: Place): Promise<Uint8Array> {
   if (source instanceof URL) return fetchBytes(source, place)
   const bytes = await toBytes(source, place)
@@ -58,7 +58,7 @@ async function toBytes(source: unknown, place: Place): Promise<Uint8Array | unde
   if (typeof Blob === 'function' && source instanceof Blob)
     return new Uint8Array(
       await source.arrayBuffer().catch((error: unknown) => {
-        // A file of the user that was moved or changed since it was chosen.
+        // The file was moved or changed since the user chose it.
         const reason = error instanceof Error ? ` (${shorten(error.name)})` : ''
         throw place.error(`the Blob or File cannot be read${reason}.`)
       }),
@@ -66,15 +66,15 @@ async function toBytes(source: unknown, place: Place): Promise<Uint8Array | unde
   return undefined
 }
 
-/** A text as a URL: relative to the page, or in Node a path unless it says otherwise; anything else as it is. */
+/** Converts a string to a URL: relative to the page or, in Node, a path unless it has a scheme. Returns other values unchanged. */
 export async function locate(source: unknown, place: Place): Promise<unknown> {
   if (typeof source !== 'string') return source
   if (!/^([a-z][a-z\d+.-]*:\/\/|(file|data|blob):)/i.test(source)) {
     const path = node()?.getBuiltinModule('node:url').pathToFileURL(source)
     if (path) return path
   }
-  const url = parsed(source, pageUrl())
-  if (!url) throw place.error(`"${shorten(source)}" is no URL.`)
+  const url = parseUrl(source, pageUrl())
+  if (!url) throw place.expected('a URL', `"${shorten(source)}"`)
   return url
 }
 
@@ -83,7 +83,7 @@ function pageUrl(): string | undefined {
   return typeof document === 'object' ? document.baseURI : globalThis.location?.href
 }
 
-function parsed(text: string, base?: string | URL): URL | undefined {
+function parseUrl(text: string, base?: string | URL): URL | undefined {
   try {
     return new URL(text, base)
   } catch {
@@ -94,25 +94,25 @@ function parsed(text: string, base?: string | URL): URL | undefined {
 async function fetchBytes(url: URL, place: Place): Promise<Uint8Array> {
   const files = url.protocol === 'file:' && node()?.getBuiltinModule('node:fs/promises')
   if (files) return readFile(files, url, place)
-  const sentence = (why: string) => `${place.method}: ${addressOf(url)} cannot be loaded; ${why}.`
+  const message = (why: string) => `${place.method}: cannot load ${addressOf(url)}; ${why}.`
   let response: Response
   try {
     response = await fetch(url)
   } catch {
     const unreachable = 'there is no such server, or it does not allow this page to read from it'
-    throw new WarpError(sentence(url.protocol === 'file:' ? filesAreClosed : unreachable))
+    throw new WarpError(message(url.protocol === 'file:' ? filesAreClosed : unreachable))
   }
   const { ok, status } = response
   if (!ok)
-    throw new (status === 404 ? Missing : WarpError)(sentence(`the server answered ${status}`))
+    throw new (status === 404 ? Missing : WarpError)(message(`the server answered ${status}`))
   try {
     return new Uint8Array(await response.arrayBuffer())
   } catch {
-    throw new WarpError(sentence('the connection broke off'))
+    throw new WarpError(message('the connection was interrupted'))
   }
 }
 
-/** Without what follows the file's name, which must be seen; data: has no end. */
+/** Shortens a URL for messages: drops the query, and the middle of long ones such as data:, but keeps the file name. */
 function addressOf({ href }: URL): string {
   const address = href.split(/[?#]/)[0]!
   return address.length <= 160 ? address : `${address.slice(0, 60)}…${address.slice(-100)}`
@@ -127,14 +127,14 @@ async function readFile(
     return await files.readFile(url)
   } catch (error) {
     const { code } = error as { code?: string }
-    // Percent signs that stand for nothing name no file.
+    // A URL with invalid percent signs is no file.
     if (code === 'ENOENT' || error instanceof URIError)
       throw new Missing(`${place.method}: the file ${pathOf(url)} does not exist.`)
     throw place.error(`the file ${pathOf(url)} cannot be read.`)
   }
 }
 
-/** As people write it, unless its percent signs stand for nothing. */
+/** Returns the decoded path, unless its percent signs are invalid. */
 function pathOf({ pathname }: URL): string {
   try {
     return decodeURIComponent(pathname)
@@ -143,7 +143,7 @@ function pathOf({ pathname }: URL): string {
   }
 }
 
-/** Whether no symbolic link leads from there out of the folder. */
+/** Returns whether a file is inside a folder after following symbolic links. */
 async function staysIn(folder: string, url: URL): Promise<boolean> {
   const { realpath } = node()!.getBuiltinModule('node:fs/promises')
   const { fileURLToPath, pathToFileURL } = node()!.getBuiltinModule('node:url')
@@ -152,21 +152,21 @@ async function staysIn(folder: string, url: URL): Promise<boolean> {
     const home = pathToFileURL((await realpath(fileURLToPath(folder))) + '/')
     return file.href.startsWith(home.href)
   } catch {
-    // It does not exist, or nobody may look there.
+    // The file does not exist, or may not be accessed.
     return false
   }
 }
 
 /**
- * Resolves the further files of a model: only those beside or below it, so that an untrusted model reads nothing else. The
- * result is empty for a file that does not exist, since a model can do without its pictures; with `canDoWithout` also for one
- * that cannot be loaded for any other reason.
+ * Resolves the files that a model refers to, only in its folder or below, so that an untrusted model cannot read others. Returns
+ * `undefined` for a file that does not exist, since a model works without its images; with `canDoWithout` also for a file that
+ * cannot be loaded for another reason.
  */
 export function resolveBeside(model: URL, place: Place, canDoWithout = false): Resolve {
-  // A data: or blob: URL has nothing beside it.
-  const folder = parsed('.', model)?.href
+  // A data: or blob: URL has no folder.
+  const folder = parseUrl('.', model)?.href
   return async (uri) => {
-    const url = parsed(uri, model)
+    const url = parseUrl(uri, model)
     if (folder === undefined || !url?.href.startsWith(folder)) return undefined
     if (node() && url.protocol === 'file:' && !(await staysIn(folder, url))) return undefined
     try {
@@ -179,13 +179,13 @@ export function resolveBeside(model: URL, place: Place, canDoWithout = false): R
 }
 
 /**
- * A package that is installed beside this library in Node, or that the page's import map names. Bundlers leave the import as it
- * is: webpack would fail where the package is missing, and where it is there, on what it imports of Node.
+ * Imports a package that is installed next to this library in Node, or that the page's import map names. The comments keep bundlers
+ * from following the import: webpack would fail on a missing package, and on Node modules that an installed one imports.
  */
 export const importPackage = (name: string): Promise<unknown> =>
   import(/* @vite-ignore */ /* webpackIgnore: true */ name)
 
-/** A package that is installed where Node was started, which need not be where this library is, as with npx. */
+/** Imports a package that is installed in Node's working directory, which differs from this library's folder under npx. */
 export async function importFromWorkingFolder(name: string): Promise<unknown> {
   const here = node()
   if (!here) return undefined

@@ -1,4 +1,4 @@
-// `subdivide`: more triangles, where a warp needs them.
+// `subdivide`: splits triangles, everywhere or where a warp needs it.
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { describe } from '../errors/errors.js'
 import { anything, positiveNumber, wholeNumber } from '../options/kinds.js'
@@ -7,46 +7,54 @@ import { type KindsOf, object } from '../options/schema.js'
 import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
 import { warpProgram } from '../cpu/warp-program.js'
-import { type Evaluates, asksForVariation, evaluateFor, warpKind } from './bake.js'
+import { type Evaluates, readsVariation, evaluateFor, warpKind } from './bake.js'
 import { type Geometry, isGeometry } from '../core/inputs/geometry.js'
 import { type Plain, finerGeometry } from './geometry.js'
 import { type Mesh, type MeshInput, type MeshOrGeometry, putMesh, takeMesh } from './mesh-arrays.js'
 import { type Job, withJob } from './job.js'
-import { mostTriangles, usualTriangles } from '../wasm/mesh-tables.js'
+import { defaultTriangles, triangleLimit } from '../wasm/mesh-tables.js'
 import { variationOf } from './surface-variation.js'
 
 interface Limit {
-  /** Never more than so many; 1,048,576 unless given. */
+  /**
+   * The max number of triangles.
+   * @default 1048576
+   */
   maxTriangles?: number
 }
 
 export interface AdaptiveOptions extends Limit {
-  /** What `compileWarp` returns. */
+  /** A result of `compileWarp`. */
   warp: Evaluates
-  /** Of the warp. */
+  /** Uniforms of the warp. */
   uniforms?: Uniforms
-  /** How far the warped surface may leave its triangles, in units of the model. It is looked at in samples, so that what is
-   * narrower than a 200th of the mesh can be missed. */
+  /**
+   * Max distance between the warped surface and its triangles, in units of the model. It is measured at samples, which can miss
+   * features narrower than a 200th of the mesh.
+   */
   tolerance: number
-  /** How far, in radians, warped normals may turn away from those between corners: 0.17 (10 degrees) unless given.
-   * Infinity leaves normals out. */
+  /**
+   * Max angle, in radians, between warped normals and those interpolated between corners. Infinity ignores normals. 0.17 is
+   * 10 degrees.
+   * @default 0.17
+   */
   angle?: number
 }
 
 export interface LevelsOptions extends Limit {
-  /** How often each triangle becomes four. */
+  /** How many times each triangle is split into four. */
   levels: number
 }
 
 const place = new Place('subdivide')
 
 /**
- * The same surface with more vertices, not warped yet. Edges are split until the warped triangles are as near to the
- * warped surface as `tolerance` says, only where that is needed; or, with `levels`, everywhere. No cracks come up, and
- * new vertices lie between the old ones in every attribute. If `maxTriangles` ends it before, `warnings` says so. A mesh
- * without triangles comes back as it is. A `BufferGeometry` of three.js comes back as one, with all its attributes, morph
- * targets and groups, and the warnings in its `userData`. Throws a `WarpError` for wrong options, arrays that do not fit together, and a
- * result that does not fit into the 4 GB of the module.
+ * Returns the same surface with more vertices, not warped yet. With `tolerance`, edges are split only where necessary, until the warped
+ * triangles are within the tolerance of the warped surface; with `levels`, edges are split everywhere. There are no cracks, and all
+ * attributes of new vertices are interpolated. If `maxTriangles` is reached first, `warnings` says so. A mesh without triangles is
+ * returned unchanged. For a `BufferGeometry` of three.js the result is one too, with all its attributes, morph targets and groups, and
+ * the warnings in its `userData`. Throws a `WarpError` for wrong options, arrays that do not fit together, and a result that does not
+ * fit into the 4 GB of the module.
  */
 export function subdivide<Given extends Geometry>(
   geometry: Given,
@@ -62,7 +70,7 @@ export function subdivide(
       'options such as { warp, tolerance: 0.01 } or { levels: 2 }',
       describe(options),
     )
-  const refine = 'levels' in options ? uniformly(options) : adaptively(options)
+  const refine = 'levels' in options ? refineUniformly(options) : refineAdaptively(options)
   return withJob(place.method, (job) => {
     putMesh(job, given)
     job.act('addNormals')
@@ -76,9 +84,9 @@ export function subdivide(
 
 const maxTriangles = wholeNumber({
   min: 1,
-  max: mostTriangles,
-  maxName: `2^${Math.log2(mostTriangles)}`,
-  default: usualTriangles,
+  max: triangleLimit,
+  maxName: `2^${Math.log2(triangleLimit)}`,
+  default: defaultTriangles,
 })
 const levelsOptions = object({
   levels: wholeNumber({ max: 15 }),
@@ -92,21 +100,21 @@ const adaptiveOptions = object({
   maxTriangles,
 } satisfies KindsOf<AdaptiveOptions>)
 
-function uniformly(options: LevelsOptions) {
+function refineUniformly(options: LevelsOptions) {
   const { levels, maxTriangles } = levelsOptions.read(options, place)
   return (job: Job) => job.refineUniformly(levels, maxTriangles)
 }
 
-function adaptively(options: AdaptiveOptions) {
+function refineAdaptively(options: AdaptiveOptions) {
   const { warp, tolerance, angle, maxTriangles, ...given } = adaptiveOptions.read(options, place)
   const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
-  const uniforms = snapshotUniforms(place.method, declared, given.uniforms)
+  const uniforms = snapshotUniforms(place, declared, given.uniforms)
   return (job: Job) => {
-    const varies = asksForVariation(warp)
+    const varies = readsVariation(warp)
     if (varies) job.act('addVariation')
     let givesNormals: boolean | undefined
     return job.refine(tolerance, angle, maxTriangles, (vertices) => {
-      // Tangents are not looked at, so none need be turned.
+      // Leaves tangents out, which refinement does not use.
       const mesh = {
         ...takeMesh(vertices),
         ...(varies && variationOf(vertices)),
@@ -116,7 +124,7 @@ function adaptively(options: AdaptiveOptions) {
       givesNormals ??= warped.normals !== undefined
       if (givesNormals !== (warped.normals !== undefined))
         throw place.error(
-          "the warp's evaluate must give normals each time that it is called or never, but gave them only sometimes.",
+          "expected the warp's evaluate to return normals either always or never, got normals only sometimes.",
         )
       vertices.setFloats('positions', warped.positions)
       vertices.setFloats('normals', warped.normals ?? [])

@@ -1,33 +1,33 @@
-// `surfaceVariation`: how normals and uvs vary over a mesh.
+// `surfaceVariation`: computes the gradients of normals and uvs over a mesh.
 import { variationNames } from '../core/inputs/inputs.js'
 import { arrayNames } from '../core/inputs/vertices.js'
 import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import { type Job, withJob } from './job.js'
 
-/** How fast and which way something rises along the surface: three numbers a vertex each. */
+/** Gradients along the surface, each with 3 numbers per vertex. */
 export interface SurfaceVariation {
-  /** Of x, y and z of the normal; on a sphere of radius r the part of that axis across the normal, divided by r. */
+  /** Gradients of x, y and z of the normal; on a sphere of radius r, the tangential part of the axis, divided by r. */
   normalXGradients: Float32Array
   normalYGradients: Float32Array
   normalZGradients: Float32Array
-  /** Of the texture coordinates, if the mesh has some. */
+  /** Gradients of the texture coordinates, if the mesh has any. */
   uGradients?: Float32Array
   vGradients?: Float32Array
 }
 
 /**
- * How normals and uvs vary over a mesh: what a warp that depends on them needs for right normals, as arrays for
- * `evaluate({ ...mesh, ...surfaceVariation(mesh) }, { uniforms })` and as attributes of a shader. `bakeWarp` and `subdivide`
- * find it out by themselves. Missing normals are computed before. It comes from the triangles around each vertex
- * (src/mesh/surface/variation.hpp has the sources), so a finer mesh gives a better one; vertices at one place share it unless a hard
- * edge or a seam of the uvs parts them. Triangles without area add nothing. Throws a `WarpError` if arrays do not fit
+ * Computes the gradients of normals and uvs over a mesh, which a warp that depends on these needs for exact normals: as arrays for
+ * `evaluate({ ...mesh, ...surfaceVariation(mesh) }, { uniforms })`, or as attributes of a shader. `bakeWarp` and `subdivide` compute
+ * them by themselves. Missing normals are computed first. Gradients are estimated from the triangles around each vertex
+ * (src/mesh/surface/variation.hpp has the sources), so a finer mesh gives better ones; vertices at the same position share them unless
+ * separated by a hard edge or a seam of the uvs. Triangles without area are ignored. Throws a `WarpError` if arrays do not fit
  * together or the mesh is too large for the memory of the module.
  */
 export const surfaceVariation = (mesh: MeshOrGeometry): SurfaceVariation =>
   findVariation('surfaceVariation', mesh)
 
-/** The same for `method`. */
+/** Does the same as `surfaceVariation`, with messages that name `method`. */
 export const findVariation = (method: string, mesh: MeshOrGeometry): SurfaceVariation =>
   withJob(method, (job) => {
     putMesh(job, mesh)
@@ -35,13 +35,13 @@ export const findVariation = (method: string, mesh: MeshOrGeometry): SurfaceVari
     return takeVariation(job)
   })
 
-/** Of the mesh with normals that the job holds. */
+/** Computes the gradients of the job's mesh, which must have normals. */
 export function takeVariation(job: Job): SurfaceVariation {
   job.act('addVariation')
   return variationOf(job)
 }
 
-/** What the job's mesh has of it. */
+/** Returns the gradients that the job's mesh has. */
 export const variationOf = (job: Job) =>
   Object.fromEntries(
     variationNames

@@ -13,7 +13,7 @@ type Plan = { extension: string; isOptional: boolean } & (
   | ({ codec: 'draco' } & DracoPlan)
 )
 
-/** Decodes all compressed parts of the job's file, or returns the codecs whose decoders have not been searched for yet. */
+/** Decodes all compressed parts of the job's file, or returns the codecs whose decoders we have not searched for yet. */
 export function unpackParts(job: Job, found: FoundDecoders): Codec[] {
   const plans = job.act('findPacked').map((text) => JSON.parse(text) as Plan)
   const unknown = new Set(plans.map(({ codec }) => codec).filter((codec) => !found.has(codec)))
@@ -23,7 +23,7 @@ export function unpackParts(job: Job, found: FoundDecoders): Codec[] {
     if (decoder) job.unpack(part, decode(job, plan, decoder, job.packedBytes(part)))
     else if (!plan.isOptional)
       throw new WarpError(
-        `${job.method}: the model is compressed by ${plan.extension}, and there is no decoder for it: ${adviceFor(plan.codec)}.`,
+        `${job.method}: the model is compressed by ${plan.extension}, but has no decoder; ${adviceFor(plan.codec)}.`,
       )
   })
   return []

@@ -1,22 +1,22 @@
-// Calls in translated text: of functions that are known, and of the sketch's own, which are read as the offset function is.
+// Calls in translated code: of known functions, and of the sketch's own, which are translated like the offset function.
 import { isClass, isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import { guardedKey, isOwnFunction } from '../errors/operators.js'
 import { isKnown, ofExpressions, ofNumbers } from './functions.js'
-import { inHelper, isOfOperator } from './messages.js'
+import { wrapHelper, isOfOperator } from './messages.js'
 import { type Glsl, holdsExpression, isSketch, isWarped, p5Prototype, wholeOf } from './values.js'
 
 export type Translated = (...x: never[]) => unknown
 
 type Any = (...x: unknown[]) => unknown
 
-/** The page's own function below a guard of the adapter for p5. */
+/** Returns the page's own function, without a guard that the p5 adapter put around it. */
 const removeGuard = (f: Any) => (Reflect.get(f, guardedKey) as Any | undefined) ?? f
 
 const isNative = (f: Any) =>
   /\{\s*\[native code\]\s*\}\s*$/.test(Function.prototype.toString.call(f))
 
-/** The name of a function of Math or p5 that a variable holds, as after `const { sin } = Math`. */
+/** Returns the name of a function of Math or p5, which a variable may hold, as after `const { sin } = Math`. */
 function knownName(f: Any): string | undefined {
   const own = removeGuard(f)
   const name = own.name.replace(/^bound /, '')
@@ -29,11 +29,11 @@ function isOwn(name: string, f: Any, host: object = p5Prototype()): boolean {
   return !isNative(own) && own !== Reflect.get(host, name)
 }
 
-/** p5.Vector, which may be of a module. */
+/** Recognizes the class p5.Vector by its shape, since p5 may be a module. */
 const isVectorClass = (object: unknown): boolean =>
   typeof object === 'function' && 'random3D' in object && 'fromAngle' in object
 
-/** The static functions of p5.Vector, by what they are of expressions. */
+/** Maps static functions of p5.Vector to functions of `glsl`. */
 const vectorFunctions: Record<string, string> = {
   ...Object.fromEntries(
     'add sub mult div dot cross dist normalize'.split(' ').map((name) => [name, name]),
@@ -42,11 +42,11 @@ const vectorFunctions: Record<string, string> = {
   mag: 'length',
 }
 
-/** p5 has these, and they take anything. */
+/** Functions of p5 that accept any value. */
 const takesAnything = new Set(['print', 'createWarp', 'describe'])
 
-/** `make` translates a function for the operators of runtime.ts; `refuse` gives the message that says why it cannot. */
-export type Read = { make(operators: object): Translated } | { refuse: () => string }
+/** `make` returns the translated function with the operators of runtime.ts; `explain` returns a message why there is none. */
+export type Read = { make(operators: object): Translated } | { explain: () => string }
 
 /** Reads a helper function of the sketch, which is called with expressions. */
 export type ReadHelper = (helper: Function, name: string) => Read | undefined
@@ -58,19 +58,19 @@ export function callsOf(
 ) {
   const made = new Map<Function, Function>()
 
-  /** A function or class of the sketch, translated. */
-  function translatedOf(helper: Function, name: string): Function {
+  /** Translates a function or class of the sketch. */
+  function translateHelper(helper: Function, name: string): Function {
     let result = made.get(helper)
     if (!result) {
       const reading = read?.(helper, helper.name || name)
       result =
         reading && 'make' in reading
           ? makeWith((operators) => reading.make(operators))
-          : inHelper(helper, reading && reading.refuse)
+          : wrapHelper(helper, reading && reading.explain)
       if (isBaseClass(helper) && result !== helper)
         Object.setPrototypeOf(result.prototype, helper.prototype as object)
       made.set(helper, result)
-      // The result may be called by its new name, and is read already.
+      // The translated function may be called again; it needs no translation.
       made.set(result, result)
     }
     return result
@@ -85,23 +85,23 @@ export function callsOf(
     (x.some((each) => holdsExpression(each)) || holdsExpression(self, 1))
 
   function invokeBy(name: string, f: Any, self: unknown, x: unknown[]): unknown {
-    if (needsReading(f, self, x)) return Reflect.apply(translatedOf(f, name), self, x)
+    if (needsReading(f, self, x)) return Reflect.apply(translateHelper(f, name), self, x)
     const alias = knownName(f)
     if (alias && x.some(isWarped)) return callKnown(alias, f, x)
     try {
       return Reflect.apply(f, self, x)
     } catch (error) {
-      // It makes use of an expression that it was not handed, as of a variable of the sketch.
-      const translated = isOfOperator(error) && !isNative(f) ? translatedOf(f, name) : f
+      // The function uses an expression that is not an argument, such as a variable of the sketch.
+      const translated = isOfOperator(error) && !isNative(f) ? translateHelper(f, name) : f
       if (translated === f) throw error
       return Reflect.apply(translated, self, x)
     }
   }
 
-  /** A call of a function that is the value of a variable. */
+  /** Calls a function that is the value of a variable. */
   const invoke = (f: Any, self: unknown, ...x: unknown[]) => invokeBy('', f, self, x)
 
-  function refuseP5(name: string, x: unknown[]) {
+  function rejectP5Function(name: string, x: unknown[]) {
     if (name in p5Prototype() && !takesAnything.has(name) && x.some(isWarped))
       throw new WarpError(`p5's ${name} works on numbers, not on expressions of a warp.`)
   }
@@ -109,13 +109,13 @@ export function callsOf(
   const callKnown = (name: string, page: Any | undefined, x: unknown[]) =>
     x.some(isWarped) ? ofExpressions(glsl, name, x, page) : ofNumbers(glsl, name, x, page)
 
-  /** A call by a bare name, of `Math` or of a p5 sketch. `get` reads the page's own function, which may be missing. */
+  /** Calls a function by a bare name, of `Math` or of a p5 sketch. `get` reads the page's own function, which may be missing. */
   function call(name: string, get: () => unknown, ...x: unknown[]): unknown {
     const found = valueOf(get)
     const page = typeof found === 'function' ? (found as Any) : undefined
     if (page && isOwn(name, page)) return invokeBy(name, removeGuard(page), undefined, x)
     if (isKnown(name)) return callKnown(name, page, x)
-    if (page) refuseP5(name, x)
+    if (page) rejectP5Function(name, x)
     return (get() as Any)(...x)
   }
 
@@ -129,7 +129,7 @@ export function callsOf(
       !isOwn(key, callable(f, key), Object.getPrototypeOf(object) as object)
     ) {
       if (isKnown(key)) return callKnown(key, (f as Any).bind(object), x)
-      refuseP5(key, x)
+      rejectP5Function(key, x)
     }
     if (isVectorClass(object) && x.some(isWarped)) return ofVectors(key, x)
     return invokeBy(key, callable(f, key), object, x)
@@ -144,7 +144,7 @@ export function callsOf(
   /** `new Class(...x)` */
   const construct = (Class: Any, ...x: unknown[]): unknown =>
     Reflect.construct(
-      needsReading(Class, undefined, x) ? translatedOf(Class, Class.name) : Class,
+      needsReading(Class, undefined, x) ? translateHelper(Class, Class.name) : Class,
       x,
     )
 
@@ -155,7 +155,7 @@ export function callsOf(
 const isBaseClass = (f: Function): boolean =>
   isClass(f) && Object.getPrototypeOf(f) === Function.prototype
 
-/** Nothing if there is no such name. */
+/** Returns `undefined` if the name does not exist. */
 function valueOf(get: () => unknown): unknown {
   try {
     return get()

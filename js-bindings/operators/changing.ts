@@ -1,14 +1,14 @@
-// Notes about variables that change while a sketch runs, and that an offset function reads only once.
+// Warnings about variables that change while a sketch runs, but that an offset function reads only once.
 import type { Place } from '../options/place.js'
 import { noteReadOnce } from './messages.js'
-import { isThere, valueOfGlobal } from './globals.js'
+import { globalExists, valueOfGlobal } from './globals.js'
 import type { References } from './resolve.js'
 import { assignedIn, walk } from './scopes.js'
 import type { Surroundings } from './surroundings.js'
 import type { Tree } from './tree.js'
 import { isVectorLike, p5Prototype } from './values.js'
 
-/** The variables of p5 that are another number in another frame. */
+/** Returns whether a variable of p5 changes between frames. */
 export const isChanging = (name: string): boolean =>
   /^(p?(win)?mouse[XY]|moved[XY]|frameCount|deltaTime|(mouse|key)IsPressed|keyCode|p?(rotation|acceleration)[XYZ])$/.test(
     name,
@@ -21,7 +21,7 @@ const isValue = (value: unknown) =>
   isVectorLike(value) ||
   (Array.isArray(value) && value.length > 1 && value.every((each) => typeof each === 'number'))
 
-/** Notes those among the names of a function. `given` are those that the text is handed. */
+/** Warns about changing variables that a function reads. `given` are the variables that the translated function gets as values. */
 export function noteChanging(
   references: References,
   given: ReadonlyMap<string, unknown>,
@@ -32,20 +32,20 @@ export function noteChanging(
     for (const { member } of nodes)
       if (isChanging(member ?? '') && member in p5Prototype())
         noteReadOnce(place, `${name}.${member}`)
-    if (given.has(name) || !isThere(name)) continue
+    if (given.has(name) || !globalExists(name)) continue
     const isRead = isChanging(name) || isValue(valueOfGlobal(name))
     if (isRead && (isChanging(name) || isSetLater(name, surroundings.programs(name))))
       noteReadOnce(place, name)
   }
 }
 
-/** Returns whether the sketch sets a variable after `setup`, as far as its scripts can be seen. */
+/** Returns whether the sketch sets a variable after `setup`, as far as its scripts are readable. */
 function isSetLater(name: string, programs: readonly Tree[]): boolean {
   if (!programs.length) return isVariable(name)
   return programs.some((program) => setsLater(program, name))
 }
 
-/** Returns whether a global can be set at all, which is all that is known of it if no script can be seen. */
+/** Returns whether a global can be set at all, which is all that we know if no script is readable. */
 function isVariable(name: string): boolean {
   const property = Object.getOwnPropertyDescriptor(globalThis, name)
   if (property) return !!property.writable

@@ -1,9 +1,9 @@
-// Functions of a script by their names, as scopes bind them.
+// Finds functions of a script by name, following its scopes.
 import type { Place } from './resolve.js'
 import { scopeOf, walk } from './scopes.js'
 import type { Tree } from './tree.js'
 
-/** The nodes around a place, from the program inwards. */
+/** Returns the nodes around a place, from the program inwards. */
 export function pathTo({ program, start, end }: Omit<Place, 'text' | 'isModule'>): Tree[] {
   const path: Tree[] = []
   walk(program, (node) => {
@@ -15,11 +15,11 @@ export function pathTo({ program, start, end }: Omit<Place, 'text' | 'isModule'>
   return path
 }
 
-/** The innermost node around a place that binds a name. */
+/** Returns the innermost node around a place that binds a name. */
 export const binderOf = (path: Tree[], name: string) =>
   [...path].reverse().find((node) => scopeOf(node).includes(name))
 
-/** The function that a scope binds under a name, if that is never set again. */
+/** Returns the function that a scope binds to a name; `undefined` if the name is assigned again. */
 export function definitionIn(scope: Tree, name: string): Tree | undefined {
   const found: Tree[] = []
   walk(scope, (node) => {

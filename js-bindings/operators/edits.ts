@@ -1,4 +1,4 @@
-// Changes of a source text that keep its lines, and know for a source map where each piece is from.
+// Edits source code without changing its lines, and tracks the origin of each piece for a source map.
 import type MagicString from 'magic-string'
 import type { Tree } from './tree.js'
 

@@ -1,8 +1,8 @@
-// Questions about statements: how they end, what they wait for, and what they change.
+// Checks of statements: whether they return, break, suspend or change vectors.
 import { walk } from './scopes.js'
 import type { Tree } from './tree.js'
 
-/** The names of functions that are declared in it for good, and so are translated with it. */
+/** Returns the names of functions that the tree declares and never reassigns, and that are therefore translated with it. */
 export function functionNamesIn(tree: Tree): Set<string> {
   const names = new Set<string>()
   walk(tree, (node, parent) => {
@@ -17,7 +17,7 @@ export function functionNamesIn(tree: Tree): Set<string> {
   return names
 }
 
-/** Methods of p5.Vector that change it. */
+/** Methods of p5.Vector that change the vector. */
 const changing = /^(add|sub|mult|div|rem|normalize|setMag|limit|rotate|lerp|reflect)$/
 
 export const changesVector = ({ callee }: Tree): boolean =>
@@ -25,7 +25,7 @@ export const changesVector = ({ callee }: Tree): boolean =>
   callee.object.type === 'Identifier' &&
   changing.test(callee.property.name)
 
-/** Returns whether `yield` or `await` is in one of the nodes, which cannot be moved into a function of its own. */
+/** Returns whether `yield` or `await` is in one of the nodes, so that these cannot be moved into a separate function. */
 export function isSuspended(nodes: Tree[]): boolean {
   let found = false
   for (const each of nodes)
@@ -36,19 +36,19 @@ export function isSuspended(nodes: Tree[]): boolean {
   return found
 }
 
-/** Whether reading it twice is reading it once. */
-export const isSteady = (node: Tree): boolean =>
+/** Returns whether an expression can be evaluated twice with the same result and without side effects. */
+export const canRepeat = (node: Tree): boolean =>
   node.type === 'MemberExpression'
-    ? isSteady(node.object) && (!node.computed || isSteady(node.property))
+    ? canRepeat(node.object) && (!node.computed || canRepeat(node.property))
     : /^(Identifier|Literal|ThisExpression|Super)$/.test(node.type)
 
-/** Whether a statement such as `return` is in it, but not in a function of its own. */
-export function leaves(node: Tree, type: string): boolean {
+/** Returns whether a node contains a jump of the given type, such as `return`, outside nested functions. */
+export function containsJump(node: Tree, type: string): boolean {
   let found = false
   const inLoops = new Set<Tree>()
   const isInLoop = (each: Tree) => inLoops.has(each)
   walk(node, (each) => {
-    // A jump of a loop that is itself in the statement stays within it.
+    // A `break` or `continue` of a loop inside the node does not leave the node.
     if (/^(For|While|DoWhile)/.test(each.type) && type !== 'ReturnStatement' && each !== node)
       walk(each, (inner) => {
         inLoops.add(inner)
@@ -59,9 +59,11 @@ export function leaves(node: Tree, type: string): boolean {
   return found
 }
 
-/** Whether nothing comes after a block, within a loop neither. */
+/** Returns whether a block always leaves the function, also from within a loop. */
 export const endsFunction = (block: Tree): boolean =>
-  endsInReturn(block) && !leaves(block, 'BreakStatement') && !leaves(block, 'ContinueStatement')
+  endsInReturn(block) &&
+  !containsJump(block, 'BreakStatement') &&
+  !containsJump(block, 'ContinueStatement')
 
 export function endsInReturn(node: Tree): boolean {
   if (node.type === 'ReturnStatement' || node.type === 'ThrowStatement') return true

@@ -1,34 +1,34 @@
-// The functions of Math, p5 and p5.strands that translated text may call with expressions.
+// The functions of Math, p5 and p5.strands that translated code may call with expressions.
 import { WarpError } from '../errors/errors.js'
 import { noteOnce } from './messages.js'
 import { type Glsl, isVectorLike, wholeOf } from './values.js'
 
-/** A function of expressions; `known` is the page's own function of that name, if it has one. */
+/** A function on expressions; `known` is the page's own function of the same name, if it has one. */
 type Formula = (glsl: Glsl, x: unknown[], known?: Known) => unknown
 type Known = (...x: unknown[]) => unknown
 
-/** Names that are the same in `glsl`. */
-const alike =
+/** Functions with the same name in `glsl`. */
+const sameInGlsl =
   'sinh cosh tanh asinh acosh atanh abs sign floor ceil trunc sqrt pow exp log log2 fract degrees radians'
 
-/** The vocabulary of p5.strands, which JavaScript and p5 1 lack: `numbers` computes it where no expression is among the operands. */
+/** The vocabulary of p5.strands, which JavaScript and p5 1 lack: if no operand is an expression, `numbers` computes the result. */
 const strands =
   'clamp mix step smoothstep length normalize dot cross distance mod inversesqrt reflect vec2 vec3 vec4'
 
-/** Functions that take an angle, each with an argument and its result after p5's `angleMode(DEGREES)`. */
-const takesAngle: Record<string, readonly [x: number, inDegrees: number]> = {
+/** Functions that take or return an angle, each with an argument and its result after p5's `angleMode(DEGREES)`. */
+const angleArguments: Record<string, readonly [x: number, inDegrees: number]> = {
   sin: [90, 1],
   cos: [180, -1],
   tan: [45, 1],
 }
-const givesAngle: Record<string, readonly [x: number[], inDegrees: number]> = {
+const angleResults: Record<string, readonly [x: number[], inDegrees: number]> = {
   asin: [[1], 90],
   acos: [[-1], 180],
   atan: [[1], 45],
   atan2: [[1, 1], 45],
 }
 
-/** Returns whether the page's function counts in degrees. The function itself is tried, since p5 keeps the mode per sketch. */
+/** Returns whether the page's function uses degrees. We call the function to find out, since p5 keeps the mode per sketch. */
 const isNear = (value: unknown, expected: number) => Math.abs(Number(value) - expected) < 1e-6
 const countsDegrees = (known: Known | undefined, x: number[], inDegrees: number) =>
   !!known && isNear(known(...x), inDegrees)
@@ -49,7 +49,7 @@ function distance(glsl: Glsl, x: unknown[]): unknown {
   return half === 1 ? glsl.dist!(a[0], b[0]) : glsl.dist!(vector(glsl, a), vector(glsl, b))
 }
 
-/** JavaScript's: halves go up. The fraction is exact, as x + 0.5 is not. */
+/** Rounds halves up, like JavaScript. Comparing the fraction is exact, whereas x + 0.5 rounds. */
 function round(glsl: Glsl, [x, digits = 0]: unknown[]): unknown {
   if (digits !== 0) {
     if (typeof digits !== 'number')
@@ -67,49 +67,51 @@ function map(glsl: Glsl, [x, a, b, c, d, isClamped]: unknown[]): unknown {
   return isClamped ? glsl.clamp!(mapped, glsl.min!(c, d), glsl.max!(c, d)) : mapped
 }
 
-/** p5's noise is a table of random numbers that no shader has: ours, with its range and its four octaves. */
+/** Replaces p5's noise, a table of random numbers that no shader has, by ours, with the same range and four octaves. */
 function noise(glsl: Glsl, x: unknown[]): unknown {
   noteOnce(
-    "noise: p5's noise() works on numbers; of expressions it is warpjet's glsl.fbm(p, { octaves: 4 }) * 0.5 + 0.5, which has the same range and another pattern. Write that to choose another noise, such as glsl.simplex(p).",
+    "noise: p5's noise() works on numbers; for expressions it becomes warpjet's glsl.fbm(p, { octaves: 4 }) * 0.5 + 0.5, which has the same range and another pattern. Write that to choose another noise, such as glsl.simplex(p).",
   )
   const point = x.length === 1 ? x[0] : vector(glsl, x)
   return glsl.add!(glsl.mult!(glsl.fbm!(point, { octaves: 4 }), 0.5), 0.5)
 }
 
 /** `min` and `max` of any number of operands, or of p5's single array. */
-const extreme =
+const minOrMax =
   (name: 'min' | 'max'): Formula =>
   (glsl, x) =>
     (x.length === 1 && Array.isArray(x[0]) ? (x[0] as unknown[]) : x)
       .map((each) => wholeOf(glsl, each))
       .reduce((a, b) => glsl[name]!(a, b))
 
-const takingAngle =
+const withAngleArgument =
   (name: string): Formula =>
   (glsl, [x], known) =>
     glsl[name]!(
-      countsDegrees(known, [takesAngle[name]![0]], takesAngle[name]![1]) ? glsl.radians!(x) : x,
+      countsDegrees(known, [angleArguments[name]![0]], angleArguments[name]![1])
+        ? glsl.radians!(x)
+        : x,
     )
 
-const givingAngle =
+const withAngleResult =
   (name: string): Formula =>
   (glsl, x, known) => {
     const angle = glsl[name === 'atan2' ? 'atan' : name]!(...x)
-    return countsDegrees(known, ...givesAngle[name]!) ? glsl.degrees!(angle) : angle
+    return countsDegrees(known, ...angleResults[name]!) ? glsl.degrees!(angle) : angle
   }
 
-const same = (names: string, of = (name: string) => name) =>
+const formulasFor = (names: string, of = (name: string) => name) =>
   Object.fromEntries(
     names.split(' ').map((name): [string, Formula] => [name, (glsl, x) => glsl[of(name)]!(...x)]),
   )
 
 export const formulas: Readonly<Record<string, Formula>> = {
-  ...same(alike),
-  ...same(strands),
-  ...Object.fromEntries(Object.keys(takesAngle).map((name) => [name, takingAngle(name)])),
-  ...Object.fromEntries(Object.keys(givesAngle).map((name) => [name, givingAngle(name)])),
-  min: extreme('min'),
-  max: extreme('max'),
+  ...formulasFor(sameInGlsl),
+  ...formulasFor(strands),
+  ...Object.fromEntries(Object.keys(angleArguments).map((name) => [name, withAngleArgument(name)])),
+  ...Object.fromEntries(Object.keys(angleResults).map((name) => [name, withAngleResult(name)])),
+  min: minOrMax('min'),
+  max: minOrMax('max'),
   hypot: lengthOf,
   mag: lengthOf,
   length: lengthOf,
@@ -130,20 +132,20 @@ export const formulas: Readonly<Record<string, Formula>> = {
   createVector: (glsl, [x = 0, y = 0, z = 0]) => glsl.vec3!(x, y, z),
 }
 
-/** Functions whose arrays are lists of operands, and no vectors. */
+/** Functions for which an array is a list of operands rather than a vector. */
 const takesList = new Set(['min', 'max'])
 
 export const isKnown = (name: string) => Object.hasOwn(formulas, name)
 
-/** A known function of operands of which one at least is an expression. */
+/** Calls a known function with operands of which at least one is an expression. */
 export const ofExpressions = (glsl: Glsl, name: string, x: unknown[], known?: Known) =>
   formulas[name]!(glsl, takesList.has(name) ? x : x.map((each) => wholeOf(glsl, each)), known)
 
 const isStrands = new Set(strands.split(' '))
 
 /**
- * The same where no expression is among the operands: numbers give numbers by the page's own function, or by ours where there is
- * none. p5 2 has some names of strands as functions that refuse to work outside of a shader.
+ * Calls a known function if no operand is an expression: numbers go to the page's own function, or to ours if the page has none.
+ * p5 2 defines some functions of strands, which throw outside of a shader.
  */
 export function ofNumbers(glsl: Glsl | undefined, name: string, x: unknown[], known?: Known) {
   const own = numbers[name]

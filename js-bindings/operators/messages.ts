@@ -1,68 +1,68 @@
-// Messages for operators on expressions in a function that could not be translated, and notes that are printed once.
+// Messages about operators on expressions in a function that could not be translated, and warnings that are printed once.
 import { WarpError } from '../errors/errors.js'
 import type { Place } from '../options/place.js'
 
-/** Messages that an operator on an expression, or a function of numbers, brings about. */
+/** Returns whether the error was thrown by an operator on an expression, or by a function that works only on numbers. */
 export const isOfOperator = (error: unknown): error is Error =>
   error instanceof Error &&
   error.name === 'WarpError' &&
   /^JavaScript's own|works on numbers, not on expressions/.test(error.message)
 
-/** Calls a function as it is; where an operator meets an expression in it, `refuse` gives the message. */
-export function sayingSo<F extends Function>(f: F, refuse: () => string): F {
+/** Wraps a function such that an error about an operator on an expression gets the message of `explain`. */
+export function withOperatorMessage<F extends Function>(f: F, explain: () => string): F {
   const result = function (this: unknown, ...x: unknown[]): unknown {
     try {
       return new.target ? Reflect.construct(f, x, new.target) : Reflect.apply(f, this, x)
     } catch (error) {
-      throw isOfOperator(error) ? new WarpError(refuse()) : error
+      throw isOfOperator(error) ? new WarpError(explain()) : error
     }
   }
   return result as unknown as F
 }
 
-/** A helper function that is called with expressions; without `refuse` there is nothing to translate in it. */
-export const inHelper = (helper: Function, refuse: (() => string) | undefined): Function =>
-  refuse ? sayingSo(helper, refuse) : helper
+/** Wraps a helper function that is called with expressions; without `explain` it contains nothing to translate. */
+export const wrapHelper = (helper: Function, explain: (() => string) | undefined): Function =>
+  explain ? withOperatorMessage(helper, explain) : helper
 
 const listNames = (names: readonly string[]) =>
   names.length > 1 ? `it and ${names.slice(1).join(', ')}` : 'it'
 
 export interface Missing {
-  /** The call that the function is for. */
+  /** The call that the function was passed to. */
   place: Place
-  /** Names of variables, and `this`, `super`, `#private` and their like. */
+  /** Names of variables, and `this`, `super`, `#private` and so on. */
   names: readonly string[]
-  /** The names among them that are also names of globals. */
+  /** Those of the names that are also names of globals. */
   shadowed: ReadonlySet<string>
   /** The properties of `this` that are read. */
   members: readonly string[]
-  /** The name of a helper function; nothing for the offset function itself. */
+  /** The name of the helper function; `undefined` for the offset function itself. */
   helper?: string
 }
 
-/** That a method reads a property of `this` and has no object. */
+/** The message for a method that reads a property of `this` but was passed without its object. */
 export const lacksThis = (member: string) =>
   `the function reads this.${member}, but a method that is passed by itself has no "this"; write (inputs) => object.method(inputs), or take ${member} from a variable.`
 
-/** That the text of a function cannot see what is around it, and what to write. */
+/** The message for a function whose source refers to variables around it, with advice what to write. */
 export function cannotSee({ place, names, shadowed, members, helper }: Missing): string {
   const text = helper
-    ? `operators are read from the text of the function ${helper}, which it calls`
-    : "operators are read from the function's text"
+    ? `operators are translated in the source code of the function ${helper}, which it calls`
+    : "operators are translated in the function's source code"
   const [name] = names
   if (name === 'this') {
     const values = members.map((member) => `${member}: this.${member}`)
-    return `${place}: ${text}, which cannot see "this" of the object around it; ${
+    return `${place}: ${text}, which cannot access "this" of the enclosing object; ${
       members.length
         ? `write ${members.join(', ')} in place of ${members.map((member) => `this.${member}`).join(', ')}, and ${remedy(place, values)}`
-        : 'write a plain function, and hand it what it needs'
+        : 'write a plain function, and pass the values that it needs'
     }.`
   }
   if (!/^[\p{ID_Start}$_]/u.test(name!) || /^(super|new\.target|arguments)$/.test(name!))
-    return `${place}: ${text}, which cannot see "${name}" of what is around it; write a plain function that takes it as an argument.`
+    return `${place}: ${text}, which cannot access "${name}" of the enclosing scope; write a plain function that takes it as an argument.`
   const isShadowed = names.some((each) => shadowed.has(each))
-  return `${place}: ${text}, which cannot see "${name}" of the sketch around it${
-    isShadowed ? ', where it is no global' : ''
+  return `${place}: ${text}, which cannot access "${name}" of the enclosing scope${
+    isShadowed ? ', where it is not the global' : ''
   }; ${isShadowed ? '' : `make ${listNames(names)} global, or `}${remedy(place, names)}.`
 }
 
@@ -73,14 +73,14 @@ const remedy = ({ method }: Place, values: readonly string[]) =>
 
 const noted = new Set<string>()
 
-/** Prints a note once. */
+/** Prints a warning once. */
 export function noteOnce(text: string) {
   if (noted.has(text)) return
   noted.add(text)
   console.warn(text)
 }
 
-/** That a variable which changes is read once. */
+/** Warns that a changing variable is read only once. */
 export const noteReadOnce = (place: Place, name: string) => {
   const label = name.replace(/^.*\./, '')
   noteOnce(

@@ -1,22 +1,21 @@
-// Decides whether a function has anything to translate; otherwise it is left alone. Operators on values that cannot be expressions, such
-// as the counter of a loop, stay JavaScript's.
+// Decides whether a function contains anything to translate; otherwise it stays unchanged. Operators on values that cannot be
+// expressions, such as the counter of a loop, stay JavaScript's.
 import { isKnown } from './functions.js'
 import { freeReferences } from './resolve.js'
-import { bound, walk } from './scopes.js'
+import { namesBoundBy, walk } from './scopes.js'
 import { isOperator } from './symbols.js'
 import { childrenOf, type Tree } from './tree.js'
 
 /**
- * What a function uses: `operators` on what may be an expression, which throws or means something else without translation; or
- * only `logic`, such as `sum ? sum.add(x) : x`, which JavaScript decides by whether there is a value. A helper may read expressions that
- * it is not handed.
+ * What a function uses: `operators` on possible expressions, which would throw or mean something else without translation; or only
+ * `logic`, such as `sum ? sum.add(x) : x`, which JavaScript decides by whether the value exists.
  */
 export type Needs = 'operators' | 'logic' | 'nothing'
 
 export function needsOf(tree: Tree, { isHelper = false } = {}): Needs {
   const references = freeReferences(tree)
   const free = new Set([...references.values()].flat())
-  // An offset function may have set a variable of the sketch that a helper reads.
+  // A helper may read a variable of the sketch that an offset function has set to an expression.
   const mayBeExpression = expressionsIn(tree, isHelper ? [...references.keys()] : [])
   const setsOthers = hasNode(
     tree,
@@ -52,7 +51,7 @@ const isLogic = ({ type, operator }: Tree): boolean =>
   (type === 'UnaryExpression' && operator === '!') ||
   (type === 'AssignmentExpression' && /^(&&|\|\|)=$/.test(operator))
 
-/** `x == null` and its like, which ask whether there is a value. */
+/** Recognizes `x == null` and similar comparisons, which ask whether a value exists. */
 const isQuestionOfBeing = ({ type, operator, left, right }: Tree): boolean =>
   type === 'BinaryExpression' &&
   /^[!=]==?$/.test(operator) &&
@@ -65,7 +64,7 @@ const isQuestionOfBeing = ({ type, operator, left, right }: Tree): boolean =>
 const conditionsOf = ({ test, discriminant, argument, left }: Tree): Tree[] =>
   [test, discriminant, argument, left].filter((each) => !!each)
 
-/** JavaScript's own names, whose functions no sketch writes. */
+/** Recognizes JavaScript's own names, whose functions no sketch defines. */
 const isBuiltIn = (name: string) =>
   /^(console|Math|JSON|Object|Array|Number|String|Boolean|Symbol|BigInt|Map|Set|WeakMap|Date|RegExp|Promise|Reflect|Proxy|Intl|Error|\w+Error|\w+Array|performance|document|window|globalThis|parseInt|parseFloat|isNaN|isFinite)$/.test(
     name,
@@ -76,7 +75,7 @@ const rootOf = (node: Tree): Tree =>
     ? rootOf(node.object ?? node.callee)
     : node
 
-/** A function of numbers by name, or one of the sketch's own, in which operators may be. */
+/** Returns whether a node calls a known function of numbers, or a function of the sketch that may contain operators. */
 function isCallToTranslate(
   { type, callee, arguments: given }: Tree,
   free: ReadonlySet<Tree>,
@@ -87,20 +86,21 @@ function isCallToTranslate(
   const name: string = callee.name ?? callee.property?.name ?? ''
   if (root.type === 'ThisExpression') return true
   if (root.type !== 'Identifier' || !free.has(root)) return false
-  // A function may make use of an expression that it is not handed.
+  // An argument that is a function may use expressions that are not passed.
   const isHanded =
     mayBeExpression(callee) ||
     given.some((each: Tree) => mayBeExpression(each) || /Function/.test(each.type))
   return isHanded && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
 }
 
-/** Returns a check whether the value of a node may be an expression. The order of statements does not count. */
+/** Returns a function that tells whether the value of a node may be an expression. It ignores the order of statements. */
 function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => boolean {
   const names = new Set(['arguments', ...others.filter((name) => !isBuiltIn(name))])
   const functions = new Set<string>()
   walk(tree, (node) => {
     if (/Function/.test(node.type)) {
-      for (const parameter of node.params) for (const name of bound(parameter)) names.add(name)
+      for (const parameter of node.params)
+        for (const name of namesBoundBy(parameter)) names.add(name)
       if (node.id) functions.add(node.id.name)
     }
     if (node.type === 'VariableDeclarator' && /Function/.test(node.init?.type ?? ''))
@@ -134,7 +134,8 @@ function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => b
   }
 
   const set = (target: Tree) => {
-    const all = target.type === 'MemberExpression' ? [rootOf(target).name as string] : bound(target)
+    const all =
+      target.type === 'MemberExpression' ? [rootOf(target).name as string] : namesBoundBy(target)
     for (const name of all) names.add(name)
   }
   for (let before = -1; before !== names.size;) {
@@ -149,7 +150,7 @@ function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => b
   return mayBe
 }
 
-/** Returns whether a function returns an array, which is meant as a vector. */
+/** Returns whether a function returns an array, which we convert to a vector. */
 export function returnsArray(tree: Tree): boolean {
   let found = tree.body?.type === 'ArrayExpression'
   walk(tree, ({ type, argument, body }) => {

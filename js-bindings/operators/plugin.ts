@@ -1,27 +1,27 @@
-// For Vite, Rollup and webpack (by unplugin's shape of a Rollup plugin): offset functions are translated when a project is built,
-// where they stand, so that they see the variables around them; and so are the functions of the same module that they call.
+// A plugin for Vite, Rollup and webpack (in unplugin's shape of a Rollup plugin). It translates offset functions in place when a project
+// is built, so that they can access the variables around them, and also the functions of the same module that they call.
 import { parse } from 'acorn'
 import MagicString from 'magic-string'
 import { isChanging, setsLater } from './changing.js'
 import { binderOf, definitionIn, pathTo } from './definitions.js'
 import { needsOf, returnsArray } from './needs.js'
 import { freeReferences } from './resolve.js'
-import { bound, walk } from './scopes.js'
+import { namesBoundBy, walk } from './scopes.js'
 import { unusedName } from './symbols.js'
 import { translateIn } from './translate.js'
 import type { Translation } from './translate-expressions.js'
 import type { Tree } from './tree.js'
 
-const callees = new Set(['createWarp', 'compileWarp'])
+const calleeNames = new Set(['createWarp', 'compileWarp'])
 
-/** The exports of warpjet that take functions of a vertex. */
-const takers = new Set(
+/** The exports of warpjet that take offset functions. */
+const exportsTakingOffsets = new Set(
   'createWarp compileWarp compile gen warp BabylonWarp Warp chain add blend mask inSpace'.split(
     ' ',
   ),
 )
 
-/** What a build calls for each module; `code` with its lines where they were, or nothing if there is nothing to translate. */
+/** Translates a module without changing its lines; returns `undefined` if it contains nothing to translate. Builds call this for each module. */
 export const translateModule = (code: string): string | undefined => translateCode(code)?.toString()
 
 function translateCode(code: string): MagicString | undefined {
@@ -34,7 +34,7 @@ function translateCode(code: string): MagicString | undefined {
       allowHashBang: true,
     }) as Tree
   } catch {
-    // JSX, or another language: a later step of the build knows it.
+    // JSX, or another language that a later step of the build parses.
     return undefined
   }
   const offsets = offsetsIn(program)
@@ -42,7 +42,7 @@ function translateCode(code: string): MagicString | undefined {
   const free = new Set([...freeReferences(program).values()].flat())
   const translation: Translation = {
     isFree: (node) => free.has(node),
-    aliases: takenFromMath(program),
+    aliases: aliasesOfMath(program),
     operatorsName: unusedName('warpjetOperators', code),
     readsHelpers: false,
   }
@@ -75,14 +75,14 @@ function translateCode(code: string): MagicString | undefined {
     translatePiece()
     at = tree.end
   }
-  // At the end, since imports count from anywhere, and what is first may be "use client".
+  // Appended at the end, since the module may begin with "use client", and imports work from anywhere.
   const all = helpers.size ? `operators as ${operatorsName}, ` : ''
   return text.append(
     `\nimport { ${all}withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`,
   )
 }
 
-/** A function that is handed to warpjet, as it is `given` there: itself, or by a name. */
+/** A function that is passed to warpjet. `given` is the argument: the function itself or its name. */
 interface Offset {
   given: Tree
   tree: Tree
@@ -104,9 +104,10 @@ function offsetsIn(program: Tree): Offset[] {
     const { callee } = node
     const given = node.arguments as Tree[]
     const name: string | undefined = callee.name ?? callee.property?.name
-    const isTaker =
-      imported.has(callee.name) || (imported.has(callee.object?.name) && takers.has(name ?? ''))
-    if (callees.has(name ?? '') || isTaker) given.forEach(add)
+    const takesOffset =
+      imported.has(callee.name) ||
+      (imported.has(callee.object?.name) && exportsTakingOffsets.has(name ?? ''))
+    if (calleeNames.has(name ?? '') || takesOffset) given.forEach(add)
     // JSX is compiled to jsx(Warp, { offset: … }).
     if (imported.has(given[0]?.name ?? '') && given[1]?.type === 'ObjectExpression')
       for (const { key, value } of given[1].properties) if (key?.name === 'offset') add(value)
@@ -119,28 +120,28 @@ function importedFrom(program: Tree, from: RegExp): Set<string> {
   for (const { type, source, specifiers } of program.body as Tree[])
     if (type === 'ImportDeclaration' && from.test(source.value))
       for (const { local, imported } of specifiers)
-        if (!imported || takers.has(imported.name)) names.add(local.name)
+        if (!imported || exportsTakingOffsets.has(imported.name)) names.add(local.name)
   return names
 }
 
-/** The names of `const { sin, cos } = Math` and `const s = Math.sin`. */
-function takenFromMath(program: Tree): Set<string> {
+/** Returns the names bound by declarations such as `const { sin, cos } = Math` and `const s = Math.sin`. */
+function aliasesOfMath(program: Tree): Set<string> {
   const names = new Set<string>()
   walk(program, ({ type, id, init }) => {
     if (type === 'VariableDeclarator' && (init?.name ?? init?.object?.name) === 'Math')
-      for (const name of bound(id)) names.add(name)
+      for (const name of namesBoundBy(id)) names.add(name)
   })
   return names
 }
 
-/** The function of this module that an expression names. */
+/** Returns the function of this module that an identifier names. */
 function functionBy(program: Tree, { type, name, start, end }: Tree): Tree | undefined {
   if (type !== 'Identifier') return undefined
   const binder = binderOf(pathTo({ program, start, end }), name)
   return binder && definitionIn(binder, name)
 }
 
-/** The functions and methods of this module that offset functions call, and those that these call. */
+/** Returns the functions and methods of this module that offset functions call, directly or indirectly. */
 function helpersOf(program: Tree, offsets: Offset[]): Set<Tree> {
   const helpers = new Set<Tree>()
   const isInside = ({ start, end }: Tree) =>
@@ -170,7 +171,7 @@ function helpersOf(program: Tree, offsets: Offset[]): Set<Tree> {
   return helpers
 }
 
-/** The methods of that name in the classes and objects of a module. */
+/** Returns the methods named `name` in all classes and objects of a module. */
 function methodsNamed(program: Tree, name: string): Tree[] {
   const found: Tree[] = []
   walk(program, ({ type, key, value, computed, kind }) => {
@@ -181,7 +182,7 @@ function methodsNamed(program: Tree, name: string): Tree[] {
   return found
 }
 
-/** The names that a function reads once although they change. */
+/** Returns the names that a function reads once although their values change. */
 function changingIn(program: Tree, tree: Tree, free: ReadonlySet<Tree>): string[] {
   const names = new Set<string>()
   for (const [name, nodes] of freeReferences(tree))
@@ -195,7 +196,7 @@ function changingIn(program: Tree, tree: Tree, free: ReadonlySet<Tree>): string[
   return [...names]
 }
 
-/** Returns whether the module declares a variable at its top. */
+/** Returns whether the module declares `name` as a variable at its top level. */
 const isVariableOf = (program: Tree, name: string): boolean =>
   program.body.some(
     ({ type, kind, declarations }: Tree) =>
@@ -204,7 +205,7 @@ const isVariableOf = (program: Tree, name: string): boolean =>
       declarations.some(({ id }: Tree) => id.name === name),
   )
 
-/** `plugins: [operators()]` in a configuration of Vite or Rollup. */
+/** The plugin for Vite and Rollup: `plugins: [operators()]`. */
 export const operators = () => ({
   name: 'warpjet-operators',
   transform(code: string, id: string) {
@@ -225,7 +226,7 @@ interface LoaderContext {
   callback(error: null, code: string, map?: object): void
 }
 
-/** A loader of webpack: `module: { rules: [{ test: /\.js$/, use: 'warpjet/operators/plugin' }] }`. */
+/** The loader for webpack: `module: { rules: [{ test: /\.js$/, use: 'warpjet/operators/plugin' }] }`. */
 export default function loader(this: LoaderContext, code: string) {
   const text = translateCode(code)
   if (text) this.callback(null, text.toString(), mapOf(text, this.resourcePath))

@@ -1,12 +1,12 @@
-// Reads a function's text and makes it anew, with operators that work on expressions.
+// Reads a function's source code and compiles it again, with operators that work on expressions.
 import type { Read } from './calls.js'
 import { callable, record } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type ReadOptions, isOwnFunction } from '../errors/operators.js'
 import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
 import { noteChanging } from './changing.js'
-import { isSurelyGlobal, isThere } from './globals.js'
-import { cannotSee, lacksThis, sayingSo } from './messages.js'
+import { isSurelyGlobal, globalExists } from './globals.js'
+import { cannotSee, lacksThis, withOperatorMessage } from './messages.js'
 import { isKnown } from './functions.js'
 import { parseFunction } from './parse.js'
 import { type References, freeReferences } from './resolve.js'
@@ -24,11 +24,11 @@ import { unusedName } from './symbols.js'
 import { translate } from './translate.js'
 import type { Tree } from './tree.js'
 
-/** Values that a text may read by name, since it cannot see the variables around it. */
+/** Values that a translated function may read by name, since it cannot access the variables around it. */
 export type Scope = Readonly<Record<string, unknown>>
 
 interface Reader {
-  /** The call that the function is for. */
+  /** The call that the function was passed to. */
   place: Place
   scope: Scope
   sketch: object | undefined
@@ -43,10 +43,11 @@ const scopeKind = record<Scope>('an object of variables by name, as in { amount 
 let count = 0
 
 /**
- * An offset function whose text may use `+ - * / % **`, comparisons, `&& || !`, `?:`, `if`, `+=`, `Math.sin(x)` and `[x, y, z]` on
- * expressions, and call other functions of the sketch that do. Its text is read and made anew, so that it sees global variables and
- * `scope`, but no others around it: a function that needs others stays as it is, and says so where it uses an operator. One that
- * has nothing to translate stays as it is, too. Throws a `WarpError` if no function comes, or no scope.
+ * Translates an offset function that uses `+ - * / % **`, comparisons, `&& || !`, `?:`, `if`, `+=`, `Math.sin(x)` and `[x, y, z]` on
+ * expressions, or calls other functions of the sketch that do. The result is compiled from the source code, so it can access global
+ * variables and `scope`, but no other variables around the function. A function that needs others is returned untranslated, and throws
+ * where it uses an operator. A function with nothing to translate is returned as is. Throws a `WarpError` if `offset` is not a function
+ * or `scope` not an object.
  */
 export function operators(
   offset: OffsetFunction,
@@ -70,7 +71,7 @@ export function operators(
           isPlain: needs === 'logic' && !isVector,
           check: checkThis(parsed.tree, reader.place),
         })
-      : asItIs(reading ? sayingSo(offset, reading.refuse) : offset)
+      : keepUntranslated(reading ? withOperatorMessage(offset, reading.explain) : offset)
   translated.add(result)
   return result
 }
@@ -83,8 +84,8 @@ function rejectOtherNames(scope: Scope) {
     )
 }
 
-/** The function itself, but that it may return `[x, y, z]`. */
-const asItIs = (offset: OffsetFunction): OffsetFunction =>
+/** Returns the function untranslated, except that it may return `[x, y, z]`. */
+const keepUntranslated = (offset: OffsetFunction): OffsetFunction =>
   function (this: unknown, inputs: WarpInputs) {
     const place: unknown = Reflect.apply(offset, this, [inputs])
     return asVector(operatorsOf(glslOf(inputs)), inputs, place)
@@ -96,12 +97,12 @@ function isVariable(name: string): boolean {
     new Function(name, `'use strict'`)
     return true
   } catch (error) {
-    // A page that forbids it decides nothing about names.
+    // A page that forbids `new Function` tells nothing about names.
     return !(error instanceof SyntaxError)
   }
 }
 
-/** A function or class that is called with expressions; nothing if it has nothing to translate, or is not the sketch's. */
+/** Reads a function or class that is called with expressions. Returns `undefined` if it has nothing to translate, or is not the sketch's. */
 function readHelper(helper: Function, name: string, reader: Reader): Read | undefined {
   const parsed = parseFunction(helper)
   return parsed && needsOf(parsed.tree, { isHelper: true }) !== 'nothing'
@@ -109,21 +110,21 @@ function readHelper(helper: Function, name: string, reader: Reader): Read | unde
     : undefined
 }
 
-/** The names that a text takes from around it, and where they come from. */
+/** Reads a function together with its surroundings in the script. */
 function read(f: Function, reader: Reader, helper?: string): Read {
   const parsed = parseFunction(f)!
   const text = parsed.source.slice(parsed.start, parsed.start + parsed.length)
-  return readText({ ...parsed, text }, surroundingsOf(text), reader, helper)
+  return readSource({ ...parsed, text }, surroundingsOf(text), reader, helper)
 }
 
-interface Text {
+interface FunctionSource {
   text: string
   source: string
   tree: Tree
 }
 
-function readText(
-  { source, tree }: Text,
+function readSource(
+  { source, tree }: FunctionSource,
   surroundings: Surroundings,
   reader: Reader,
   helper: string | undefined,
@@ -144,11 +145,11 @@ function readText(
   }
   if (missing.length)
     return {
-      refuse: () =>
+      explain: () =>
         cannotSee({
           place,
           names: missing,
-          shadowed: new Set(missing.filter((name) => isThere(name))),
+          shadowed: new Set(missing.filter((name) => globalExists(name))),
           members: membersOfThis(references),
           ...(helper && { helper }),
         }),
@@ -161,7 +162,7 @@ function readText(
     readsHelpers: true,
   })
   const names = [...values.keys()]
-  // The text of a method begins with its parameters.
+  // The source of a method begins with its parameters.
   const isMethod = tree.type === 'FunctionExpression' && source[tree.start] === '('
   const strict = surroundings.isStrict ? "'use strict'; " : ''
   let factory: Function
@@ -174,9 +175,9 @@ function readText(
   } catch (error) {
     const why =
       error instanceof SyntaxError
-        ? `operators cannot be read from the function's text: ${error.message}; write x.add(1), x.mult(2), x.sin() in it`
-        : "operators are read from the function's text, which this page's Content-Security-Policy forbids; allow 'unsafe-eval' in it, or translate the functions when the project is built, by warpjet/operators/plugin"
-    return { refuse: () => `${place}: ${why}.` }
+        ? `operators cannot be translated in the function's source code: ${error.message}; write x.add(1), x.mult(2), x.sin() in it`
+        : "operators are translated in the function's source code, which this page's Content-Security-Policy forbids; allow 'unsafe-eval' in it, or translate the functions when the project is built, by warpjet/operators/plugin"
+    return { explain: () => `${place}: ${why}.` }
   }
   noteChanging(references, values, surroundings, place)
   return {
@@ -185,12 +186,12 @@ function readText(
   }
 }
 
-/** A function that the script shows, but that nobody has handed over. */
+/** Reads a function found in the script that is not in the scope. */
 function readDefinition(definition: Definition, reader: Reader, name: string) {
   const { pending } = reader
   if (pending.has(definition.text)) return undefined
   pending.add(definition.text)
-  const reading = readText(definition, definition.surroundings, reader, name)
+  const reading = readSource(definition, definition.surroundings, reader, name)
   pending.delete(definition.text)
   return reading
 }
@@ -199,12 +200,12 @@ function readDefinition(definition: Definition, reader: Reader, name: string) {
 function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree: Tree): boolean {
   if (/^(this|super|new\.target|arguments|#.*)$/.test(name)) return false
   if (surroundings.bound) return !surroundings.bound.has(name)
-  return isKnown(name) && !isThere(name)
+  return isKnown(name) && !globalExists(name)
     ? true
     : isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
 }
 
-/** Returns a check whether a node is the callee of a call in the tree. */
+/** Returns a function that tells whether a node is the callee of a call in the tree. */
 const isCalledIn = (tree: Tree) => {
   const callees = new Set<Tree>()
   const visit = (node: Tree) => {
@@ -216,7 +217,7 @@ const isCalledIn = (tree: Tree) => {
   return (node: Tree) => callees.has(node)
 }
 
-/** Returns a check of the `this` of a call: a method that was taken from its object has none, and what it reads is `undefined`. */
+/** Returns a check of the `this` of a call: a method that was passed without its object has none, and would read `undefined`. */
 function checkThis(tree: Tree, place: Place): (self: unknown) => void {
   const members =
     tree.type === 'ArrowFunctionExpression' ? [] : membersOfThis(freeReferences(tree.body as Tree))
@@ -227,7 +228,7 @@ function checkThis(tree: Tree, place: Place): (self: unknown) => void {
   }
 }
 
-/** The properties of `this` that are read, for a message. */
+/** Returns the properties of `this` that are read, for a message. */
 const membersOfThis = (references: References): string[] => [
   ...new Set((references.get('this') ?? []).flatMap(({ member }) => member ?? [])),
 ]

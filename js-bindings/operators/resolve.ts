@@ -1,8 +1,8 @@
 // Scope analysis: the free names of a function, and the names that are bound around it.
-import { bound, isProperty, scopeOf } from './scopes.js'
+import { namesBoundBy, isProperty, scopeOf } from './scopes.js'
 import type { Tree } from './tree.js'
 
-/** The scopes around a node. */
+/** The scopes that enclose a node. */
 interface Around {
   names: readonly ReadonlySet<string>[]
   /** True if `this` and `new.target` belong to a function or class within the tree. */
@@ -14,7 +14,7 @@ interface Around {
 /** Maps a name to the nodes that read or set it. Pseudo-names are `this`, `arguments`, `super`, `new.target` and `#private`. */
 export type References = Map<string, Tree[]>
 
-/** The references in `tree` to what nothing within it binds. */
+/** Returns the references in `tree` to names that it does not bind. */
 export function freeReferences(tree: Tree): References {
   const found: References = new Map()
   const add = (name: string, node: Tree) => {
@@ -51,7 +51,7 @@ export function freeReferences(tree: Tree): References {
   return found
 }
 
-/** Keeps the property that is read of a node, for messages. */
+/** Records the property that is read from a node, for messages. */
 function noteMember(node: Tree, parent?: Tree) {
   if (parent?.type === 'MemberExpression' && !parent.computed && parent.object === node)
     node.member = parent.property.name
@@ -74,9 +74,9 @@ function enter(node: Tree, around: Around, parent?: Tree): Around {
   return { ...around, names: here, privates: new Set([...around.privates, ...keys, 'super']) }
 }
 
-/** The names that a node binds for everything within it. */
+/** Returns the names that a node binds for its children. */
 function namesOf(node: Tree): string[] {
-  if (/^Class(Declaration|Expression)$/.test(node.type)) return bound(node.id)
+  if (/^Class(Declaration|Expression)$/.test(node.type)) return namesBoundBy(node.id)
   return scopeOf(node)
 }
 
@@ -89,12 +89,12 @@ export interface Place {
   end: number
 }
 
-/** The names that are bound around a place, but for those of a classic script's top, which are global. */
+/** Returns the names that are bound around a place, except those at the top of a classic script, which are global. */
 export function namesAround({ program, isModule, start, end }: Place): Set<string> {
   const names = new Set<string>()
   const visit = (node: Tree) => {
     if (node.start > start || node.end < end) return
-    // The function itself binds what is within it.
+    // Names that the function itself binds are not around it.
     if (node.start === start && node.end === end && /Function|Class/.test(node.type)) return
     if (node.type !== 'Program' || isModule) for (const name of namesOf(node)) names.add(name)
     if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression')

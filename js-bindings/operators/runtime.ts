@@ -1,11 +1,11 @@
-// Operators on expressions. Numbers among numbers stay numbers, and JavaScript's own:
-// `-1 % 3` is -1 there, while `x % 3` of an expression takes the sign of its divisor, as GLSL's mod.
+// Operators on expressions. Operators on numbers only stay JavaScript's: `-1 % 3` is -1, while `x % 3` on an expression has the
+// sign of the divisor, like GLSL's mod.
 import { isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { Place } from '../options/place.js'
 import { type ReadHelper, callsOf } from './calls.js'
-import { noteOnce, noteReadOnce, sayingSo } from './messages.js'
+import { noteOnce, noteReadOnce, withOperatorMessage } from './messages.js'
 import {
   type Glsl,
   decidesByVertex,
@@ -34,10 +34,10 @@ const symbols: Record<string, (a: never, b: never) => unknown> = {
   looseNe: (a: unknown, b: unknown) => a != b,
 }
 
-/** What expressions know by another name. */
-const named: Record<string, string> = { looseEq: 'eq', looseNe: 'ne' }
+/** Maps operators to methods of expressions with another name. */
+const methodNames: Record<string, string> = { looseEq: 'eq', looseNe: 'ne' }
 
-/** Operators on whole numbers of 32 bits, of which people know `x | 0` and `x >> 0`, which cut off the fraction. */
+/** Operators on 32-bit integers; the common ones are `x | 0` and `x >> 0`, which truncate. */
 const bits: Record<string, (a: number, b: number) => number> = {
   '|': (a, b) => a | b,
   '&': (a, b) => a & b,
@@ -47,27 +47,27 @@ const bits: Record<string, (a: number, b: number) => number> = {
   '>>>': (a, b) => a >>> b,
 }
 
-/** Returns whether a comparison asks if a value is there at all, which JavaScript decides. */
+/** Returns whether a comparison asks if a value exists at all, which JavaScript decides. */
 const isNothing = (name: string, ...operands: unknown[]) =>
   /eq$|ne$/i.test(name) && operands.some((each) => each === null || each === undefined)
 
 const noteEffect = (effect: string) =>
   noteOnce(
-    `${effect} stands in an if that is decided for each vertex, on the GPU, so it is called once, in any case, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.`,
+    `${effect} is in an if that the GPU decides for each vertex, so it is always called once, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.`,
   )
 
 export type Operators = ReturnType<typeof operatorsOf>
 
 /**
- * The operators for one run of an offset function. With `isPlain` a number has no truth of its own: `sum ? sum.add(x) : x` asks
- * whether there is one, as it does without operators.
+ * Returns the operators for one run of an offset function. With `isPlain`, a numeric expression as a condition only tests whether the
+ * expression exists, as it does without operators: `sum ? sum.add(x) : x`.
  */
 export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
   const differs = isPlain ? isCondition : decidesByVertex
   const whole = (value: unknown) => wholeOf(glsl, value)
   const binary = (name: string) => (a: unknown, b: unknown) =>
     (isWarped(a) || isWarped(b)) && !isNothing(name, a, b)
-      ? glsl[named[name] ?? name]!(whole(a), whole(b))
+      ? glsl[methodNames[name] ?? name]!(whole(a), whole(b))
       : symbols[name]!(a as never, b as never)
 
   const and = (a: unknown, b: unknown) => {
@@ -81,7 +81,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     if (isCondition(a) && isCondition(b)) return glsl.or!(a, b)
     return glsl.ifElse!(a, isCondition(a) ? 1 : a, whole(b))
   }
-  /** One of two values by a condition, which JavaScript's true and false may be, too. */
+  /** Selects one of two values, either of which may be JavaScript's true or false. */
   const select = (condition: unknown, yes: unknown, no: unknown) => {
     if (yes === no) return dropCondition(condition, yes)
     if (yes === true) return or(condition, no)
@@ -94,7 +94,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     useCondition(condition)
     return value
   }
-  /** One of two values; the second is computed with variables as they were before the first. */
+  /** Selects one of two values; restores the variables before it computes the second. */
   const choose = (
     condition: unknown,
     yes: Thunk,
@@ -109,12 +109,12 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     const second = no()
     if ((first === undefined) !== (second === undefined))
       throw new WarpError(
-        'An if that is decided for each vertex returns something in one of its ways only; let the other return something too, such as return [0, 0, 0] at the end.',
+        'An if that is decided for each vertex returns a value in only one of its branches; let the other branch return a value too, such as return [0, 0, 0] at the end.',
       )
     return select(condition, first, second)
   }
-  /** `choose` where a function returns early: the ways call `rest` for what comes after them. */
-  const returning = (
+  /** Does what `choose` does for an early return: the branches call `rest` to run the statements after the `if`. */
+  const chooseReturn = (
     condition: unknown,
     yes: (rest: Thunk) => unknown,
     no: (rest: Thunk) => unknown,
@@ -141,7 +141,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     >),
     whole,
     choose,
-    returning,
+    returning: chooseReturn,
     call,
     method,
     invoke,
@@ -149,7 +149,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     neg: (x: unknown) => (isWarped(x) ? glsl.neg!(whole(x)) : -(x as number)),
     plus: (x: unknown) => (isWarped(x) ? whole(x) : +(x as number)),
     not: (x: unknown) => (differs(x) ? glsl.not!(x) : !x),
-    /** `~x`: of an expression only `~~x` is known, which the translation writes as `x | 0`. */
+    /** Bitwise operators. On expressions only truncation is supported: `x | 0`, also written `~~x`, which the translation converts. */
     bits(name: string, a: unknown, b: unknown) {
       if (!isWarped(a) && !isWarped(b)) return bits[name]!(a as number, b as number)
       if (b === 0 && /^(\||>>|\^)$/.test(name)) return glsl.trunc!(whole(a))
@@ -161,12 +161,12 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     or: (a: unknown, b: Thunk) => (differs(a) ? or(a, b()) : a || b()),
     /** `++` and `--`. */
     move,
-    /** The first of two, as what `x++` gives. */
+    /** Returns the first of two values, like `x++`. */
     first: (x: unknown, _then: unknown) => (isWarped(x) || typeof x === 'bigint' ? x : Number(x)),
-    /** `object[key] += 1`, where what stands for object and key must not be computed twice. */
+    /** `object[key] += 1`, without evaluating object and key twice. */
     change: (object: Record<PropertyKey, unknown>, key: string, to: (value: unknown) => unknown) =>
       (object[key] = to(object[key])),
-    /** `object[key]++`, which gives the value before. */
+    /** `object[key]++`, which returns the old value. */
     changeAfter(
       object: Record<PropertyKey, unknown>,
       key: string,
@@ -176,14 +176,14 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
       object[key] = to(before)
       return all.first(before, undefined)
     },
-    /** The value of a call that nobody takes: of a p5.Vector it would change that vector. */
+    /** Warns about a call whose result is unused: on a p5.Vector it would change the vector. */
     unused(value: unknown, text: string) {
       if (isExpression(value))
         noteOnce(
-          `${text} changes nothing: an expression always stays what it is, unlike a p5.Vector; set the variable, as in v = v.mult(2).`,
+          `${text} has no effect: an expression never changes, unlike a p5.Vector; set the variable, as in v = v.mult(2).`,
         )
     },
-    /** Both branches of an `if`, and what each leaves in the variables that either sets. */
+    /** Runs both branches of an `if`, and selects between the values they give to the variables that either sets. */
     branch(
       condition: unknown,
       yes: Thunk,
@@ -211,11 +211,11 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
         ),
       )
     },
-    /** A condition that JavaScript itself must decide. */
+    /** Checks that JavaScript can decide a condition. */
     decided(condition: unknown, what: string) {
       if (differs(condition))
         throw new WarpError(
-          `${what} cannot wait for a condition that differs by vertex; let a loop have a known count, and choose by ?: or by if and else that set variables.`,
+          `${what} cannot depend on a condition that differs by vertex; use a loop with a known count, and choose by ?: or by if and else that set variables.`,
         )
       return condition
     },
@@ -223,13 +223,13 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
   return all
 }
 
-/** Functions that need no translation any more. */
+/** Functions that are already translated. */
 export const translated = new WeakSet<object>()
 
 interface RunOptions {
-  /** Reads helper functions; at build time they are translated beside the offset function. */
+  /** Reads helper functions; a build translates them together with the offset function. */
   read?: ReadHelper
-  /** Variables that change, but are read once. */
+  /** Variables whose values change, but which are read once. */
   once?: readonly string[]
   /** True if the function uses no operators on numbers; see `operatorsOf`. */
   isPlain?: boolean
@@ -239,7 +239,7 @@ interface RunOptions {
 
 let current: Operators | undefined
 
-/** The offset function that a translated text makes. */
+/** Makes an offset function from the factory of a translated function. */
 export function withOperators(
   make: (operators: Operators) => (inputs: WarpInputs) => unknown,
   { read, once = [], isPlain = false, check }: RunOptions = {},
@@ -255,31 +255,31 @@ export function withOperators(
       current = outer
     }
   } as OffsetFunction
-  const result = read ? run : sayingSo(run, () => notTranslated)
+  const result = read ? run : withOperatorMessage(run, () => notTranslated)
   translated.add(result)
   return result
 }
 
 const notTranslated =
-  'createWarp: an operator or a function of numbers meets an expression in a function that warpjet/operators/plugin has not translated. It translates functions that are handed to createWarp or compileWarp, and the functions of the same module that these call: move the function into that module, or write x.add(1), x.mult(2), x.sin() in it.'
+  'createWarp: an operator or a function of numbers got an expression in a function that warpjet/operators/plugin has not translated. It translates functions that are passed to createWarp or compileWarp, and the functions of the same module that these call: move the function into that module, or write x.add(1), x.mult(2), x.sin() in it.'
 
 let plain: Operators | undefined
 
-/** The operators of the offset function that is running, for helper functions that a build has translated. */
+/** The operators of the running offset function, for helper functions that a build has translated. */
 export const operators: Operators = new Proxy({} as Operators, {
   get: (_, name) => Reflect.get(current ?? (plain ??= operatorsOf(noGlsl)), name) as unknown,
 })
 
-/** While no offset function is running. */
+/** The builder while no offset function is running. */
 const noGlsl = new Proxy({} as Glsl, {
   get() {
     throw new WarpError(
-      'An expression is used after the function that made it was over; use expressions only inside of it.',
+      'An expression is used after the function that made it has returned; use expressions only inside of it.',
     )
   },
 })
 
-/** An offset function gets the builder among its inputs, and the function of `compile` gets it alone. */
+/** Returns the builder, which is one of the inputs of an offset function, and the only argument of a function for `compile`. */
 export const glslOf = (inputs: object) => ('glsl' in inputs ? inputs.glsl : inputs) as Glsl
 
 /** Converts a result `[x, y, z]`, or a vector of p5, to a vec3. */

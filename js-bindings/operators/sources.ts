@@ -1,4 +1,4 @@
-// Finds the text of a function in the scripts of its page, since only these tell what is bound around it.
+// Finds the source code of a function in the scripts of its page, since only these show the names bound around it.
 import { parse } from 'acorn'
 import { fileOf, stackLines } from '../errors/source-lines.js'
 import { type Place } from './resolve.js'
@@ -11,7 +11,7 @@ interface Script {
 
 const programs = new Map<string, Tree | undefined>()
 
-/** The tree of a script; `undefined` if it is none that acorn reads. */
+/** Returns the syntax tree of a script; `undefined` if acorn cannot parse it. */
 function programOf({ text, isModule }: Script): Tree | undefined {
   const key = `${isModule}${text}`
   if (!programs.has(key)) {
@@ -23,7 +23,7 @@ function programOf({ text, isModule }: Script): Tree | undefined {
         allowHashBang: true,
       }) as Tree
     } catch {
-      // Another language, or a syntax that is not read yet.
+      // Another language, or syntax that acorn does not support.
     }
     programs.set(key, program)
   }
@@ -41,7 +41,7 @@ const inlineScripts = (): Script[] =>
     .filter((script) => !script.src)
     .map((script) => ({ text: script.textContent ?? '', isModule: isModuleTag(script) }))
 
-/** Global functions, whose text is known without the script that they are in. */
+/** Returns global functions that contain `text`; their source code is available without their script. */
 function globalFunctions(text: string): Script[] {
   const found: Script[] = []
   for (const name of Object.getOwnPropertyNames(globalThis)) {
@@ -64,7 +64,7 @@ const isReadable = (url: string) =>
 
 const fetched = new Map<string, string | undefined>()
 
-/** The text of a script. The page has loaded it already, so that the browser's cache answers. */
+/** Returns the source code of a script. The page has already loaded it, so it comes from the browser's cache. */
 function textAt(url: string): string | undefined {
   if (!fetched.has(url)) {
     let text: string | undefined
@@ -74,14 +74,14 @@ function textAt(url: string): string | undefined {
       request.send()
       if (request.status >= 200 && request.status < 300) text = request.responseText
     } catch {
-      // Not there any more, or forbidden by the page.
+      // The script is gone, or the page forbids the request.
     }
     fetched.set(url, text)
   }
   return fetched.get(url)
 }
 
-/** Scripts in files, those first that are running. */
+/** Yields scripts in files, starting with those on the call stack. */
 function* files(): Generator<Script> {
   const running = stackLines().map(fileOf)
   const all = tags().filter((script) => script.src)
@@ -113,7 +113,7 @@ function placesIn(script: Script, text: string): Place[] {
   return places
 }
 
-/** Finds the text of a function in the page's scripts. There are several places if several functions have that text. */
+/** Finds the source code of a function in the page's scripts. Returns several places if several functions have the same code. */
 export function placesOf(text: string): Place[] {
   if (typeof document === 'undefined') return []
   const inline = inlineScripts().flatMap((script) => placesIn(script, text))
@@ -127,7 +127,7 @@ export function placesOf(text: string): Place[] {
   return []
 }
 
-/** The trees of the scripts in which a name stands, as far as they can be seen without another request. */
+/** Returns the syntax trees of the scripts that contain a name, as far as no further request is needed. */
 export function programsWith(name: string, place: Place | undefined): Tree[] {
   if (typeof document === 'undefined') return []
   const read = [...fetched.values()].flatMap((text) => (text ? [{ text, isModule: false }] : []))

@@ -6,14 +6,14 @@ import { placesOf, programsWith } from './sources.js'
 import type { Tree } from './tree.js'
 
 export interface Surroundings {
-  /** The names that are bound around it and so are no globals; nothing if no script shows the function. */
+  /** The names that are bound around the function and so are not globals; `undefined` if no script contains the function. */
   bound: ReadonlySet<string> | undefined
   isStrict: boolean
-  /** The parameter of the function around it that p5 calls with the sketch. */
+  /** The parameter through which an enclosing function gets the sketch from p5. */
   sketchName: string | undefined
-  /** A function that is bound around it under that name for good. */
+  /** Returns a function that is bound around it under a name and never reassigned. */
   functionOf(name: string): Definition | undefined
-  /** Scripts in which a variable of the page may be set. */
+  /** Returns the scripts that may assign a variable of the page. */
   programs(name: string): Tree[]
 }
 
@@ -32,7 +32,10 @@ const unseen: Surroundings = {
   programs: (name) => programsWith(name, undefined),
 }
 
-/** Describes the surroundings of a function by its text. If several functions of the page have that text, a name counts as bound if it is for one of them. */
+/**
+ * Describes the surroundings of a function with the given source code. If several functions of the page have the same code, a name
+ * counts as bound if it is bound around one of them.
+ */
 export function surroundingsOf(text: string): Surroundings {
   const places = placesOf(text)
   if (!places.length) return unseen
@@ -65,7 +68,7 @@ const isStrictIn = (node: Tree): boolean =>
   /^Class/.test(node.type) ||
   [node.body?.body ?? node.body].flat().some((each?: Tree) => each?.directive === 'use strict')
 
-/** p5 calls the function of `new p5((p) => …)` with the sketch. */
+/** Returns the parameter `p` of an enclosing `new p5((p) => …)`, which p5 calls with the sketch. */
 function sketchNameIn({ program }: Place, path: Tree[]): string | undefined {
   let found: string | undefined
   walk(program, (node) => {
@@ -87,7 +90,7 @@ function functionBound(place: Place, path: Tree[], name: string): Definition | u
   if (!tree || tree.async || tree.generator) return undefined
   const { start, end } = tree
   const { text } = place
-  // A function that calls itself would be read for ever.
+  // Reading a function that calls itself would never end.
   if (start <= place.start && end >= place.end) return undefined
   return {
     text: text.slice(start, end),

@@ -1,4 +1,4 @@
-// The operators that expressions define anew, by their functions in runtime.ts.
+// Maps the operators that are overloaded for expressions to their functions in runtime.ts.
 import type { Tree } from './tree.js'
 
 export const binary: Readonly<Record<string, string>> = {
@@ -21,7 +21,7 @@ export const bits: ReadonlySet<string> = new Set(['|', '&', '^', '<<', '>>', '>>
 export const unary: Readonly<Record<string, string>> = { '-': 'neg', '+': 'plus', '!': 'not' }
 export const logical: Readonly<Record<string, string>> = { '&&': 'and', '||': 'or' }
 
-/** Returns whether a node is an operator that expressions define anew. Calls are judged by `isCallToTranslate`. */
+/** Returns whether a node is an operator that is overloaded for expressions. `isCallToTranslate` checks calls. */
 export const isOperator = ({ type, operator, argument }: Tree): boolean =>
   (type === 'BinaryExpression' && (operator in binary || bits.has(operator))) ||
   (type === 'UnaryExpression' &&
@@ -31,7 +31,7 @@ export const isOperator = ({ type, operator, argument }: Tree): boolean =>
   (type === 'AssignmentExpression' && operator !== '=' && !/^\?\?/.test(operator)) ||
   /^(Conditional|Update)Expression$|^IfStatement$/.test(type)
 
-/** A name for translated text that its source does not have. */
+/** Appends underscores to a name until the source does not contain it. */
 export function unusedName(name: string, source: string): string {
   while (source.includes(name)) name += '_'
   return name

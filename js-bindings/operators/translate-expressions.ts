@@ -1,7 +1,7 @@
-// Expressions of translated text: operators, assignments and calls.
+// Translates expressions: operators, assignments and calls.
 import { shorten } from '../errors/describe.js'
 import type { Edits } from './edits.js'
-import { functionNamesIn, isSteady, isSuspended } from './flow.js'
+import { functionNamesIn, canRepeat, isSuspended } from './flow.js'
 import { isKnown } from './functions.js'
 import { assignedIn, propertySetIn } from './scopes.js'
 import { binary, bits, logical, unary, unusedName } from './symbols.js'
@@ -10,7 +10,7 @@ import { childrenOf, type Tree } from './tree.js'
 export interface Translation {
   /** Returns whether an identifier is bound outside of the function. */
   isFree: (node: Tree) => boolean
-  /** The name of the operators in the translated text. */
+  /** The name of the object of operators in the translated code. */
   operatorsName: string
   /** True if other functions are translated when they are called. */
   readsHelpers: boolean
@@ -18,13 +18,13 @@ export interface Translation {
   aliases?: ReadonlySet<string>
 }
 
-const waits = "'yield or await here'"
+const suspensionMessage = "'yield or await here'"
 
 export abstract class ExpressionTranslator {
-  /** The parameter of functions that get a value. */
+  /** Name of the parameter of generated setter functions. */
   protected readonly valueName: string
   private readonly functionsHere: ReadonlySet<string>
-  /** Calls in a chain such as `a?.b.c()`, which may be left out. */
+  /** Calls in a chain such as `a?.b.c()`, which may not be executed. */
   private readonly optional = new Set<Tree>()
 
   constructor(
@@ -36,26 +36,26 @@ export abstract class ExpressionTranslator {
     this.functionsHere = functionNamesIn(tree)
   }
 
-  /** Translates a node and all that is in it. */
+  /** Translates a node and its children. */
   abstract visit(node: Tree): void
 
   protected visitChildren(node: Tree) {
     for (const child of childrenOf(node)) this.visit(child)
   }
 
-  /** The beginning of a call of an operator. */
+  /** Returns the beginning of a call of an operator. */
   protected op(name: string) {
     return `${this.translation.operatorsName}.${name}(`
   }
 
-  /** A node as an argument, or after `=>`: the parentheses around it are no part of it. */
+  /** Translates a node that becomes an argument, or follows `=>`; adds parentheses, since those around a node are not part of it. */
   protected operand(node: Tree) {
     this.visit(node)
     if (node.type === 'SequenceExpression' || this.edits.source[node.start] === '{')
       this.edits.wrap(node, '(', ')')
   }
 
-  /** A condition that JavaScript itself must decide; `what` is JavaScript text. */
+  /** Translates a condition that JavaScript itself must decide; `what` is a JavaScript expression for the message. */
   protected decide(condition: Tree, what: string) {
     this.operand(condition)
     this.edits.wrap(condition, this.op('decided'), `, ${what})`)
@@ -69,14 +69,14 @@ export abstract class ExpressionTranslator {
     return JSON.stringify(`Setting ${name} here`)
   }
 
-  /** The text around a condition that selects one of `operands`: if they set something, JavaScript must decide it. */
+  /** Returns the code around a condition that selects one of `operands`: if these assign something, JavaScript must decide it. */
   private aroundCondition(operands: Tree[]): [before: string, after: string] {
     const property = propertySetIn(operands)
     const [name] = property ? [this.nameOf(property)] : assignedIn(operands)
     return name ? [this.op('decided'), `, ${this.setting(name)})`] : ['', '']
   }
 
-  /** Translates an expression; false if it is none that changes itself. */
+  /** Translates an expression; returns false if only its children need translation. */
   protected rewriteExpression(node: Tree): boolean {
     switch (node.type) {
       case 'BinaryExpression':
@@ -106,7 +106,7 @@ export abstract class ExpressionTranslator {
     }
   }
 
-  /** The beginning of a call for a symbol between two operands; `undefined` if expressions do not define it. */
+  /** Returns the beginning of a call for a binary operator; `undefined` if it is not overloaded. */
   private binaryOp(operator: string): string | undefined {
     if (binary[operator]) return this.op(binary[operator])
     return bits.has(operator) ? `${this.op('bits')}'${operator}', ` : undefined
@@ -127,7 +127,7 @@ export abstract class ExpressionTranslator {
   private unary(node: Tree): boolean {
     const { operator, argument } = node
     if (argument.type === 'Literal') return false
-    // ~~x, which cuts off the fraction.
+    // ~~x, which truncates.
     const isTwice =
       operator === '~' && argument.type === 'UnaryExpression' && argument.operator === '~'
     const operand: Tree = isTwice ? argument.argument : argument
@@ -148,7 +148,7 @@ export abstract class ExpressionTranslator {
     this.operand(right)
     if (isSuspended([right])) {
       this.edits.open(node, left.start, `(${this.op('decided')}`)
-      this.edits.replace(left.end, right.start, `, ${waits}) ${operator} `)
+      this.edits.replace(left.end, right.start, `, ${suspensionMessage}) ${operator} `)
     } else {
       const [before, after] = this.aroundCondition([right])
       this.edits.open(node, left.start, this.op(logical[operator]) + before)
@@ -163,7 +163,7 @@ export abstract class ExpressionTranslator {
     for (const each of [test, consequent, alternate]) this.operand(each)
     if (isSuspended([consequent, alternate])) {
       this.edits.open(node, test.start, `(${this.op('decided')}`)
-      this.edits.replace(test.end, consequent.start, `, ${waits}) ? `)
+      this.edits.replace(test.end, consequent.start, `, ${suspensionMessage}) ? `)
       this.edits.replace(consequent.end, alternate.start, ' : ')
     } else {
       const [before, after] = this.aroundCondition([consequent, alternate])
@@ -175,33 +175,33 @@ export abstract class ExpressionTranslator {
     return true
   }
 
-  /** `x += y` and its like, without parentheses around it. */
+  /** Translates `x += y` and similar assignments, without parentheses. */
   protected assign(node: Tree): boolean {
     const { operator, left, right } = node
     const symbol = operator.slice(0, -1)
     const op = logical[symbol] ? this.op(logical[symbol]) : this.binaryOp(symbol)
     if (operator === '=' || !op || isSuspended([right])) return false
-    const changed = (target: string) => {
+    const changeCode = (target: string) => {
       if (!logical[symbol]) return `${op}${target}, `
       const [before, after] = this.aroundCondition([right])
       return `${op}${before}${target}${after}, () => `
     }
-    if (isSteady(left)) {
+    if (canRepeat(left)) {
       const target = this.edits.source.slice(left.start, left.end).replace(/\s*\n\s*/g, ' ')
       this.operand(right)
       this.edits.open(node, left.start, '')
-      this.edits.replace(left.end, right.start, ` = ${changed(target)}`)
+      this.edits.replace(left.end, right.start, ` = ${changeCode(target)}`)
       this.edits.close(node, right.end, ')')
       return true
     }
-    const end = `(${this.valueName}) => ${changed(this.valueName)}`
+    const end = `(${this.valueName}) => ${changeCode(this.valueName)}`
     if (!this.changeMember(node, left, right.start, end)) return false
     this.operand(right)
     this.edits.close(node, right.end, '))')
     return true
   }
 
-  /** `object[key] = …` by a function of the value; `end` is what follows the key, up to the place `to`. */
+  /** Writes `object[key] = …` as a call with a function of the old value; `end` replaces the code after the key, up to position `to`. */
   private changeMember(node: Tree, member: Tree, to: number, end: string, name = 'change') {
     const { object, property, computed } = member
     if (property.type === 'PrivateIdentifier' || object.type === 'Super') return false
@@ -215,24 +215,24 @@ export abstract class ExpressionTranslator {
     return true
   }
 
-  /** `x++` and its like. */
+  /** Translates `x++`, `--x` and so on. */
   protected update(node: Tree, isUnused: boolean): boolean {
     const { argument, operator, prefix } = node
     const by = operator === '++' ? '1' : '-1'
-    const moved = (target: string) => `${this.op('move')}${target}, ${by})`
+    const moveCode = (target: string) => `${this.op('move')}${target}, ${by})`
     if (argument.type === 'Identifier') {
-      const set = `${argument.name} = ${moved(argument.name)}`
+      const set = `${argument.name} = ${moveCode(argument.name)}`
       const value = prefix ? `(${set})` : `${this.op('first')}${argument.name}, ${set})`
       this.edits.replace(node.start, node.end, isUnused ? set : value)
       return true
     }
-    const end = `(${this.valueName}) => ${moved(this.valueName)})`
+    const end = `(${this.valueName}) => ${moveCode(this.valueName)})`
     const name = prefix || isUnused ? 'change' : 'changeAfter'
-    // After the object there is at least the symbol or the key.
+    // At least the operator or the key follows the object.
     return this.changeMember(node, argument, node.end, end, name)
   }
 
-  /** Translates the arguments of a call. `head` replaces what is between `from` and the first one. */
+  /** Translates the arguments of a call. `head` replaces the code between `from` and the first argument. */
   private withArguments(node: Tree, from: number, head: string) {
     const given = node.arguments as Tree[]
     for (const each of given) this.operand(each)
@@ -246,7 +246,7 @@ export abstract class ExpressionTranslator {
   private call(node: Tree): boolean {
     const { callee } = node
     const { isFree, readsHelpers, aliases } = this.translation
-    const plainly = (head: string) => {
+    const translateCall = (head: string) => {
       this.withArguments(node, node.start, head)
       return true
     }
@@ -254,12 +254,12 @@ export abstract class ExpressionTranslator {
       const { name } = callee
       if (name === 'eval') return false
       if (isFree(callee) && (readsHelpers || isKnown(name)))
-        return plainly(`${this.op('call')}'${name}', () => ${name}`)
+        return translateCall(`${this.op('call')}'${name}', () => ${name}`)
       const isVariable = !isFree(callee) && !this.functionsHere.has(name)
       return (
         (readsHelpers || !!aliases?.has(name)) &&
         isVariable &&
-        plainly(`${this.op('invoke')}${name}, undefined`)
+        translateCall(`${this.op('invoke')}${name}, undefined`)
       )
     }
     if (callee.type !== 'MemberExpression') return false
@@ -267,7 +267,7 @@ export abstract class ExpressionTranslator {
     if (object.type === 'Super' || property.type === 'PrivateIdentifier') return false
     if (!readsHelpers && (computed || !isKnown(property.name))) return false
     if (object.name === 'Math' && !computed && isKnown(property.name) && isFree(object))
-      return plainly(`${this.op('call')}'${property.name}', () => Math.${property.name}`)
+      return translateCall(`${this.op('call')}'${property.name}', () => Math.${property.name}`)
     this.operand(object)
     this.edits.open(node, object.start, this.op('method'))
     if (computed) {

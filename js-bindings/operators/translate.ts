@@ -1,23 +1,23 @@
-// From the text of a function, whose operators work on numbers, to one whose operators ask what they work on. Lines stay where
-// they are, so that errors name the sketch's own.
+// Translates the source code of a function: its operators become calls that also accept expressions. Line numbers stay the same, so
+// that errors refer to the sketch's own lines.
 import MagicString from 'magic-string'
 import { Edits } from './edits.js'
-import { changesVector, endsFunction, endsInReturn, isSuspended, leaves } from './flow.js'
+import { changesVector, endsFunction, endsInReturn, isSuspended, containsJump } from './flow.js'
 import { assignedIn, declaredIn, isProperty, propertySetIn, varsIn, walk } from './scopes.js'
 import { unusedName } from './symbols.js'
 import { ExpressionTranslator, type Translation } from './translate-expressions.js'
 import { childrenOf, type Tree } from './tree.js'
 
-/** Text that follows statements, and the statements that it runs, by block. */
+/** Code to append after statements, and the statements that this code runs, grouped by block. */
 interface Tail {
   then: string
   following: Tree[][]
 }
 
-/** The end of a function, after which nothing comes. */
-const nothingMore: Tail = { then: '', following: [] }
+/** The tail at the end of a function, with nothing to run. */
+const emptyTail: Tail = { then: '', following: [] }
 
-/** Translates `tree`, part of `source`, where it is in the text. */
+/** Translates `tree`, part of `source`, in place. */
 export function translateIn(
   text: MagicString,
   source: string,
@@ -27,7 +27,7 @@ export function translateIn(
   new Translator(new Edits(text, source), tree, translation).visit(tree)
 }
 
-/** The text of `tree`, part of `source`, translated. */
+/** Returns the translated code of `tree`, part of `source`. */
 export function translate(source: string, tree: Tree, translation: Translation): string {
   const text = new MagicString(source)
   translateIn(text, source, tree, translation)
@@ -36,7 +36,7 @@ export function translate(source: string, tree: Tree, translation: Translation):
 
 class Translator extends ExpressionTranslator {
   private readonly restName = unusedName('warpjetRest', this.edits.source)
-  /** The names that the function which is being translated declares. */
+  /** The names that the current function declares. */
   private declaredHere = new Set<string>()
   private rests = 0
 
@@ -49,7 +49,7 @@ class Translator extends ExpressionTranslator {
       case 'ExpressionStatement':
         return this.statement(node)
       case 'BlockStatement':
-        this.statements(node.body, node.end - 1, endsFunction(node) ? nothingMore : undefined)
+        this.statements(node.body, node.end - 1, endsFunction(node) ? emptyTail : undefined)
         return true
       case 'IfStatement':
         this.branch(node)
@@ -71,14 +71,14 @@ class Translator extends ExpressionTranslator {
     }
   }
 
-  /** What a function's body returns early is chosen by vertex. */
+  /** Translates a function with early returns that are decided per vertex. */
   private function(node: Tree): boolean {
     const { body } = node
     if (body.type !== 'BlockStatement') return false
     const around = this.declaredHere
     this.declaredHere = declaredIn(node)
     for (const each of childrenOf(node)) if (each !== body) this.visit(each)
-    this.statements(body.body, body.end - 1, nothingMore)
+    this.statements(body.body, body.end - 1, emptyTail)
     this.declaredHere = around
     return true
   }
@@ -91,7 +91,7 @@ class Translator extends ExpressionTranslator {
     return true
   }
 
-  /** Its value is not read. Without parentheses, which would call what stands on the line before. */
+  /** Translates an expression whose value is unused, without parentheses, which could call the expression on the previous line. */
   private statement(node: Tree): boolean {
     const { expression } = node
     const { type } = expression
@@ -111,23 +111,23 @@ class Translator extends ExpressionTranslator {
   }
 
   /**
-   * Statements in order, up to the place `end`. Where they are the last that a function does, but for `tail`, and an `if`
-   * returns, the rest of them is what happens otherwise.
+   * Translates statements in order, up to position `end`. `tail` is present if these statements and the tail are the last that the
+   * function runs; then, after an `if` that returns, the remaining statements become the other branch.
    */
   private statements(list: Tree[], end: number, tail?: Tail) {
     for (const [i, node] of list.entries()) {
-      if (tail && node.type === 'IfStatement' && leaves(node, 'ReturnStatement')) {
+      if (tail && node.type === 'IfStatement' && containsJump(node, 'ReturnStatement')) {
         const later = list.slice(i + 1)
         const following = [later, ...tail.following]
         if (!this.mustDecide(node, following))
-          return this.returning(node, later, end, tail, following)
+          return this.translateReturn(node, later, end, tail, following)
       }
       this.visit(node)
     }
     if (tail?.then) this.edits.append(end, tail.then)
   }
 
-  /** Returns whether what an `if` does cannot be undone, where it returns by vertex: then JavaScript has to decide it. */
+  /** Returns whether an `if` with a return has effects that cannot be undone, so that JavaScript must decide it. */
   private mustDecide(node: Tree, following: Tree[][]): boolean {
     const { consequent, alternate } = node
     const first = endsInReturn(consequent) ? [] : following.flat()
@@ -136,12 +136,12 @@ class Translator extends ExpressionTranslator {
       isSuspended(all.flat()) ||
       !!propertySetIn([consequent, ...first]) ||
       namesSetIn(all).some((name) => !this.declaredHere.has(name)) ||
-      !!this.escaping(node)
+      !!this.escapingVar(node)
     )
   }
 
-  /** A `var` in an `if` that is read outside of it. */
-  private escaping(node: Tree): string | undefined {
+  /** Returns a `var` declared in a node that is read outside of it. */
+  private escapingVar(node: Tree): string | undefined {
     return varsIn(node, false).find((name) => {
       let isFound = false
       walk(this.tree, (each, parent) => {
@@ -152,8 +152,8 @@ class Translator extends ExpressionTranslator {
     })
   }
 
-  /** `if (c) return a; rest`: by vertex, where both a and the rest are values. */
-  private returning(node: Tree, later: Tree[], end: number, tail: Tail, following: Tree[][]) {
+  /** Translates `if (c) return a; rest` with a condition per vertex, where both `a` and `rest` yield values. */
+  private translateReturn(node: Tree, later: Tree[], end: number, tail: Tail, following: Tree[][]) {
     const { test, consequent, alternate } = node
     const ways: Tree[] = [consequent, alternate].filter(Boolean)
     const isRest = ways.length < 2 || !ways.every(endsInReturn)
@@ -181,12 +181,12 @@ class Translator extends ExpressionTranslator {
       this.edits.append(end, '});')
     } else {
       this.edits.append(node.end, ');')
-      // Nothing gets here.
+      // The rest is unreachable.
       if (node.end < end) this.edits.replace(node.end, end, '')
     }
   }
 
-  /** One of the ways of an `if`, as a block. */
+  /** Translates a branch of an `if` as a block. */
   private way(node: Tree, tail?: Tail) {
     if (node.type === 'BlockStatement' && tail) this.statements(node.body, node.end - 1, tail)
     else if (node.type === 'BlockStatement') this.visit(node)
@@ -200,9 +200,9 @@ class Translator extends ExpressionTranslator {
     const { test, consequent, alternate } = node
     const ways: Tree[] = [consequent, alternate].filter(Boolean)
     const property = propertySetIn(ways)
-    const name = property ? this.nameOf(property) : this.escaping(node)
+    const name = property ? this.nameOf(property) : this.escapingVar(node)
     const isLeft = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
-      leaves(node, type),
+      containsJump(node, type),
     )
     if (isLeft || name || isSuspended(ways)) {
       this.decide(test, name ? this.setting(name) : "'Leaving a loop or a function here'")
@@ -221,13 +221,13 @@ class Translator extends ExpressionTranslator {
     this.edits.append(node.end, `, ${variables}${this.effectIn(ways)});`)
   }
 
-  /** Functions that get and set variables. */
+  /** Returns code for two functions that get and set variables. */
   private variables(names: string[]) {
     const list = `[${names.join(', ')}]`
     return `() => ${list}, (${this.valueName}) => { ${list} = ${this.valueName} }`
   }
 
-  /** A call whose value nobody takes, so that it stands there for what it does. */
+  /** Returns code that names the first call with an unused value in the branches, which is there for its side effects. */
   private effectIn(ways: Tree[]): string {
     let found: Tree | undefined
     for (const way of ways)

@@ -1,9 +1,9 @@
 import type { Node } from 'acorn'
 
-/** Of any kind: acorn's own types name each apart. */
+/** A syntax node of any kind; acorn's own types distinguish the kinds. */
 export type Tree = Node & Record<string, any>
 
-/** The nodes in a node, in the order of the text. Of `{ amount = 2 }`, name and pattern are one. */
+/** Returns the children of a node in source order. In `{ amount = 2 }`, the name and the pattern are one child. */
 export const childrenOf = (node: Tree): Tree[] =>
   Object.entries(node)
     .filter(([name]) => !(node.shorthand && name === 'key'))

@@ -3,7 +3,7 @@ import { isExpression } from '../errors/describe.js'
 
 export type Glsl = Record<string, (...operands: unknown[]) => unknown>
 
-/** The part of an expression's session that is used here. */
+/** The part of an expression's session that we use. */
 interface Session {
   isCondition(value: unknown): boolean
   shapeOf(value: unknown): readonly [columns: number, rows: number]
@@ -16,7 +16,7 @@ const sessionOf = (value: unknown) => (value as { session: Session }).session
 export const p5Prototype = (): object =>
   (Reflect.get(globalThis, 'p5') as { prototype?: object } | undefined)?.prototype ?? {}
 
-/** A p5 sketch, whose functions are called as `p.sin(x)`: known by its shape, since p5 may be a module. */
+/** Recognizes a p5 sketch, whose functions are called as `p.sin(x)`, by its shape, since p5 may be a module. */
 export const isSketch = (object: unknown): object is Record<string, unknown> =>
   typeof object === 'object' &&
   object !== null &&
@@ -24,7 +24,7 @@ export const isSketch = (object: unknown): object is Record<string, unknown> =>
     (name) => name in object && typeof Reflect.get(object, name) === 'function',
   )
 
-/** Returns whether a value is a vector, as p5's createVector and three's Vector3 make it. */
+/** Returns whether a value is a vector such as those of p5's createVector or three.js' Vector3. */
 export const isVectorLike = (value: unknown): value is { x: unknown; y: unknown; z?: unknown } =>
   typeof value === 'object' &&
   value !== null &&
@@ -54,7 +54,7 @@ export function holdsExpression(value: unknown, depth = 2): boolean {
   )
 }
 
-/** An array of 2 to 4 numbers or expressions, or an object with x and y, as a vector; anything else as it is. */
+/** Converts an array of 2 to 4 numbers or expressions, or an object with x and y, to a vector; returns other values unchanged. */
 export function wholeOf(glsl: Glsl, value: unknown): unknown {
   const parts = partsOf(value)
   return parts.length >= 2 && parts.length <= 4 ? glsl[`vec${parts.length}`]!(...parts) : value
@@ -64,7 +64,7 @@ export function wholeOf(glsl: Glsl, value: unknown): unknown {
 export const isCondition = (value: unknown): boolean =>
   isExpression(value) && sessionOf(value).isCondition(value)
 
-/** Returns whether the truth of a value differs by vertex: of a condition or a number, but not of a vector, which JavaScript takes as true. */
+/** Returns whether the truth of a value differs by vertex: true for a condition or a number; a vector is always true in JavaScript. */
 export function decidesByVertex(value: unknown): boolean {
   if (!isExpression(value)) return false
   if (isCondition(value)) return true
@@ -72,5 +72,5 @@ export function decidesByVertex(value: unknown): boolean {
   return columns === 1 && rows === 1
 }
 
-/** Keeps the note about conditions that decide nothing from being printed. */
+/** Suppresses the warning about an unused condition. */
 export const useCondition = (condition: unknown) => sessionOf(condition).use(condition)

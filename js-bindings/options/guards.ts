@@ -1,15 +1,15 @@
-// Tests of values that decide how a value is treated.
+// Type guards for values that users pass.
 import { isClass, isExpression } from '../errors/describe.js'
 
-/** A function, and neither a class nor a component, which may be called too. */
+/** Tests for a function that is neither a class nor an expression: components such as `v.x` can be called too. */
 export const isCallable = (value: unknown): value is (...inputs: never[]) => unknown =>
   typeof value === 'function' && !isClass(value) && !isExpression(value)
 
-/** An array, typed or not; what is in it is not looked at. */
+/** Tests for an array, typed or not, whatever its elements are. */
 export const isList = (value: unknown): value is ArrayLike<number> =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value)
 
-/** A number that stays finite as a float32. */
+/** Tests for a number that is finite as a float32. */
 export const isFiniteFloat = (value: unknown): value is number =>
   typeof value === 'number' && Number.isFinite(Math.fround(value))
 

@@ -1,12 +1,12 @@
-// Kinds of values that a caller may pass: what a message expects, what is accepted, and the default.
+// Kinds of values that a caller may pass: the name in messages, the accepted values, and the default.
 import { describe } from '../errors/errors.js'
 import { isCallable, isList } from './guards.js'
 import type { Place } from './place.js'
 
-/** Reads a value that a user gave: the result is a `Value`. Throws a `WarpError` for any other. */
 export interface Kind<Value, Given = Value> {
+  /** Returns the value that a user passed, or the default. Throws a `WarpError` for a wrong value. */
   read(given: unknown, place: Place): Value
-  /** Always missing: the type of what users may give, for TypeScript. */
+  /** Never present at run time: carries the type of values that users may pass. */
   readonly given?: (value: Given) => Given
 }
 
@@ -14,13 +14,13 @@ export type ValueOf<Any> = Any extends Kind<infer Value, any> ? Value : never
 export type GivenOf<Any> = Any extends Kind<any, infer Given> ? Given : never
 
 interface Settings<Value> {
-  /** Stands for `undefined`. Without it, the value is required. */
+  /** Replaces `undefined`. Without a default, the value is required. */
   default?: Value | undefined
-  /** Says what to write instead. */
+  /** Returns what to write instead of a wrong value. */
   advice?: (given: unknown) => string | undefined
 }
 
-/** A kind whose values are taken as they are. `expected` is its name in messages. */
+/** Makes a kind whose values are returned unchanged. `expected` is its name in messages. */
 export const kind = <Value, Given = Value>(
   expected: string,
   accepts: (given: unknown) => boolean,
@@ -33,14 +33,14 @@ export const kind = <Value, Given = Value>(
   },
 })
 
-/** A kind that may be left out. */
+/** Makes a kind that may be left out: `undefined` then. */
 export const optional = <Value, Given>({
   read,
 }: Kind<Value, Given>): Kind<Value | undefined, Given> => ({
   read: (given, place) => (given === undefined ? undefined : read(given, place)),
 })
 
-/** Any value: others read it. */
+/** Any value, which the caller checks. */
 export const anything = <Value>(): Kind<Value | undefined, Value> => ({
   read: (given) => given as Value | undefined,
 })
@@ -54,7 +54,7 @@ export const oneOf = <const Choice extends string>(
 ) =>
   kind<Choice>(listOf(choices), (given) => choices.includes(given as Choice), { default: standard })
 
-/** Such as `'offset' or 'position'`, and for more than three `one of a, b, c, d`. */
+/** Lists up to three choices as `'offset' or 'position'`, and more as `one of a, b, c, d`. */
 const listOf = (choices: readonly string[]) =>
   choices.length > 3
     ? `one of ${choices.join(', ')}`
@@ -63,14 +63,14 @@ const listOf = (choices: readonly string[]) =>
         .join(', ')
         .replace(/, (?=[^,]*$)/, ' or ')
 
-/** A text; `what` describes it, such as `the name of a function`. */
+/** A string. `what` is its name in messages, such as `the name of a function`. */
 export const text = (what = 'a text', matches = /(?:)/, settings: Settings<string> = {}) =>
   kind<string>(what, (given) => typeof given === 'string' && matches.test(given), settings)
 
 interface Range {
   min?: number
   max?: number
-  /** The name of the limit in messages, where the number itself is hard to read. */
+  /** The name of the maximum in messages. Default: the number. */
   maxName?: string
   default?: number
 }
@@ -91,11 +91,11 @@ export const positiveNumber = ({ max = Number.MAX_VALUE, default: standard }: Ra
     default: standard,
   })
 
-/** A function; `what` describes it, such as `a function from a URI to bytes`. */
+/** A function. `what` is its name in messages, such as `a function from a URI to bytes`. */
 export const callable = <F extends Function>(what = 'a function', settings: Settings<F> = {}) =>
   kind<F>(what, isCallable, settings)
 
-/** The function that the user hands to a compiler. */
+/** The function that a compiler calls. */
 export const callback = callable('a function', {
   advice: (given) =>
     typeof given === 'string' && given.includes('{')
@@ -103,7 +103,7 @@ export const callback = callable('a function', {
       : undefined,
 })
 
-/** An object, and no list; `what` describes it. */
+/** An object that is not an array. `what` is its name in messages. */
 export const record = <Value extends object>(what: string, settings: Settings<Value> = {}) =>
   kind<Value>(
     what,

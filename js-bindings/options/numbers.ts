@@ -1,32 +1,29 @@
-// The one way in which numbers of a caller are looked at: arrays of them, one by one.
+// Checks numbers that users pass, alone or in arrays.
 import { describe } from '../errors/errors.js'
-import { isList } from './guards.js'
-import { Place } from './place.js'
+import { isFiniteFloat, isList } from './guards.js'
+import type { Place } from './place.js'
 
-/** A test of numbers, and its word in messages. */
 export interface NumberTest {
+  /** The adjective in messages, with a space. */
   word: string
   accepts: (value: unknown) => boolean
 }
 
-/** Neither NaN nor infinite once it is a float32. */
-export const finiteFloat: NumberTest = {
-  word: 'finite ',
-  accepts: (value) => typeof value === 'number' && Number.isFinite(Math.fround(value)),
-}
+/** Accepts numbers that are finite as a float32. */
+export const finiteFloat: NumberTest = { word: 'finite ', accepts: isFiniteFloat }
 
-/** What a double can hold. */
-export const finiteDouble: NumberTest = { word: '', accepts: (value) => Number.isFinite(value) }
+/** Accepts numbers that are finite as a double. */
+export const finiteDouble: NumberTest = { word: 'finite ', accepts: Number.isFinite }
 
-/** Any number, NaN and infinity too, but no text, null, true or BigInt that JavaScript would make one. */
+/** Accepts every number, also NaN and Infinity, but no string, null, boolean or BigInt, which typed arrays would convert. */
 export const anyNumber: NumberTest = { word: '', accepts: (value) => typeof value === 'number' }
 
-/** The place of the first that is not right; -1 if all are. */
+/** Returns the index of the first number that the test rejects, or -1. */
 export function firstWrong(numbers: ArrayLike<unknown>, test: NumberTest) {
   if (numbers instanceof Float32Array) {
     if (test === anyNumber) return -1
-    // A finite number makes 0 here, any other NaN: several times as fast as asking each. Four sums at a time, none of which
-    // waits for another.
+    // x * 0 is 0 for a finite x and NaN otherwise, so that one sum tests many numbers: several times as fast as a test of each.
+    // Four independent sums run in parallel.
     const { length } = numbers
     let [a, b, c, d] = [0, 0, 0, 0]
     let i = 0
@@ -43,42 +40,49 @@ export function firstWrong(numbers: ArrayLike<unknown>, test: NumberTest) {
   return -1
 }
 
-/** A value that is no right number, in a sentence. */
-export const inWords = (value: unknown) => (typeof value === 'number' ? value : describe(value))
+/** Describes a value that is not a right number. */
+export const describeNumber = (value: unknown) =>
+  typeof value === 'number' ? `${value}` : describe(value)
 
-/** Puts a number, or as many as there is place for, into `numbers`; false if anything else came, or one is not finite. */
+/** Copies a finite number, or an array of exactly as many as `numbers` holds, into `numbers`. Returns `false` for other values. */
 export function takeNumbers(numbers: number[], value: unknown): boolean {
   if (typeof value === 'number') {
     numbers[0] = value
-    return numbers.length === 1 && finiteFloat.accepts(value)
+    return numbers.length === 1 && isFiniteFloat(value)
   }
   if (!isList(value) || value.length !== numbers.length) return false
   for (let i = 0; i < numbers.length; i++) {
     const number = value[i]!
-    if (!finiteFloat.accepts(number)) return false
+    if (!isFiniteFloat(number)) return false
     numbers[i] = number
   }
   return true
 }
 
-/** `count` numbers as an array; `layout` says more of their order. */
+interface NumbersOptions {
+  test?: NumberTest
+  /** The order of the numbers in messages, such as `, column by column,`. */
+  layout?: string | undefined
+  /** What the user passed, if the numbers were taken from it. */
+  given?: unknown
+  advice?: string | undefined
+}
+
+/** Reads a single number or an array of `count` numbers, and returns an array. */
 export function readNumbers(
-  place: Place | string,
+  place: Place,
   value: unknown,
   count: number,
-  test = finiteFloat,
-  layout = '',
+  { test = finiteFloat, layout = '', given = value, advice }: NumbersOptions = {},
 ): number[] {
   const list = count === 1 && typeof value === 'number' ? [value] : value
   const fits = isList(list) && list.length === count
   const wrong = fits ? firstWrong(list, test) : -1
   if (fits && wrong < 0) return Array.from(list)
-  throw Place.of(place).expected(
+  const number = fits && describeNumber(list[wrong])
+  throw place.expected(
     count === 1 ? `a ${test.word}number` : `an array of ${count} ${test.word}numbers${layout}`,
-    !fits
-      ? describe(value)
-      : count === 1
-        ? `${inWords(list[wrong])}`
-        : `one with ${inWords(list[wrong])}`,
+    !number ? describe(given) : count === 1 ? number : `one with ${number}`,
+    advice,
   )
 }

@@ -1,29 +1,22 @@
-// The place of a value, as messages name it.
+// Where a value was passed, as messages name it.
 import { WarpError } from '../errors/errors.js'
 
-/** A function that the user called, and the argument, option or other part of the call that a message is about. */
+/** A call of the user's, and the argument, option or other part of it that a message is about. */
 export class Place {
   constructor(
-    /** The name of the function. */
+    /** The name of the called function, which every message begins with. */
     readonly method: string,
-    /** Such as `argument 2`; empty for the whole call. */
+    /** The part of the call, such as `argument 2`; empty for the whole call. */
     readonly subject = '',
-    /** The names of nested options, such as `decoders.draco`. */
+    /** The path of a nested option, such as `decoders.draco`. */
     private readonly path = '',
   ) {}
-
-  /** The place that a text such as `evaluate: the mesh` names, for callers that have no place. */
-  static of(place: Place | string): Place {
-    if (typeof place !== 'string') return place
-    const [, method, subject] = /^(.*?)(?:: (.*))?$/s.exec(place)!
-    return new Place(method!, subject)
-  }
 
   toString(): string {
     return this.subject ? `${this.method}: ${this.subject}` : this.method
   }
 
-  /** Another part of the same call. */
+  /** Returns another part of the same call. */
   part(subject: string): Place {
     return new Place(this.method, subject)
   }
@@ -32,7 +25,11 @@ export class Place {
     return this.part(`argument ${number}`)
   }
 
-  /** An option of the call, or of the option that this place is. */
+  uniform(name: string): Place {
+    return this.part(`the uniform "${name}"`)
+  }
+
+  /** Returns an option of the call; if this place is an option itself, the option nested in it. */
   option(name: string): Place {
     const path = this.path ? `${this.path}.${name}` : name
     return new Place(this.method, `the option "${path}"`, path)
@@ -42,7 +39,7 @@ export class Place {
     return new WarpError(`${this.method}: ${message}`)
   }
 
-  /** The error for a wrong value. `got` describes the value; `advice` says what to write instead. */
+  /** Makes the error for a wrong value. `got` describes the value; `advice` says what to write instead. */
   expected(what: string, got: string, advice?: string): WarpError {
     const subject = this.subject && ` for ${this.subject}`
     return this.error(`expected ${what}${subject}, got ${got}${advice ? `; ${advice}` : ''}.`)

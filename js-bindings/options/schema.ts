@@ -1,27 +1,27 @@
-// Objects of options: which options there are, and the kind of each.
+// Schemas: the options of an object, and the kind of each.
 import { describe } from '../errors/errors.js'
 import { nearest } from '../errors/nearest.js'
 import { isList } from './guards.js'
 import type { GivenOf, Kind, ValueOf } from './kinds.js'
-import { Place } from './place.js'
+import type { Place } from './place.js'
 
 /** Maps the name of an option → its kind. */
 export type Kinds = Readonly<Record<string, Kind<unknown, any>>>
 
-/** The kinds that options of this type need. `{ … } satisfies KindsOf<Options>` proves that a schema has just these options. */
+/** The schema of a type of options. `{ … } satisfies KindsOf<Options>` proves that a schema has exactly these options. */
 export type KindsOf<Options> = {
   readonly [Name in keyof Options]-?: Kind<unknown, Exclude<Options[Name], undefined>>
 }
 
-/** The options as they are read: defaults stand for what is left out. */
+/** The options after reading, with defaults for those left out. */
 export type ValuesOf<All extends Kinds> = { [Name in keyof All]: ValueOf<All[Name]> }
 
-/** The options as users may give them. */
+/** The options as users write them. */
 export type OptionsOf<All extends Kinds> = {
   [Name in keyof All]?: GivenOf<All[Name]>
 }
 
-/** An object of options, itself a kind, so that schemas nest. `advice` says what to write in place of an unknown option. */
+/** The kind of an object of options. Being a kind, schemas nest. `advice` says what to write instead of an unknown option. */
 export const object = <All extends Kinds>(
   kinds: All,
   advice?: (name: string) => string,
@@ -43,26 +43,20 @@ export const object = <All extends Kinds>(
 export function rejectUnknownOptions(
   given: unknown,
   known: readonly string[],
-  at: Place | string,
+  place: Place,
   advice?: (name: string) => string,
 ) {
   if (given === undefined) return
   if (typeof given !== 'object' || given === null || isList(given))
-    throw expectedObject(Place.of(at), given)
+    throw place.expected(place.subject ? 'an object' : 'an object of options', describe(given))
   for (const name in given)
-    if (Object.hasOwn(given, name) && !known.includes(name))
-      throw unknownOption(
-        Place.of(at),
-        `"${name}"`,
-        (advice ?? ((other) => listWithNearest(other, known)))(name),
-      )
+    if (Object.hasOwn(given, name) && !known.includes(name)) {
+      const parent = place.subject && ` in ${place.subject}`
+      // Not a default of the parameter: that would allocate a function at each call.
+      const remedy = advice ? advice(name) : listWithNearest(name, known)
+      throw place.error(`there is no option "${name}"${parent}; ${remedy}`)
+    }
 }
-
-const expectedObject = (place: Place, given: unknown) =>
-  place.expected(place.subject ? 'an object' : 'an object of options', describe(given))
-
-const unknownOption = (place: Place, name: string, advice: string) =>
-  place.error(`there is no option ${name}${place.subject && ` in ${place.subject}`}; ${advice}`)
 
 function listWithNearest(name: string, known: readonly string[]) {
   const near = nearest(name, known)

@@ -4,28 +4,28 @@
  */
 import type { OffsetFunction, UniformValues } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { type Distort, createWarp as create, putOnAgain } from './create-warp.js'
+import { type Distort, createWarp as create, reapplyWarp } from './create-warp.js'
 import { type Canvas, rendererOf, sketchRemoved } from './host.js'
 import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'
 import {
   type LoadModelOptions,
   type ModelOf,
   type Preloading,
-  awaitable,
+  makeAwaitable,
   emptyModel,
   fillModel,
 } from './geometry/load-model.js'
 import type { CreateWarpOptions } from './settings.js'
-import { giveArrays } from './variation/variation-buffers.js'
+import { defineVariationArrays } from './variation/variation-buffers.js'
 import { drawBox } from './geometry/dense-shapes.js'
 import { type SubdivideOptions, subdivideShape } from './geometry/subdivide.js'
-import type { Makers, WarpModel } from './geometry/model.js'
+import type { P5Constructors, WarpModel } from './geometry/model.js'
 import { addSurfaceVariation } from './variation/add-surface-variation.js'
 import { watchShaderCalls } from './page/shader-calls.js'
 
 /**
- * What the addon adds to a sketch and to a p5.Graphics. TypeScript lets nobody add to the default export that p5's own
- * types are: write `p as p5 & Warping`, or use the function `createWarp` below.
+ * Methods that the addon adds to sketches and to p5.Graphics. TypeScript cannot extend the default export of p5's own types, so
+ * write `p as p5 & Warping`, or use the function `createWarp` below.
  */
 export interface Warping {
   createWarp<const Uniforms extends UniformValues = {}>(
@@ -33,24 +33,24 @@ export interface Warping {
     options?: CreateWarpOptions<Uniforms>,
   ): Distort<Uniforms>
   /**
-   * Draws p5's `box(width, height, depth)` with `detail` squares along each edge, 20 unless given, so that a warp can bend it.
+   * Draws p5's `box(width, height, depth)` with `detail` squares along each edge (default: 20), so that a warp can bend it.
    * Throws a `WarpError`.
    */
   warpBox(width?: number, height?: number, depth?: number, detail?: number): this
 }
 
-/** `sketch.createWarp(offset, options)` without registering anything; `canvas` is a sketch or a p5.Graphics. */
+/** Does the same as `sketch.createWarp(offset, options)`, but needs no registered addon; `canvas` is a sketch or a p5.Graphics. */
 export const createWarp = <const Uniforms extends UniformValues = {}>(
   canvas: object,
   offset: OffsetFunction<NoInfer<Uniforms>>,
   options?: CreateWarpOptions<Uniforms>,
 ): Distort<Uniforms> => create(canvas as Canvas, offset as OffsetFunction, options)
 
-/** What it adds to a sketch alone. */
+/** Methods that the addon adds to sketches only. */
 export interface Loading {
   /**
-   * A .glb, .gltf, .obj or .stl file as a p5.Geometry for `model()`. On p5 2.x it is awaited; on 1.x it may be called in
-   * `preload()` as `loadModel` is, or awaited.
+   * Loads a .glb, .gltf, .obj or .stl file as a p5.Geometry for `model()`. On p5 2.x, await it; on 1.x, call it in `preload()`
+   * like `loadModel`, or await it.
    */
   loadWarpModel<Sketch>(
     this: Sketch,
@@ -58,16 +58,16 @@ export interface Loading {
     options?: LoadModelOptions,
   ): Promise<ModelOf<Sketch>>
   /**
-   * Finds out how normals and uvs vary over a p5.Geometry, for warps that depend on them, and keeps it with the geometry,
-   * which comes back: `bumpy = await addSurfaceVariation(buildGeometry(() => sphere(100)))`. To be called again after its
+   * Computes how normals and uvs vary over a p5.Geometry, for warps that depend on them, stores the result in the geometry and
+   * returns the geometry: `bumpy = await addSurfaceVariation(buildGeometry(() => sphere(100)))`. Call it again after the
    * vertices have changed. Needs p5 2. Throws a `WarpError`.
    */
   addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
   /**
-   * A p5.Geometry with more vertices, for a warp to bend: with a number, each triangle becomes four so many times; or where the
-   * warp needs them, `await subdivide(shape, { warp: wave, tolerance: 0.5 })`, in units of the shape, where `wave` is what createWarp or
-   * compileWarp returned. Its uniforms are what they are at this moment, unless the option "uniforms" says otherwise. The shape that
-   * comes in stays as it is. Throws a `WarpError`.
+   * Returns a copy of a p5.Geometry with more vertices, for a warp to bend. A number n splits each triangle into four, n times;
+   * `await subdivide(shape, { warp: wave, tolerance: 0.5 })` adds vertices only where the warp needs them. The tolerance is in units of
+   * the shape, and `wave` is the result of createWarp or compileWarp. The warp's uniforms have their current values, unless the option
+   * "uniforms" overrides them. The original shape is not changed. Throws a `WarpError`.
    */
   subdivide<Geometry extends object>(
     geometry: Geometry,
@@ -75,7 +75,7 @@ export interface Loading {
   ): Promise<Geometry & { warnings: string[] }>
 }
 
-interface P5 extends Makers {
+interface P5 extends P5Constructors {
   prototype: SketchMethods
   Shader?: { prototype: object }
   Graphics: { prototype: Methods }
@@ -104,14 +104,14 @@ interface SketchMethods extends Methods, Partial<Pick<Loading, 'addSurfaceVariat
 const registered = Symbol.for('warpjet')
 
 /**
- * Adds `createWarp` and `warpBox` to p5 and p5.Graphics, and `loadWarpModel`, `addSurfaceVariation` and `subdivide` to p5. Doing it again changes nothing. Throws a `WarpError`
- * if what came is not p5.
+ * Adds `createWarp` and `warpBox` to p5 and p5.Graphics, and `loadWarpModel`, `addSurfaceVariation` and `subdivide` to p5. A second
+ * call has no effect. Throws a `WarpError` if the argument is not p5.
  */
 export function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknown }): void {
   const host = p5 as P5
   if (typeof p5 !== 'function' || !host.Graphics)
     throw new WarpError(
-      `warpjet: p5 itself was expected, as in: import p5 from 'p5', then warpjet(p5); but ${describe(p5)} came.`,
+      `warpjet: expected p5 itself, as in: import p5 from 'p5', then warpjet(p5); got ${describe(p5)}.`,
     )
   if (!lifecycles && host.registerAddon) return host.registerAddon(warpjet)
   if (registered in p5) return
@@ -119,7 +119,7 @@ export function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknow
 
   for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(host, methods)
   addLoading(host, !lifecycles)
-  giveArrays(host.Geometry as never)
+  defineVariationArrays(host.Geometry as never)
   if (lifecycles) lifecycles.remove = sketchRemoved
   else host.prototype.registerMethod?.('remove', sketchRemoved)
 }
@@ -132,19 +132,19 @@ function addMethods(p5: P5, methods: Methods) {
   methods.createWarp = function (offset, options) {
     return createWarp(this, offset, options)
   }
-  // On 1.11 a p5.Graphics takes these methods from p5 itself.
-  after(methods, 'normalMaterial', putOnAgain)
-  after(methods, 'stroke', (canvas) => {
+  // On 1.11 a p5.Graphics inherits these methods from p5 itself.
+  runAfter(methods, 'normalMaterial', reapplyWarp)
+  runAfter(methods, 'stroke', (canvas) => {
     strokeWasCalled(canvas)
-    if (rendererOf(canvas) && !hasStrokes(canvas)) putOnAgain(canvas)
+    if (rendererOf(canvas) && !hasStrokes(canvas)) reapplyWarp(canvas)
   })
-  after(methods, 'shader', dropStrokes)
-  after(methods, 'resetShader', dropStrokes)
+  runAfter(methods, 'shader', dropStrokes)
+  runAfter(methods, 'resetShader', dropStrokes)
   watchShaderCalls(p5, methods)
 }
 
-/** Lets `work` follow each call of one of p5's methods. */
-function after(methods: Methods, name: keyof Methods, work: (canvas: Canvas) => void) {
+/** Wraps one of p5's methods, so that `work` runs after each call. */
+function runAfter(methods: Methods, name: keyof Methods, work: (canvas: Canvas) => void) {
   const method = methods[name] as ((...args: unknown[]) => unknown) | undefined
   if (!method) return
   methods[name] = function (this: Canvas, ...args: unknown[]) {
@@ -158,7 +158,7 @@ function addLoading(p5: P5, preloads: boolean) {
   p5.prototype.loadWarpModel = function (this: Canvas & Preloading, url, options) {
     const model = emptyModel(p5, this._renderer)
     const filling = fillModel(model, p5, url, options)
-    return preloads ? awaitable(model, filling, this) : filling.then(() => model)
+    return preloads ? makeAwaitable(model, filling, this) : filling.then(() => model)
   }
   p5.prototype.addSurfaceVariation = addSurfaceVariation
   p5.prototype.subdivide = function (shape, options) {

@@ -1,23 +1,23 @@
 /**
- * What the addon touches of p5, the same on 2.x and 1.11 unless a comment says otherwise. p5's own types are not used:
- * 1.11 ships none, and nobody should need p5's types to use warpjet.
+ * Types for the parts of p5 that the addon uses, which are the same on 2.x and 1.11 unless a comment says otherwise. We don't use
+ * p5's own types: 1.11 ships none, and using warpjet must not require them.
  */
 import type { Texture } from './sampling.js'
 
 export interface Uniform {
   readonly isArray?: boolean
-  /** WebGL's number of the type. */
+  /** The WebGL enum of the type. */
   readonly type?: number
-  /** On WebGPU, where it lies among all, in bytes. */
+  /** The byte offset in the uniform buffer (WebGPU only). */
   readonly offset?: number
   readonly offsetEnd?: number
-  /** On WebGPU, of a mat3. */
+  /** Present on a mat3 (WebGPU only). */
   readonly packInPlace?: boolean
-  /** Of an image that was set: what p5 draws with. */
+  /** The texture that p5 made of the image, once an image was set. */
   readonly texture?: Texture
 }
 
-/** What `modify` takes: the texts of hooks by their names, and more for which p5 has other names. */
+/** The argument of p5's `modify`: hook name → source of the hook, and other entries such as declarations. */
 export type Modifications = Record<string, unknown>
 
 export interface Shader {
@@ -25,29 +25,29 @@ export interface Shader {
     readonly declarations?: string
     readonly vertex: Readonly<Record<string, string>>
     readonly fragment: Readonly<Record<string, string>>
-    /** Those that `modify` has put there. */
+    /** Hooks that `modify` has replaced. */
     readonly modified: Record<'vertex' | 'fragment', Readonly<Record<string, boolean>>>
   }
   readonly uniforms: Record<string, Uniform | undefined>
-  /** On 2.x; `GL` in WebGL, `getNextBindingIndex` on WebGPU. */
+  /** Present on 2.x; `GL` on WebGL only, `getNextBindingIndex` on WebGPU only. */
   readonly _renderer?: {
     readonly GL: { disableVertexAttribArray(location: number): void }
     readonly device?: unknown
     readonly registerEnabled: Set<number>
     getNextBindingIndex?(sources: { vert: string; frag: string }): number
   }
-  /** On 2.x, before hooks. */
+  /** The source before hooks are inserted (2.x only). */
   _vertSrc?: string
   readonly _fragSrc?: string
   bindShader?: (...args: unknown[]) => void
   vertSrc(): string
   modify(hooks: Modifications): Shader
-  /** On 1.11 takes a canvas. */
+  /** Takes a canvas on 1.11. */
   ensureCompiledOnContext?(canvas: object): void
   setUniform(name: string, value: unknown): unknown
 }
 
-/** Such as a p5.Vector. */
+/** A p5.Vector, or an object like it. */
 export interface Vector {
   x: number
   y: number
@@ -56,7 +56,7 @@ export interface Vector {
   copy?(): Vector
 }
 
-/** What is used of a p5.Geometry. */
+/** The members of a p5.Geometry that the addon uses. */
 export interface Shape {
   gid?: string
   vertices: Vector[]
@@ -68,11 +68,11 @@ export interface Shape {
 interface MaterialState {
   readonly userFillShader?: Shader | null
   readonly userStrokeShader?: Shader | null
-  /** On 1.11. */
+  /** 1.11 only. */
   readonly userPointShader?: Shader | null
   readonly curStrokeColor?: unknown
   readonly _useNormalMaterial?: boolean
-  // Each call of fill, texture and the other materials makes one of these anew.
+  // Each call of fill(), texture() and the other materials makes a new value for one of these.
   readonly curFillColor?: unknown
   readonly curAmbientColor?: unknown
   readonly curEmissiveColor?: unknown
@@ -80,7 +80,7 @@ interface MaterialState {
   readonly _tex?: unknown
 }
 
-/** On 2.x, what push() and pop() keep. */
+/** The state that push() and pop() save and restore on 2.x. */
 interface States extends MaterialState {
   readonly strokeColor?: unknown
   setValue(name: string, value: unknown): void
@@ -101,19 +101,19 @@ export interface BuiltShape extends Shape {
   vertexColors: number[]
 }
 
-/** On 1.11 the material is a set of fields of the renderer itself, on 2.x it lies in `states`. */
+/** On 1.11 the material's fields are in the renderer itself, on 2.x in its `states`. */
 export interface Renderer extends MaterialState {
   readonly isP3D?: boolean
   readonly GL?: unknown
   readonly webglVersion?: string
-  /** On WebGPU. */
+  /** WebGPU only. */
   readonly device?: unknown
   readonly states?: States
-  /** On 1.11. */
+  /** 1.11 only. */
   readonly _doStroke?: boolean
   _getPointShader?(): Shader
   readonly geometryBuilder?: GeometryBuilder
-  /** What shapes hand to shaders: on 2.x, and on 1.11 for shapes that p5 keeps. */
+  /** Attributes of shapes; 2.x has them here, 1.11 in `retainedMode`. */
   readonly buffers?: { readonly fill: ShapeBuffer[] }
   readonly retainedMode?: {
     readonly buffers: { readonly fill: ShapeBuffer[] }
@@ -134,46 +134,46 @@ export interface Canvas {
   millis(): number
   pixelDensity(): number
   baseMaterialShader(): Shader
-  /** Not on WebGPU. */
+  /** Missing on WebGPU. */
   baseNormalShader(): Shader
   baseColorShader(): Shader
   baseStrokeShader(): Shader
   shader(shader: Shader): unknown
-  /** On 2.x; 1.11's `shader` knows the kind. */
+  /** 2.x only; on 1.11 `shader` recognizes shaders of strokes. */
   strokeShader?(shader: Shader): unknown
   noStroke(): unknown
 }
 
-/** The sketch that a p5.Graphics belongs to: only it has a clock and a mouse. */
+/** Returns the sketch that a p5.Graphics belongs to; only a sketch has a clock and a mouse. */
 export const sketchOf = (canvas: Canvas): Canvas => canvas._pInst ?? canvas
 
 export const stateOf = (renderer: Renderer): MaterialState => renderer.states ?? renderer
 
-/** So that pop() brings back what was. */
+/** Sets a field of the material such that pop() restores the value before. */
 export function setState(renderer: Renderer, name: keyof MaterialState, value: unknown) {
   if (renderer.states) renderer.states.setValue(name, value)
   else Object.assign(renderer, { [name]: value })
 }
 
-/** On 1.11, where points are not lines. */
+/** Returns the shader of points on 1.11; `undefined` on 2.x, which draws points as lines. */
 export const pointShaderOf = (renderer: Renderer) => renderer._getPointShader?.()
 
-/** For a warp's shader that p5 draws normals with: what else of the material there was then. */
-const besideNormals = new WeakMap<Shader, unknown[]>()
+/** Maps a warp's shader that draws normals to the other fields of the material at the time it was applied. */
+const materialBesideNormals = new WeakMap<Shader, unknown[]>()
 
-/** To be called when a warp's shader was put on under `normalMaterial()`. */
+/** Records that a warp's shader was applied under `normalMaterial()`. */
 export function rememberNormals(renderer: Renderer, shader: Shader) {
-  besideNormals.set(shader, othersOf(stateOf(renderer)))
+  materialBesideNormals.set(shader, othersOf(stateOf(renderer)))
 }
 
 /**
- * Whether the sketch draws by `normalMaterial()`. p5 forgets it where a shader is put on, such as a warp's, and pop()
- * brings that shader back without it: so it holds as long as the shader is there and no other material came.
+ * Returns whether the sketch draws by `normalMaterial()`. p5 resets that flag when it applies a shader, such as a warp's, and pop()
+ * restores the shader without the flag. Hence `normalMaterial()` holds while the shader is in use and no other material was set.
  */
 export function drawsNormals(renderer: Renderer): boolean {
   const material = stateOf(renderer)
   if (material._useNormalMaterial) return true
-  const others = material.userFillShader && besideNormals.get(material.userFillShader)
+  const others = material.userFillShader && materialBesideNormals.get(material.userFillShader)
   return others?.every((value, i) => value === othersOf(material)[i]) ?? false
 }
 
@@ -187,12 +187,12 @@ const othersOf = (material: MaterialState) => [
 
 const removed = new WeakSet<Canvas>()
 
-/** `remove()` leaves the renderer of a sketch in place, so the addon is told of it by p5's life cycle. */
+/** Records that p5 removed the sketch: its renderer stays in place after `remove()`, so p5's life cycle calls this. */
 export function sketchRemoved(this: Canvas) {
   removed.add(this)
 }
 
-/** The 3D renderer that `canvas` draws with at this moment, if it has one. */
+/** Returns the 3D renderer that `canvas` currently draws with; `undefined` if it has none. */
 export function rendererOf(canvas: Canvas): Renderer | undefined {
   const renderer = removed.has(sketchOf(canvas)) ? undefined : canvas._renderer
   return renderer?.isP3D && (renderer.GL || renderer.device) ? renderer : undefined

@@ -16,6 +16,6 @@ export function rememberWarp<Function extends object>(distort: Function, how: Ma
   return distort
 }
 
-/** Undefined of everything else. */
+/** Returns `undefined` for any other value. */
 export const madeWarpOf = (value: unknown): MadeWarp | undefined =>
   typeof value === 'function' ? made.get(value) : undefined

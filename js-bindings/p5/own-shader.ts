@@ -1,13 +1,13 @@
-/** The option `shader`: a shader that the sketch made by `modify` or `buildMaterialShader`, for a warp to be put on. */
+/** The option `shader`: a shader that the sketch made by `modify` or `buildMaterialShader`, to which the warp is added. */
 import { WarpError, describe } from '../errors/errors.js'
 import type { Shader } from './host.js'
 import { type HookStyle, targetOf } from './hooks/styles.js'
 import type { WarpSettings } from './settings.js'
 
-/** What the sketch has set of a shader since it was handed over, for the warp's copies of it. */
+/** Maps the sketch's shader to the uniforms that were set since it was passed to createWarp, for the warp's copies of the shader. */
 const values = new WeakMap<Shader, Map<string, unknown>>()
 
-/** Throws a `WarpError` where the warp cannot be put on the shader. */
+/** Throws a `WarpError` if the warp cannot be added to the shader. */
 export function checkShader(
   { shader, hooks }: WarpSettings,
   style: HookStyle,
@@ -17,11 +17,11 @@ export function checkShader(
   const vertex = shader.hooks?.vertex
   if (!vertex)
     throw new WarpError(
-      `createWarp: the option "shader" must be a shader that modify() or buildMaterialShader() made, but is ${describe(shader)}.`,
+      `createWarp: the option "shader": expected a shader that modify() or buildMaterialShader() made, got ${describe(shader)}.`,
     )
   if (!('Vertex getObjectInputs' in vertex || 'vec3 getLocalNormal' in vertex))
     throw new WarpError(
-      'createWarp: the option "shader" must be one of shapes, such as baseMaterialShader().modify(…); this one has no hooks for the vertices of shapes.',
+      'createWarp: the option "shader": expected a shader of shapes, such as baseMaterialShader().modify(…), got one without hooks for the vertices of shapes.',
     )
   const isWgsl = targetOf(renderer) === 'wgsl'
   const inGlsl = isWgsl && Object.keys(vertex).find((name) => /^\s*\(\w+ \w/.test(vertex[name]!))
@@ -32,16 +32,16 @@ export function checkShader(
   const own = shader._renderer
   if (own && (targetOf(own) === 'wgsl') !== isWgsl)
     throw new WarpError(
-      'createWarp: the option "shader" must be made on a canvas of the same kind, WEBGL or WEBGPU, as the one of the warp.',
+      'createWarp: the option "shader" must be made on a canvas of the same kind, WEBGL or WEBGPU, as the canvas of the warp.',
     )
   if (hooks === 'last' && !style.isOrdered)
     throw new WarpError(
-      'createWarp: on p5 1.11 the hooks of the shader come first; leave the option "hooks" out.',
+      'createWarp: on p5 1.11 the hooks of the shader always run first; leave the option "hooks" out.',
     )
-  remember(shader)
+  recordUniforms(shader)
 }
 
-function remember(shader: Shader) {
+function recordUniforms(shader: Shader) {
   if (values.has(shader)) return
   const known = new Map<string, unknown>()
   values.set(shader, known)
@@ -52,8 +52,8 @@ function remember(shader: Shader) {
   }
 }
 
-/** Hands what the sketch has set of its shader on to the warp's copy. */
-export function passOn({ shader }: WarpSettings, copy: Shader) {
+/** Sets the uniforms of the warp's copy to the values that the sketch has set in its own shader. */
+export function copyUniforms({ shader }: WarpSettings, copy: Shader) {
   for (const [name, value] of (shader && values.get(shader)) ?? [])
     if (copy.uniforms[name]) copy.setUniform(name, value)
 }

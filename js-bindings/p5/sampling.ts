@@ -1,7 +1,7 @@
-// Wrapping and filter of a p5.Texture.
+// Reads the wrap mode and the filter of a p5.Texture.
 import type { ImageSampling, Wrap } from '../compile/hosts.js'
 
-/** p5.Texture, as far as a warp reads it. p5 1.11 keeps WebGL's numbers, p5 2 its own words. */
+/** The members of a p5.Texture that a warp reads. p5 1.11 stores WebGL enums, p5 2 stores words of its own. */
 export interface Texture {
   readonly width: number
   readonly height: number

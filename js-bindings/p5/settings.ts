@@ -1,56 +1,59 @@
-/** Reads what a sketch hands to `createWarp` after the offset. */
+/** Reads the options of `createWarp`. */
 import type { UniformOptions, UniformValues } from '../compile/hosts.js'
 import { anything, boolean, oneOf, optional, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
 import type { Shader } from './host.js'
 
-/** Which of p5's materials the warp continues. */
+/** The p5 material that the warp extends. */
 export type WarpType = 'specular' | 'normal'
 
 /**
- * The space that the offset lives in: `local` is the model's own, `world` has the model's transforms applied but not
- * the camera, and in `camera` the eye is the origin and looks along -z.
+ * The space of the offset: `local` is the model's own, `world` has the model's transforms applied but not the camera's, and in
+ * `camera` the eye is the origin and looks along -z.
  */
 export type WarpSpace = 'local' | 'world' | 'camera'
 
 export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValues> {
   /**
-   * What the offset function reads as `uniforms`: a number, an array of 2 to 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or
-   * a function that gives one of them each time that the warp is put on. Lists are copied.
+   * The `uniforms` of the offset function, each a number, an array of 2 to 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or a
+   * function that returns one of these and is called each time the warp is applied. Lists are copied.
    */
   uniforms?: UniformOptions<Uniforms>
-  /** Left out: `specular`, p5's full material, or `normal` while the sketch uses `normalMaterial()`. */
+  /** Default: `specular`, which is p5's full material, or `normal` while the sketch uses `normalMaterial()`. */
   type?: WarpType
-  /** Left out: `local`. */
+  /** @default 'local' */
   space?: WarpSpace
   /**
-   * GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. On a WEBGPU canvas functions are
-   * WGSL, and uniforms are declared as in GLSL.
+   * GLSL to insert above the warp: helper functions, and the uniforms that the offset reads by `glsl.param(…)`. On a WEBGPU canvas,
+   * write functions in WGSL, but declare uniforms as in GLSL.
    */
   defs?: string
   /**
-   * Normal and uv vary over a surface, and so turns the light of an offset that depends on them; `false`: they count as constant.
+   * Whether the light of an offset that depends on normal or uv accounts for how these vary over the surface; if `false`, they count
+   * as constant. Default: true.
    */
   surfaceVariation?: boolean
   /**
-   * Whether lines and points are warped too, those of `stroke()`, `line()` and `bezier()`: left out, if the sketch has
-   * called `stroke()` and the offset reads neither normal, uv nor color, which lines lack; otherwise they are turned off.
+   * Whether lines and points are warped too, as drawn by `stroke()`, `line()` and `bezier()`. Default: true if the sketch has called
+   * `stroke()` and the offset reads neither normal, uv nor color, which lines lack. Otherwise lines and points are not drawn.
    */
   stroke?: boolean
   /**
-   * What the offset function returns: `'offset'`, left out, is how far the vertex is moved; `'position'` is where it goes, as in
+   * Meaning of the offset function's result: `'offset'` is added to the position, `'position'` is the new position, as in
    * `({ glsl, position }) => glsl.rotateY(1).mult(position)`.
+   * @default 'offset'
    */
   returns?: 'offset' | 'position'
   /**
-   * A shader that the sketch made by `modify` or `buildMaterialShader`, for the warp to be put on: its hooks are kept. Uniforms that
-   * are set of it reach the warp.
+   * A shader that the sketch made by `modify` or `buildMaterialShader`, to which the warp is added: its hooks stay. Uniforms that are
+   * set in it are passed to the warp.
    */
   shader?: object
   /**
-   * When hooks of the option `shader` run that change vertices in the space of the warp: `'first'`, left out, before the warp, which
-   * then moves what they made; or `'last'`, of what the warp made.
+   * Order of the warp and the hooks of the option `shader` that change vertices in the same space: with `'first'` the hooks run before
+   * the warp, with `'last'` after it.
+   * @default 'first'
    */
   hooks?: 'first' | 'last'
   /** With 'warpjet/operators': variables of the sketch that the offset function reads, by name, as in `{ scope: { amount } }`. */
@@ -76,7 +79,7 @@ const createWarpOptions = object({
   uniforms: anything<UniformOptions<UniformValues>>(),
   type: optional(oneOf(['specular', 'normal'])),
   space: oneOf(['local', 'world', 'camera'], 'local'),
-  defs: text('a text of GLSL such as "uniform float size;"', undefined, { default: '' }),
+  defs: text('a string of GLSL such as "uniform float size;"', undefined, { default: '' }),
   surfaceVariation: anything<boolean>(),
   stroke: optional(boolean()),
   returns: oneOf(['offset', 'position'], 'offset'),
@@ -93,19 +96,17 @@ export function readOptions(options?: CreateWarpOptions): WarpSettings {
   const read = createWarpOptions.read(options, place)
   const { type, shader, defs } = read
   if (shader !== undefined && type !== undefined)
-    throw place.error(
-      'the options "type" and "shader" both say what to draw with; leave one of them out.',
-    )
+    throw place.error('the options "type" and "shader" exclude each other; leave one of them out.')
   const { uniforms } = read
   const defined = uniformsIn(defs)
   for (const name of Object.keys(uniforms ?? {}))
     if (defined.has(name))
       throw place.error(
-        `the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
+        `the uniform "${name}" is in both options "uniforms" and "defs"; leave it out of one of them.`,
       )
   return { ...read, shader: shader as Shader | undefined }
 }
 
-/** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */
+/** Returns all words of the uniform declarations in GLSL such as `uniform float size, amount;`, which include the uniforms' names. */
 export const uniformsIn = (defs: string) =>
   new Set((defs.match(/\buniform\b[^;]*/g) ?? []).flatMap((text) => text.match(/\w+/g)!))

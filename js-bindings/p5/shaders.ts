@@ -1,13 +1,13 @@
-/** The shaders of one warp for one renderer: each is made when it is first drawn with. */
+/** The shaders of one warp for one renderer, each made on first use. */
 import { type HostText, type HostWarp, type Target, lazily } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { checkDefs } from './page/defs.js'
 import { readsVariation } from './variation/variation-text.js'
-import { hookStyleOf, isOfLines, namesFor, weave } from './hooks/hooks.js'
+import { hookStyleOf, isOfLines, namesFor, addWarp } from './hooks/hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings } from './settings.js'
-import { declaredInputs, declaredUniforms, defsFor, refuseUndeclared } from './sketch-uniforms.js'
-import { type WovenType, readsInstance, targetOf } from './hooks/styles.js'
+import { declaredInputs, declaredUniforms, defsFor, rejectUndeclared } from './sketch-uniforms.js'
+import { type MaterialKind, readsInstance, targetOf } from './hooks/styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
@@ -20,10 +20,10 @@ export function styleFor(canvas: Canvas) {
 const normalShaderOf = (canvas: Canvas, target: Target) =>
   target === 'wgsl' ? canvas.baseColorShader() : canvas.baseNormalShader()
 
-/** What lines and points are drawn with. */
-export interface MovingShaders {
+/** The shaders that draw warped lines and points. */
+export interface StrokeShaders {
   stroke: Shader
-  /** Where points have a shader of their own. */
+  /** Present if points have a shader of their own. */
   point: Shader | undefined
 }
 
@@ -33,43 +33,43 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const defs = defsFor(settings, target)
-  const weavable = (text: HostText, base: Shader) => {
+  const toWarpCode = (text: HostText, base: Shader) => {
     if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
     const declared = declaredUniforms(warp, text, settings, target)
-    refuseUndeclared(warp, text, base, declared, defs, target)
+    rejectUndeclared(warp, text, base, declared, defs, target)
     const { space, hooks } = settings
     return { text, space, defs, hooks, uniforms: [...declaredInputs(text), ...declared] }
   }
   const names = namesFor(style)
-  const woven = weavable(
+  const warpCode = toWarpCode(
     warp.text(target, ['offset', 'position', 'normal'], { names }),
     own ?? material,
   )
-  const shaders: Partial<Record<WovenType, Shader>> = {}
-  const shaderFor = (type: WovenType): Shader =>
-    (shaders[type] ??= weave(
+  const shaders: Partial<Record<MaterialKind, Shader>> = {}
+  const shaderFor = (type: MaterialKind): Shader =>
+    (shaders[type] ??= addWarp(
       own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material),
       style,
-      woven,
+      warpCode,
       type,
     ))
   if (defs.trim()) checkDefs(shaderFor(own ? 'own' : (settings.type ?? 'specular')), defs, renderer)
   return {
     renderer,
-    inputs: woven.text.uniforms,
-    varies: readsVariation(woven.text),
+    inputs: warpCode.text.uniforms,
+    varies: readsVariation(warpCode.text),
     shaderFor,
-    /** Nothing where the warp reads what lines lack: then they cannot follow the fill. */
-    moving: lazily((): MovingShaders | undefined => {
+    /** Returns `undefined` if the warp reads inputs that lines lack, so that they cannot follow the fill. */
+    strokeShaders: lazily((): StrokeShaders | undefined => {
       const text = warp.text(target, ['position', 'jacobian'], { names })
       if (!isOfLines(text)) return undefined
       const base = canvas.baseStrokeShader()
-      const along = weavable(text, base)
+      const along = toWarpCode(text, base)
       const points = style.point && pointShaderOf(renderer)
       return {
         stroke: base.modify(style.stroke(along, base)),
-        // 1.11 asks for it, and has none.
+        // p5 1.11 calls isPointShader, but does not define it.
         point:
           points &&
           Object.assign(points.modify(style.point!(along)), { isPointShader: () => true }),

@@ -1,4 +1,4 @@
-/** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
+/** The uniforms of a warp: those of the addon, which carry the inputs that change per draw call, and those of the sketch. */
 import {
   type Declared,
   type FrameConstants,
@@ -15,7 +15,8 @@ import {
   scalarOrArray,
 } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { own } from '../options/options.js'
+import { own } from '../options/guards.js'
+import { Place } from '../options/place.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 import { samplingOf } from './sampling.js'
 import { glslType } from './hooks/styles.js'
@@ -24,20 +25,22 @@ import { type WarpSettings, uniformsIn } from './settings.js'
 export const p5: Host = {
   name: 'p5.js',
   inputs: Object.keys(drawInputs) as (keyof typeof drawInputs)[],
-  // The option `defs` declares them.
+  // The option `defs` declares parameters.
   hasParameters: true,
   prefix: 'uWarpjet',
-  // The adapter reads it from the p5.Texture that an image becomes when it is set.
+  // The adapter reads the sampling from the p5.Texture that p5 makes of an image.
   sampling: { hasTransform: false },
 }
 
-/** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
+/** Maps uniform names to values that p5's `setUniform` accepts; a p5.Vector may replace an array of numbers. */
 export type WarpUniforms = Record<string, unknown>
 
 interface Input {
   uniform: string
   read: (canvas: Canvas) => number | number[]
 }
+
+const place = new Place('The function that createWarp returned')
 
 const inputs: Record<string, Input> = {
   millis: {
@@ -63,21 +66,21 @@ export const inputUniforms = Object.fromEntries(
   Object.entries(inputs).map(([name, { uniform }]) => [name, uniform]),
 )
 
-/** By input, what it is at this moment. */
+/** Returns the current value of each input, by name. */
 export const inputsNow = (canvas: Canvas) =>
   Object.fromEntries(Object.entries(inputs).map(([name, { read }]) => [name, read(canvas)]))
 
-/** The inputs among the `uniforms` of a compiled warp, where the sketch's own parameters are too. */
+/** Selects the inputs from the `uniforms` of a compiled warp, which include the sketch's own parameters. */
 const inputsAmong = (read: readonly Declared[]) =>
   read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
 
-/** Inputs and frame constants that the shader must declare. */
+/** Returns the inputs and frame constants that the shader must declare. */
 export const declaredInputs = ({ uniforms, frame }: HostText): Declared[] => [
   ...inputsAmong(uniforms).map(({ type, uniform }) => ({ type, name: uniform })),
   ...frame.map((name) => ({ type: 'vec4' as const, name })),
 ]
 
-/** Variables that the text reads and the shader must declare: in WGSL also those of `defs`. */
+/** Returns the uniforms that the code reads and the shader must declare; in WGSL these include those of `defs`. */
 export function declaredUniforms(
   { uniforms }: HostWarp,
   { parameters }: HostText,
@@ -96,19 +99,23 @@ export function declaredUniforms(
 }
 
 /**
- * Maps names to values for one call: the inputs of the canvas, and the uniforms of the option or the values that the call gives
- * in their place. Each is read once, if at all.
+ * Maps names to values for one call: the inputs of the canvas, and the uniforms of the option, each with the value that overrides it
+ * in this call. Each value is read on first access.
  */
 export type CallValues = Readonly<Record<string, number | number[]>>
 
-export function valuesOf(canvas: Canvas, given: WarpUniforms, { uniforms }: HostWarp): CallValues {
+export function valuesOf(
+  canvas: Canvas,
+  overrides: WarpUniforms,
+  { uniforms }: HostWarp,
+): CallValues {
   const ofInputs = Object.entries(inputs).map(
     ([name, { read }]) => [name, () => read(canvas)] as const,
   )
   const ofUniforms = [...uniforms.declared].flatMap(([name, { numbers, image }]) => {
     if (image) return []
-    const replaced = Object.hasOwn(given, name) && uniforms.numbersFor(name, given[name])
-    const read = () => scalarOrArray(replaced || numbers('The function that createWarp returned'))
+    const replaced = Object.hasOwn(overrides, name) && uniforms.numbersFor(name, overrides[name])
+    const read = () => scalarOrArray(replaced || numbers(place))
     return [[name, read] as const]
   })
   const properties = [...ofInputs, ...ofUniforms].map(([name, read]) => [
@@ -120,15 +127,15 @@ export function valuesOf(canvas: Canvas, given: WarpUniforms, { uniforms }: Host
 
 const declaration = /\buniform\s+(?:\w+p\s+)?(?:float|vec[234]|mat[234]|sampler2D)\s+[\w\s,]+;/g
 
-/** The option `defs` for `target`: in WGSL `declaredUniforms` declares what it has in GLSL's words; lines stay where they are. */
+/** Returns the option `defs` for `target`. In WGSL, `declaredUniforms` replaces the GLSL declarations, which become blank lines. */
 export const defsFor = ({ defs }: WarpSettings, target: Target) =>
   target === 'wgsl' ? defs.replace(declaration, (text) => text.replace(/.+/g, '')) : defs
 
 const valueFor = (name: string) =>
   `give it a value by the option { uniforms: { ${name}: 0.5 } }, and read it as uniforms.${name}`
 
-/** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
-export function refuseUndeclared(
+/** Throws for a parameter that neither p5 nor `defs` declares: the shader would fail, and p5 would print all of its source. */
+export function rejectUndeclared(
   { uniforms }: HostWarp,
   { parameters }: HostText,
   shader: Shader,
@@ -140,7 +147,7 @@ export function refuseUndeclared(
   const uniform = isWgsl && /\buniform\s+\w+\s+(\w+)/.exec(defs)
   if (uniform)
     throw new WarpError(
-      `createWarp: on a WEBGPU canvas the option "defs" declares no uniforms so; ${valueFor(uniform[1]!)}.`,
+      `createWarp: on a WEBGPU canvas the option "defs" cannot declare uniforms like this; ${valueFor(uniform[1]!)}.`,
     )
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
   for (const { name } of ours) declared.add(name)
@@ -165,32 +172,33 @@ export function setInputs(
     if (shader.uniforms[name]) shader.setUniform(name, values)
 }
 
-/** Sets the uniforms of the option `uniforms` to their present values, or to what this call gives instead. */
+/** Sets the uniforms of the option `uniforms` to their current values, or to those that override them in this call. */
 function setDeclared(
   shader: Shader,
-  given: WarpUniforms,
+  overrides: WarpUniforms,
   { declared, labelOf }: HostWarp['uniforms'],
   values: CallValues,
 ) {
   for (const [name, { image }] of declared) {
     const label = labelOf(name)
-    // One that the warp never reads does not reach the shader.
+    // The shader lacks uniforms that the warp never reads.
     if (!shader.uniforms[label]) continue
-    if (image) setImage(shader, label, name, Object.hasOwn(given, name) ? given[name] : image())
+    if (image)
+      setImage(shader, label, name, Object.hasOwn(overrides, name) ? overrides[name] : image())
     else shader.setUniform(label, values[name])
   }
 }
 
 function p5Image(name: string, value: unknown) {
-  const image = imageFor(`The warp's uniform "${name}"`, value)
+  const image = imageFor(place.uniform(name), value)
   if ('nodeType' in image)
     throw new WarpError(
-      `The warp's uniform "${name}" must be an image of p5, but is an element of the page.`,
+      `The warp's uniform "${name}": expected an image of p5, got an element of the page.`,
     )
   return image
 }
 
-/** Sets an image, how p5 samples it and, in WebGL 1, its size in texels. */
+/** Sets an image, its sampling and, in WebGL 1, its size in texels. */
 function setImage(shader: Shader, label: string, name: string, image: unknown) {
   shader.setUniform(label, p5Image(name, image))
   const texture = shader.uniforms[label]!.texture!
@@ -200,18 +208,18 @@ function setImage(shader: Shader, label: string, name: string, image: unknown) {
     shader.setUniform(`${label}Size`, [texture.width, texture.height])
 }
 
-/** Sets the sketch's own uniforms. One that `defs` declares but the warp never reads does not reach the shader. */
+/** Sets the sketch's own uniforms. The shader lacks those that `defs` declares but the warp never reads. */
 export function setUniforms(
   shader: Shader,
-  given: WarpUniforms,
+  overrides: WarpUniforms,
   { uniforms }: HostWarp,
   { defs }: WarpSettings,
   values: CallValues,
 ) {
   const { declared, names } = uniforms
-  setDeclared(shader, given, uniforms, values)
+  setDeclared(shader, overrides, uniforms, values)
   const words = new Set(defs.match(/\w+/g))
-  for (const [name, value] of Object.entries(given)) {
+  for (const [name, value] of Object.entries(overrides)) {
     if (declared.has(name)) continue
     const uniform = own(shader.uniforms, name) as Uniform | undefined
     if (uniform) shader.setUniform(name, readValue(name, value, uniform))
@@ -227,12 +235,12 @@ export function setUniforms(
 const mat2 = 0x8b5a
 const sampler2D = 0x8b5e
 
-/** Of the matrices, by WebGL's number. */
+/** Maps the WebGL enum of a matrix type to its number of components. */
 const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
 
 function readValue(name: string, value: unknown, uniform: Uniform) {
   const { type, isArray, offset, offsetEnd, packInPlace } = uniform
-  /** Numbers, on WebGPU. */
+  /** Number of components (WebGPU only). */
   const items = packInPlace ? 9 : (offsetEnd! - offset!) / 4
   const isList = isArray ?? items > 1
   if (type === mat2 && !isList)
@@ -244,14 +252,14 @@ function readValue(name: string, value: unknown, uniform: Uniform) {
     value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
   if (wrong || (isList && typeof value !== 'object'))
     throw new WarpError(
-      `The warp's uniform "${name}" must be ${isList ? 'an array of numbers' : 'a number'}, but is ${describe(value)}.`,
+      `The warp's uniform "${name}": expected ${isList ? 'an array of numbers' : 'a number'}, got ${describe(value)}.`,
     )
   const size = matrixSizes[type ?? 0] ?? (isList && items)
   if (size && Array.isArray(value) && !(value.length === size && value.every(Number.isFinite)))
     throw new WarpError(
-      `The warp's uniform "${name}" must be an array of ${size} numbers${items < 5 ? '' : ', column by column'}, but is ${describe(value)}.`,
+      `The warp's uniform "${name}": expected an array of ${size} numbers${items < 5 ? '' : ', column by column'}, got ${describe(value)}.`,
     )
-  // p5 1.11 takes neither its own vectors nor its own colours as the value of a uniform.
+  // p5 1.11 accepts neither its own vectors nor its own colours as the value of a uniform.
   const list = isList && componentsOf(value as object)
   return items && isList ? Array.from(list as number[]).slice(0, items) : list || value
 }

@@ -1,67 +1,68 @@
 /**
- * Lines and points follow the fill where the option `stroke` says so, or, left out, where the sketch itself called `stroke()`:
- * sketches that never did were written for warps without lines.
+ * Lines and points follow the fill if the option `stroke` is true or, by default, if the sketch itself called `stroke()`: sketches
+ * that never call it were written for warps without lines.
  */
 import { WarpError } from '../errors/errors.js'
 import { type Canvas, type Renderer, type Shader, rendererOf, setState, stateOf } from './host.js'
 import type { WarpSettings } from './settings.js'
-import type { MovingShaders } from './shaders.js'
+import type { StrokeShaders } from './shaders.js'
 
-/** The colours that `stroke()` made, since p5 has a new one for each call; and the renderers that it was called for. */
-const asked = new WeakSet<object>()
+/** The colours that `stroke()` made, since p5 makes a new one in each call, and the renderers that it was called for. */
+const requested = new WeakSet<object>()
 
-/** To be called when the sketch has called `stroke()`. */
+/** Records that the sketch has called `stroke()`. */
 export function strokeWasCalled(canvas: Canvas) {
   const renderer = rendererOf(canvas)
-  if (renderer) asked.add(renderer).add(colorOf(renderer))
+  if (renderer) requested.add(renderer).add(colorOf(renderer))
 }
 
 const colorOf = (renderer: Renderer) => stateOf(renderer).curStrokeColor as readonly number[]
 
-/** Black is what p5 begins with. Other colours are copied at times, by `bezierVertex` for one. */
-const isAsked = (renderer: Renderer) =>
-  asked.has(colorOf(renderer)) || (asked.has(renderer) && `${colorOf(renderer)}` !== '0,0,0,1')
+/** Returns whether the sketch set the current stroke colour. p5's initial one is black; p5 copies others, in `bezierVertex` for instance. */
+const hasSketchStroke = (renderer: Renderer) =>
+  requested.has(colorOf(renderer)) ||
+  (requested.has(renderer) && `${colorOf(renderer)}` !== '0,0,0,1')
 
-/** Whether lines are to be seen, in p5 2.x by their colour. */
-const areSeen = (renderer: Renderer) =>
+/** Returns whether p5 draws lines; on 2.x they have no colour otherwise. */
+const areLinesVisible = (renderer: Renderer) =>
   renderer.states ? !!renderer.states.strokeColor : !!renderer._doStroke
 
-/** Our shaders of lines and points, which p5 keeps where another shader of fills takes the place of ours. */
+/** Our shaders of lines and points, which p5 keeps even when another fill shader replaces ours. */
 const ours = new WeakSet<Shader>()
 
-/** Puts a warp's lines and points on, or turns them off; gives the shaders that are now in use. */
-export function putOnStrokes(
+/** Applies a warp's shaders of lines and points, or turns strokes off. Returns the shaders now in use. */
+export function applyStrokeShaders(
   canvas: Canvas,
   { stroke, shader }: WarpSettings,
-  moving: () => MovingShaders | undefined,
+  strokeShaders: () => StrokeShaders | undefined,
 ): Shader[] {
   const renderer = rendererOf(canvas)!
   const isMovedBeside = Object.keys(shader?.hooks.modified.vertex ?? {}).length > 0
-  const isWanted = stroke ?? (isAsked(renderer) && !isMovedBeside)
+  const isWanted = stroke ?? (hasSketchStroke(renderer) && !isMovedBeside)
   if (!isWanted) {
     canvas.noStroke()
     return []
   }
-  if (!areSeen(renderer)) return []
-  const shaders = moving()
+  if (!areLinesVisible(renderer)) return []
+  const shaders = strokeShaders()
   if (!shaders) {
     if (stroke)
       throw new WarpError(
-        'createWarp: lines have no normal, uv or fill, so that this offset cannot move them; leave the option "stroke" out, or write the offset with position alone.',
+        'createWarp: lines have no normal, uv or fill, so this offset cannot move them; leave the option "stroke" out, or make the offset depend on position alone.',
       )
     canvas.noStroke()
     return []
   }
   if (canvas.strokeShader) canvas.strokeShader(shaders.stroke)
-  else putOn(canvas, renderer, 'userStrokeShader', shaders.stroke)
-  if (shaders.point) putOn(canvas, renderer, 'userPointShader', shaders.point)
+  else applyOnV1(canvas, renderer, 'userStrokeShader', shaders.stroke)
+  if (shaders.point) applyOnV1(canvas, renderer, 'userPointShader', shaders.point)
   const used = [shaders.stroke, ...(shaders.point ? [shaders.point] : [])]
   for (const shader of used) ours.add(shader)
   return used
 }
 
-/** On 1.11, as its `shader` does. */
-function putOn(
+/** Applies a shader of lines or points on 1.11, in the same way as its `shader()`. */
+function applyOnV1(
   canvas: Canvas,
   renderer: Renderer,
   name: 'userStrokeShader' | 'userPointShader',
@@ -71,11 +72,11 @@ function putOn(
   setState(renderer, name, shader)
 }
 
-/** Whether lines and points are ours already. */
+/** Returns whether our shaders draw lines and points already. */
 export const hasStrokes = (canvas: Canvas) =>
   ours.has(stateOf(rendererOf(canvas)!).userStrokeShader ?? ({} as Shader))
 
-/** When the sketch puts another shader on, the warp is over, for lines too. */
+/** Ends the warp of lines too, after the sketch has applied another shader. */
 export function dropStrokes(canvas: Canvas) {
   const renderer = rendererOf(canvas)
   if (!renderer) return

@@ -9,6 +9,7 @@ import {
   type Vertices,
   shaderNames,
 } from '../compile/hosts.js'
+import { Place } from '../options/place.js'
 import { remembered } from './remembered.js'
 import type { Settings } from './settings.js'
 import { type UniformHandle, handlesOf } from './uniforms.js'
@@ -47,7 +48,7 @@ export class ThreeWarp extends HostWarp {
     offset: OffsetFunction,
     readonly settings: Settings,
   ) {
-    super(settings.method, offset, {
+    super(new Place(settings.method), offset, {
       host: three,
       uniforms: settings.uniforms,
       target: 'glsl300',

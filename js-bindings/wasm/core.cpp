@@ -82,8 +82,8 @@ std::vector<std::string> operationNames() {
 std::vector<std::uint8_t> operationFlags() {
   std::vector<std::uint8_t> flags;
   for (const Operation& operation : operations) {
-    const bool isMethod = !operation.isForText && !operation.isConstructor();
-    flags.push_back((isMethod ? 1 : 0) | (operation.isForText ? 0 : 2));
+    const bool isMethod = !operation.isGlslOnly && !operation.isConstructor();
+    flags.push_back((isMethod ? 1 : 0) | (operation.isGlslOnly ? 0 : 2));
   }
   return flags;
 }
@@ -106,8 +106,8 @@ int addRecorded(Builder& session, std::string_view name, std::uint32_t variables
   return session.addRecorded(name, variables, module);
 }
 
-int warp(Builder& session, std::string_view method, bool turns, bool isFlat) {
-  return session.warp(method, {turns, isFlat});
+int warp(Builder& session, std::string_view method, bool needsDirections, bool isFlat) {
+  return session.warp(method, {needsDirections, isFlat});
 }
 
 // Calls whose partial derivatives are needed.
@@ -199,10 +199,10 @@ std::vector<Naming> namings(const Words& numbers, const std::vector<std::string>
 ShaderText writeText(const Module& module, std::string_view target, const Words& inputs,
                      const std::vector<std::string>& inputNames, const Words& results,
                      const std::vector<std::string>& resultNames, int maxDepth) {
-  TextOptions options{.results = namings(results, resultNames),
-                      .inputs = namings(inputs, inputNames)};
-  if (maxDepth > 0) options.emit = {maxDepth, EmitOptions::mostReads};
-  Written written = write(module, *findDialect(target), options);
+  ShaderTextOptions options{.results = namings(results, resultNames),
+                            .inputs = namings(inputs, inputNames)};
+  if (maxDepth > 0) options.emit = {maxDepth, EmitOptions::maxTrackedReads};
+  ShaderTextResult written = write(module, *findDialect(target), options);
   if (!written.text) return {.problem = written.problem};
   auto& [emitted, declarations, names] = *written.text;
   ShaderText text{{}, std::move(emitted.code), std::move(declarations)};

@@ -7,8 +7,8 @@ import { type Emscripten, WasmInstance, outOfMemory } from './instance.js'
 export type { Module, Session } from '../generated/core-bindings.js'
 
 /**
- * Handles are numbers that stand for values: numbers, vectors and matrices alike; `failed` of tables.ts stands in the place
- * of one that there cannot be, and then the session's `problem` says why.
+ * The bound compiler. Values, which are numbers, vectors or matrices, are identified by handles. `failed` of tables.ts is returned in
+ * place of a handle if there is a problem, which the session's `problem()` describes.
  */
 export type Core = Bound & Emscripten
 
@@ -24,7 +24,7 @@ export const core = new WasmInstance<Core>({
 export const getCore = () => core.get()
 
 /**
- * How many bytes the compiler holds inside the wasm. Between two warps it is always the same.
+ * Returns the number of bytes that the compiler holds in the wasm, which is the same between any two warps.
  * @internal
  */
 export const memoryInUse = (): number => getCore().memoryInUse()

@@ -61,7 +61,7 @@ class CpuProgram {
     return found;
   }
 
-  bool isTooLongForMachineCode() const { return instructions_ > mostInstructions; }
+  bool isTooLongForMachineCode() const { return instructions_ > maxInstructions; }
 
   RegisterProgram allocate(const Words& wanted, const std::vector<InputArray>& inputs) const {
     std::vector<bool> isUniform;

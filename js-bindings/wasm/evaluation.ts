@@ -1,5 +1,5 @@
-// What runs programs on many vertices (evaluation.cpp). It is a module of its own, since it needs SIMD and the compiler does not.
-// It starts when the first warp is evaluated, and holds nothing between two calls.
+// Evaluates programs at many vertices (evaluation.cpp). A module of its own, since it needs SIMD and the compiler does not. It starts
+// when the first warp is evaluated, and holds nothing between two calls.
 import { WarpError } from '../errors/errors.js'
 import factory from '../generated/evaluation.js'
 import type { Bound } from '../generated/evaluation-bindings.js'
@@ -10,7 +10,7 @@ export type { Code, InputArray, Program } from '../generated/evaluation-bindings
 
 export type Evaluation = Bound &
   Emscripten & {
-    /** What machine code imports, under its names there. */
+    /** The imports of machine code. */
     readonly imports: WebAssembly.ModuleImports
   }
 
@@ -19,7 +19,7 @@ export const evaluation = new WasmInstance<Evaluation>({
   inlined,
   fail: outOfMemory(
     (megabytes) =>
-      `There is not enough memory to run so large a warp on the CPU, which already takes ${megabytes} MB.`,
+      `There is not enough memory to evaluate so large a warp on the CPU, which already takes ${megabytes} MB.`,
   ),
   explainStart: (cause) =>
     cause instanceof WebAssembly.CompileError &&
@@ -36,7 +36,7 @@ function withImports(bound: Bound & Emscripten): Evaluation {
 }
 
 /**
- * How many bytes are held inside the wasm: between two calls always the same.
+ * Returns the number of bytes held in the wasm, which is the same between any two calls.
  * @internal
  */
 export const evaluationMemoryInUse = (): number => evaluation.get().memoryInUse()

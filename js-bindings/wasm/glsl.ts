@@ -16,7 +16,7 @@ export const glsl = new WasmInstance<Bound & Emscripten>({
 })
 
 /**
- * How many bytes the front end holds inside the wasm. Between two calls it is always the same.
+ * Returns the number of bytes that the front end holds in the wasm, which is the same between any two calls.
  * @internal
  */
 export const glslMemoryInUse = (): number => glsl.get().memoryInUse()

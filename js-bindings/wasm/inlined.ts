@@ -1,16 +1,16 @@
-// The bytes of a wasm module, which is inlined as text, and why a browser may refuse them. It is compiled synchronously, so that
+// Decodes the bytes of an inlined wasm module, and explains why a browser rejects them. Modules are compiled synchronously, so that
 // `createWarp` works in a plain `setup()`.
 import { WarpError } from '../errors/errors.js'
 
-/** By .scripts/lib/inline.mjs: frequent bytes are a letter each, the others two, which gzip packs as well as bytes. */
+/** A module as text, by .scripts/lib/inline.mjs: frequent bytes are one letter, others two, which gzip compresses as well as bytes. */
 export interface Inlined {
   text: string
   letters: string
-  /** The bytes that are a letter each; these and the others stand in their own order. */
+  /** The bytes that are one letter each, in the order of their letters. */
   frequent: readonly number[]
 }
 
-/** Does `compile` with the bytes of a module, or throws a `WarpError` that says why the browser refuses all of them. */
+/** Calls `compile` with the bytes of a module. Throws a `WarpError` that explains why the browser rejects any module. */
 export function withBytes<Result>(
   inlined: Inlined,
   compile: (bytes: Uint8Array<ArrayBuffer>) => Result,
@@ -23,13 +23,13 @@ export function withBytes<Result>(
   try {
     return compile(bytes)
   } catch (cause) {
-    const why = refusal(cause)
-    throw why ? Object.assign(new WarpError(why), { cause }) : cause
+    const reason = explainRejection(cause)
+    throw reason ? Object.assign(new WarpError(reason), { cause }) : cause
   }
 }
 
-/** Why a browser that has WebAssembly compiles none of it, or none of this size. */
-function refusal(cause: unknown): string | undefined {
+/** Explains why a browser with WebAssembly compiles no module, or none of this size; `undefined` for another reason. */
+function explainRejection(cause: unknown): string | undefined {
   // Chrome compiled no more than 4 KB in a page's own thread before version 114, and 8 MB since.
   if (cause instanceof RangeError && /main thread/.test(cause.message))
     return 'warpjet needs a browser that compiles WebAssembly of any size at once; update it (Chrome and Edge do since version 114).'
@@ -50,7 +50,7 @@ function decode({ text, letters, frequent }: Inlined): Uint8Array<ArrayBuffer> {
     (byte) => !frequent.includes(byte),
   )
   const ordered = Uint8Array.of(...frequent, ...others)
-  // In place, for there are no more bytes than letters; typed arrays take half as long as the text and an array would.
+  // Decodes in place, since there are no more bytes than letters. Typed arrays take half the time of a string and an array.
   const bytes = new TextEncoder().encode(text)
   let size = 0
   for (let i = 0; i < bytes.length; i++) {

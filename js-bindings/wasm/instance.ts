@@ -1,8 +1,8 @@
-// The life of a wasm module that embind binds: it starts when it is first used, and is replaced once it has failed.
+// The lifetime of a wasm module bound by embind: it starts when it is first used, and is replaced after a failure.
 import { WarpError } from '../errors/errors.js'
 import { type Inlined, withBytes } from './inlined.js'
 
-/** What every module has besides its bindings. The arrays are views of its memory, which are new whenever that has grown. */
+/** The members of every module besides its bindings. The arrays are views of its memory, which are replaced when it grows. */
 export interface Emscripten {
   _malloc(bytes: number): number
   _free(address: number): void
@@ -12,7 +12,7 @@ export interface Emscripten {
   readonly HEAPF64: Float64Array
   /** The exports, under minified names. */
   readonly asm: WebAssembly.Exports
-  /** Whether it has failed, so that its memory is in any state and nothing of it may run again. */
+  /** `true` after a failure: the memory is in an undefined state, and no function may be called again. */
   isBroken: boolean
 }
 
@@ -21,23 +21,23 @@ interface Handle {
   delete(): void
 }
 
-/** What Emscripten generates for a module: it makes instances. */
+/** The function that Emscripten generates for a module, which makes instances. */
 export type Factory = (options: {
   wasmBinary: Uint8Array
-  /** Nothing is printed; what is wrong is thrown. */
+  /** Prints nothing, since errors are thrown. */
   printErr: () => void
-  /** Makes what is thrown of an error in a bound function; see .cmake/embind-invoker.js. */
+  /** Converts an error in a bound function into the one to throw; see .cmake/embind-invoker.js. */
   fail: (error: unknown) => unknown
 }) => unknown
 
 interface Options {
   factory: Factory
   inlined: Inlined
-  /** Makes the error to throw when the instance has failed while it held so many megabytes. */
+  /** Makes the error to throw when the instance has failed. `megabytes` is the size of its memory. */
   fail: (cause: unknown, megabytes: number) => unknown
-  /** Makes the error to throw if the module does not start for a reason that `withBytes` does not know. */
+  /** Makes the error to throw if the module does not start for a reason that `withBytes` does not explain. */
   explainStart?: (cause: unknown) => Error | false
-  /** Memory only grows: an instance that holds more after its use is replaced. */
+  /** Memory never shrinks: an instance with more memory is replaced after use. Default: no limit. */
   maxKeptBytes?: number
 }
 
@@ -81,7 +81,7 @@ export class WasmInstance<Bound extends Emscripten> {
     } catch (cause) {
       throw (!(cause instanceof WarpError) && explainStart?.(cause)) || cause
     }
-    // Emscripten's object is a mere dictionary to an engine; as a prototype, its functions are found at once.
+    // Engines treat Emscripten's object as a slow dictionary; functions of a prototype are fast to look up.
     const bound: Bound = Object.assign(Object.create(made), { isBroken: false })
     for (const [name, call] of Object.entries(made))
       if (/^_[a-z]/.test(name)) Reflect.set(made, name, this.guard(bound, call as never))
@@ -89,8 +89,8 @@ export class WasmInstance<Bound extends Emscripten> {
   }
 
   /**
-   * A plain export with what becomes of a failure in it; bound functions have that already. Seven places are enough for all of
-   * them, and take half the time of a list.
+   * Wraps a plain export so that failures are handled; bound functions are wrapped already. Seven parameters are enough for all
+   * exports, and take half the time of a rest parameter.
    */
   guard<Call extends (...given: never[]) => unknown>(bound: Bound, call: Call): Call {
     const plain = call as unknown as (...given: unknown[]) => unknown
@@ -104,7 +104,7 @@ export class WasmInstance<Bound extends Emscripten> {
     return guarded as unknown as Call
   }
 
-  /** Returns what to throw for an error of `bound`, which has failed if it is a trap. */
+  /** Returns the error to throw for an error of `bound`. A trap means that `bound` has failed. */
   private failure(bound: Bound, error: unknown): unknown {
     if (!isTrap(error)) return error
     bound.isBroken = true
@@ -113,12 +113,13 @@ export class WasmInstance<Bound extends Emscripten> {
   }
 }
 
-/** A `fail` for want of memory. No more stack means that user code calls itself without end, which JavaScript says better. */
+/** Makes a `fail` that reports lack of memory. A stack overflow means endless recursion of user code, which JavaScript's own error
+ * describes better. */
 export const outOfMemory =
   (message: (megabytes: number) => string) => (cause: unknown, megabytes: number) =>
     cause instanceof RangeError ? cause : new WarpError(message(megabytes))
 
-/** What stops an instance: a trap, no more stack, no more memory, or an exception of C++ that nothing caught. */
+/** Tests for a failure: a trap, a stack overflow, lack of memory, or an uncaught C++ exception. */
 const isTrap = (error: unknown) =>
   error instanceof WebAssembly.RuntimeError ||
   error instanceof RangeError ||

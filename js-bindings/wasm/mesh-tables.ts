@@ -1,4 +1,4 @@
-// Written by `npm run reference` from the C++: the arrays of a mesh's job by what they hold, and limits.
+// Written by `npm run reference` from the C++: the arrays of a mesh's job by type, and limits.
 
 export type FloatArray =
   | 'positions'
@@ -14,6 +14,6 @@ export type FloatArray =
 export type IndexArray = 'indices' | 'ends' | 'triangles'
 export type ByteArray = 'picture' | 'mimeType' | 'file' | 'contents' | 'painted'
 
-export const mostTriangles = 268435456
-/** Unless another limit is given. */
-export const usualTriangles = 1048576
+export const triangleLimit = 268435456
+/** The default of the option `maxTriangles`. */
+export const defaultTriangles = 1048576

@@ -21,7 +21,7 @@
 #include "mesh/gltf/export.hpp"
 #include "mesh/refine/shortfall.hpp"
 #include "mesh/refine/subdivide.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/surface/normals.hpp"
 #include "mesh/surface/variation.hpp"
 
@@ -252,8 +252,8 @@ Outcome refineUniformly(Job& job, int levels, std::uint32_t maxTriangles) {
     Texts texts;
     if (divided.levels < levels)
       texts = {"Of " + std::to_string(levels) + " levels only " + std::to_string(divided.levels) +
-               " were made, with " + grouped(divided.mesh.triangleCount()) +
-               " triangles, for maxTriangles is " + grouped(maxTriangles) + '.'};
+               " were made, with " + groupDigits(divided.mesh.triangleCount()) +
+               " triangles, for maxTriangles is " + groupDigits(maxTriangles) + '.'};
     job.mesh = std::move(divided.mesh);
     job.origins = std::move(divided.origins);
     return texts;

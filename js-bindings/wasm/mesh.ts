@@ -8,10 +8,10 @@ export type { Mesh, Outcome } from '../generated/mesh-bindings.js'
 
 export type MeshModule = Bound & Emscripten
 
-/** The module has stopped: whoever knows which method the user called says what that means. */
+/** Thrown if the module has failed. The caller, who knows the function that the user called, words the message. */
 export class MeshFailure extends Error {}
 
-/** The module did not start. */
+/** Thrown if the module does not start. */
 export class MeshStartFailure extends Error {}
 
 export const meshes = new WasmInstance<MeshModule>({
@@ -23,7 +23,7 @@ export const meshes = new WasmInstance<MeshModule>({
 })
 
 /**
- * How many bytes the module holds inside its wasm: between two calls always the same. For tests, not for users.
+ * Returns the number of bytes that the module holds in its wasm, which is the same between any two calls. For tests only.
  * @internal
  */
 export const meshMemoryInUse = (): number => meshes.get().memoryInUse()

@@ -1,9 +1,9 @@
-// Written by `npm run reference` from the C++: what has a number there, in the order of its numbers, and what is limited.
+// Written by `npm run reference` from the C++: its enumerations, in the order of their numbers, and its limits.
 
-/** Shading languages, the one first that counts unless another is asked for, each with what `glsl.fn` calls its sources. */
+/** Maps a shading language → the name of its sources in `glsl.fn`. The first one is the default. */
 export const languages = { glsl300: 'glsl', glsl100: 'glsl', wgsl: 'wgsl' } as const
 
-/** Kinds of noise, each with what it takes: others are made of bases, and a fractal has octaves. */
+/** Maps a noise → the kind of its options. Other noises are composed from bases, and a fractal has octaves. */
 export const noises = {
   noise: 'base',
   simplex: 'base',
@@ -15,18 +15,19 @@ export const noises = {
   turbulence: 'fractal',
 } as const
 
-/** Of `glsl.texture`. */
+/** Options of `glsl.texture`. */
 export const filters = ['bilinear', 'bicubic', 'bspline', 'nearest', 'host'] as const
 export const wraps = ['clamp', 'repeat', 'mirror', 'host', 'sampler'] as const
 
-export const mostSeed = 8388608
-export const mostOctaves = 16
+export const maxSeed = 8388608
+export const maxOctaves = 16
 
-/** In the place of a handle: why, the session says; or derivatives of calls are to be given first. */
+/** Returned in place of a handle: the session's `problem()` says why. */
 export const failed = -1
+/** Returned in place of a handle: partial derivatives of calls are needed first. */
 export const needsPartials = -2
 
-/** What a warp is made of besides its offset. */
+/** The operands of a warp, after its offset. */
 export const warpOperands = [
   'position',
   'normal',
@@ -40,7 +41,7 @@ export const warpOperands = [
   'color',
 ] as const
 
-/** The results of a warp. The last 4, which turn, come again, as they are where normal and uv vary over the surface. */
+/** The results of a warp. The last 4 are followed by variants that take into account how normal and uv vary over the surface. */
 export const warpResults = {
   offset: 0,
   position: 1,
@@ -50,4 +51,4 @@ export const warpResults = {
   direction: 5,
   determinant: 6,
 }
-export const turnedResults = 4
+export const variantCount = 4

@@ -6,11 +6,11 @@
 
 namespace warpjet {
 
-// Of each component by one component of an input.
+// The derivative of each component with respect to one component of an input.
 Value derivative(Differentiator& differentiator, const Value& value, Expression input);
-// Of a number by each component of `inputs`, a vector.
+// The derivatives of a number with respect to each component of the vector `inputs`.
 Value gradient(Differentiator& differentiator, Expression value, const Value& inputs);
-// Of a vector: one column for each component of `inputs`.
+// The Jacobian of a vector: one column for each component of `inputs`.
 Value jacobian(Differentiator& differentiator, const Value& value, const Value& inputs);
 
 }  // namespace warpjet

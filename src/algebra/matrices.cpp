@@ -8,7 +8,7 @@ namespace warpjet {
 
 namespace {
 
-// The rows or columns of a matrix that are left, ascending.
+// The rows or columns that remain of a matrix, ascending.
 struct Remaining {
   std::array<int, 4> indices{};
   int count = 0;
@@ -28,8 +28,8 @@ struct Remaining {
   }
 };
 
-// Laplace's expansion. The rows of a 4 by 4 matrix stay together in pairs, (0, 1) and (2, 3), so
-// that all cofactors share the same twelve 2 by 2 minors.
+// Laplace expansion. The rows of a 4x4 matrix are kept in pairs, (0, 1) and (2, 3), so that all
+// cofactors share the same twelve 2x2 minors.
 Expression minor(const Value& m, const Remaining& rows, const Remaining& columns) {
   if (rows.count == 1) return m.at(columns.indices[0], rows.indices[0]);
   const bool expandsByLast = rows.count == 3 && rows.indices[1] == 1 && m.shape().rows == 4;

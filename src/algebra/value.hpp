@@ -1,7 +1,7 @@
-// A number, vector or matrix of nodes that reads like one: `incident - normal * 2.0`.
+// A number, vector or matrix of nodes that behaves like one: `incident - normal * 2.0`.
 //
-// Operations go by component, and a number beside a vector or matrix counts for each; shapes must
-// fit, which src/builder sees to. `Expression` is the same for single numbers.
+// Operations are componentwise, and numbers are broadcast to vectors and matrices. Shapes must
+// match, which src/builder ensures. `Expression` is the equivalent for single numbers.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class Value {
   Shape shape() const { return shape_; }
   int size() const { return shape_.size(); }
 
-  // Of a matrix, the components count down the columns.
+  // Components of a matrix are stored column by column.
   std::span<const NodeId> nodes() const {
     return std::span(nodes_).first(static_cast<std::size_t>(size()));
   }
@@ -38,7 +38,7 @@ class Value {
   std::array<NodeId, maxComponents> nodes_{};
 };
 
-// A value made component by component.
+// Builds a value component by component.
 template <class Component>
 Value fill(Graph& graph, Shape shape, Component component) {
   Value value(graph, shape);
@@ -46,7 +46,7 @@ Value fill(Graph& graph, Shape shape, Component component) {
   return value;
 }
 
-// A matrix made from an entry each column and row.
+// Builds a matrix from a function of column and row.
 template <class Entry>
 Value fillMatrix(Graph& graph, int columns, int rows, Entry entry) {
   return fill(graph, matrixOf(columns, rows), [&](int i) { return entry(i / rows, i % rows); });

@@ -1,5 +1,5 @@
-// Functions of vectors, as compositions of operations: none needs a derivative rule of its own.
-// Formulas: the GLSL ES 3.00 specification, section 8.4 and 8.5.
+// Vector functions, composed of operations, so that none needs a derivative rule of its own.
+// Formulas: the GLSL ES 3.00 specification, sections 8.4 and 8.5.
 #pragma once
 
 #include "algebra/value.hpp"
@@ -10,12 +10,12 @@ Expression sum(const Value& v);
 Expression dot(const Value& a, const Value& b);
 Value cross(const Value& a, const Value& b);
 
-// Their derivatives at zero count as zero, and so does the unit vector of zero.
+// Their derivatives at zero are defined as zero, and so is the unit vector of zero.
 Expression length(const Value& v);
 Value normalize(const Value& v);
 
 Value reflect(const Value& incident, const Value& normal);
-// Zero where all light is reflected.
+// Zero in case of total internal reflection.
 Value refract(const Value& incident, const Value& normal, Expression eta);
 Value faceforward(const Value& normal, const Value& incident, const Value& reference);
 

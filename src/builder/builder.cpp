@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "graph/multi_index.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 
 namespace warpjet {
 
-std::nullopt_t Builder::refuse(std::string_view method, Parts parts) {
+std::nullopt_t Builder::reject(std::string_view method, Parts parts) {
   problem_ = method;
   if (!method.empty()) problem_ += ": ";
   for (const std::string_view part : parts) problem_ += part;
@@ -22,17 +22,17 @@ int Builder::finish(std::optional<Value> value, std::size_t before, std::string_
 
 bool Builder::checkPossible(std::span<const NodeId> results, std::size_t before,
                             std::string_view method) {
-  const bool isFull = graph_.full() || values_.full();
+  const bool isFull = graph_.isFull() || values_.isFull();
   const auto* why = isFull ? &tooLarge : findImpossible(results, before);
   if (!why) return true;
   wasImpossible_ |= !isFull;
-  refuse(method, {*why});
+  reject(method, {*why});
   return false;
 }
 
-// What a shader cannot compute: an operation on constants that folding left alone, since its result
-// is not a finite float32, or a division by a constant zero; and derivatives of noise of so high an
-// order that their text would know no end.
+// A message for nodes that a shader can't compute: operations on constants that weren't folded,
+// because the result isn't a finite float32; divisions by the constant zero; and noise derivatives
+// of such a high order that their code would be endless. Null for other nodes.
 const std::string_view* Builder::impossible(NodeId id) const {
   if (graph_.isResult(id)) {
     const Function& function = graph_.function(graph_.operand(id, 0));
@@ -52,8 +52,8 @@ const std::string_view* Builder::impossible(NodeId id) const {
   return &notFinite;
 }
 
-// Searches the nodes since `before`, and judges the earlier ones that they use; what is below those
-// was searched when it was made.
+// Checks the nodes made since `before` and the older nodes that they read; anything below those was
+// checked when it was made.
 const std::string_view* Builder::findImpossible(std::span<const NodeId> results,
                                                 std::size_t before) {
   needed_.assign(graph_.size() - before, false);
@@ -88,9 +88,9 @@ int Builder::call(int number, bool isMethod) {
     const Form& form = forms[operation.index];
     const bool differentiates = std::any_of(form.operands.begin(), form.operands.end(),
                                             [](char letter) { return isInput(Kind{letter}); });
-    if (differentiates && !operands_.empty() && isWithinRepeat(operands_[0].nodes(), true)) {
+    if (differentiates && !operands_.empty() && readsOpenRepeat(operands_[0].nodes(), true)) {
       operands_.clear();
-      refuse(site.method, {afterRepeat});
+      reject(site.method, {afterRepeat});
       return failed;
     }
     if (differentiates && !operands_.empty() && !hasAllPartials(operands_[0])) {
@@ -148,7 +148,7 @@ int Builder::swizzle(int handle, int count, unsigned indices) {
     for (int i = 0; i < count; ++i) {
       const int k = static_cast<int>(indices >> 2 * i & 3);
       if (!from.shape().isVector() || k >= from.size())
-        return refuse({}, {shapeName(from.shape()), " has no such components."});
+        return reject({}, {shapeName(from.shape()), " has no such components."});
       value.set(i, from.nodes()[k]);
     }
     return value;
@@ -168,7 +168,7 @@ void Builder::comment(std::string_view text) {
   comments.texts.emplace_back(text);
 }
 
-// What was made after the last comment has that of the node that it is a derivative of.
+// Nodes made after the last comment get the comment of the node that they are a derivative of.
 void Builder::commentDerivatives() {
   Comments& comments = module_.comments;
   for (const auto& [first, end, of] : derived_) {

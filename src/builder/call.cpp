@@ -1,8 +1,8 @@
-// Calls of operations: are there as many operands as it takes, and do their shapes fit?
+// Calls of operations: checks the number of operands and their shapes.
 #include <algorithm>
 
 #include "builder/builder.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 
 namespace warpjet {
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr Op Mult = ops::find("mult"), Div = ops::find("div");
 
-// What a sentence calls an operand that should have been of this kind.
+// The description of a kind in messages.
 std::string_view kindName(Kind kind) {
   switch (kind) {
     case Kind::Number:
@@ -22,7 +22,7 @@ std::string_view kindName(Kind kind) {
     case Kind::NumberOrVector:
       return "a number or a vector";
     case Kind::Square:
-      return "a matrix of as many rows as columns";
+      return "a square matrix";
     case Kind::Matrix:
       return "a matrix";
     case Kind::Mat3:
@@ -65,7 +65,7 @@ bool isOfKind(Kind kind, Shape shape) {
 }  // namespace
 
 std::string Builder::Site::place(std::size_t operand) const {
-  if (isMethod && operand == 0) return "what it is called on";
+  if (isMethod && operand == 0) return "the value it is called on";
   return "argument " + std::to_string(operand + (isMethod ? 0 : 1));
 }
 
@@ -73,14 +73,14 @@ bool Builder::checkCount(int wanted, const Site& site) {
   const int given = static_cast<int>(operands_.size());
   if (given == wanted) return true;
   const int receivers = site.isMethod ? 1 : 0;
-  refuse(site.method, {argumentCount(wanted - receivers), " expected, but ",
-                       std::to_string(given - receivers), " came."});
+  reject(site.method, {"expected ", argumentCount(wanted - receivers), ", got ",
+                       std::to_string(given - receivers), "."});
   return false;
 }
 
-std::nullopt_t Builder::refuseShapes(Shape a, Shape b, const Site& site) {
+std::nullopt_t Builder::rejectShapes(Shape a, Shape b, const Site& site) {
   const bool isProduct = a.isMatrix() || b.isMatrix();
-  return refuse(site.method, {shapeName(a), " and ", shapeName(b), " do not fit together; use ",
+  return reject(site.method, {shapeName(a), " and ", shapeName(b), " do not fit together; use ",
                               isProduct ? "matrices and vectors of one size."
                                         : "vectors of one size, or numbers."});
 }
@@ -90,7 +90,7 @@ std::optional<Shape> Builder::commonShape(std::span<const Value> operands, const
   for (const Value& operand : operands) {
     if (operand.shape().isNumber()) continue;
     if (!common.isNumber() && common != operand.shape())
-      return refuseShapes(common, operand.shape(), site);
+      return rejectShapes(common, operand.shape(), site);
     common = operand.shape();
   }
   return common;
@@ -113,22 +113,22 @@ std::optional<Value> Builder::applyRowTo(Op op, std::span<const Value> operands,
   const auto isMatrix = [](const Value& operand) { return operand.shape().isMatrix(); };
   if (std::any_of(operands.begin(), operands.end(), isMatrix)) {
     if (!ops::has(op, ops::Trait::OnMatrices))
-      return refuse(site.method,
-                    {"it does not work on matrices; take their columns by m.column(0)."});
+      return reject(site.method,
+                    {"it does not work on matrices; use their columns, such as m.column(0)."});
     const bool hasNumber = operands.back().size() == 1 || operands[0].size() == 1;
     if (op == Mult && !hasNumber) return applyMatrixProduct(operands[0], operands[1], site);
     if (op == Div && isMatrix(operands[1]))
-      return refuse(site.method, {"a matrix cannot divide; multiply by its inverse()."});
+      return reject(site.method, {"a matrix cannot divide; multiply by its inverse()."});
   }
   if (!commonShape(operands, site)) return std::nullopt;
   if (op == ops::find("atan2") && isConstant(operands[0], 0) && isConstant(operands[1], 0))
-    return refuse(site.method, {"the point (0, 0) has no angle."});
+    return reject(site.method, {"the point (0, 0) has no angle."});
   return byComponent(op, operands);
 }
 
 std::optional<Value> Builder::applyMatrixProduct(const Value& a, const Value& b, const Site& site) {
   const int inner = a.shape().isMatrix() ? a.shape().columns : a.shape().rows;
-  if (inner != b.shape().rows) return refuseShapes(a.shape(), b.shape(), site);
+  if (inner != b.shape().rows) return rejectShapes(a.shape(), b.shape(), site);
   return multiply(a, b);
 }
 
@@ -142,9 +142,9 @@ std::optional<Value> Builder::compose(const Form& form, const Site& site) {
     if (kind == Kind::Vector || kind == Kind::NumberOrVector) alike.push_back(operands_[i]);
   }
   if (!commonShape(alike, site)) return std::nullopt;
-  if (form.refusal) {
-    const std::string_view sentence = form.refusal(operands_);
-    if (!sentence.empty()) return refuse(site.method, {sentence, "."});
+  if (form.rejection) {
+    const std::string_view sentence = form.rejection(operands_);
+    if (!sentence.empty()) return reject(site.method, {sentence, "."});
   }
   return form.compose(differentiator_, operands_);
 }
@@ -152,8 +152,8 @@ std::optional<Value> Builder::compose(const Form& form, const Site& site) {
 bool Builder::fits(Kind kind, const Value& operand, std::size_t place, const Site& site) {
   const Shape shape = operand.shape();
   if (isOfKind(kind, shape)) return !isInput(kind) || fitsInput(operand, place, site);
-  refuse(site.method,
-         {site.place(place), " must be ", kindName(kind), ", but is ", shapeName(shape), "."});
+  reject(site.method,
+         {"expected ", kindName(kind), " as ", site.place(place), ", got ", shapeName(shape), "."});
   return false;
 }
 
@@ -163,7 +163,7 @@ bool Builder::fitsInput(const Value& operand, std::size_t place, const Site& sit
     const bool isRepeated =
         std::find(nodes.begin(), nodes.begin() + i, nodes[i]) != nodes.begin() + i;
     if (graph_.isInput(nodes[i]) && !isRepeated) continue;
-    refuse(site.method,
+    reject(site.method,
            {site.place(place), isRepeated ? " must have different components."
                                           : " must be an input such as millis or position.x(), "
                                             "not something computed."});

@@ -1,6 +1,6 @@
-// The second table: operations that are compositions of rows of the first, so that they need no
-// derivative and cannot have a wrong one. One row each, as there: name, operands and meaning for
-// people, then the shapes of operands and result, and the formula.
+// The second table: operations composed of rows of the first, so they need no derivative rule,
+// which could be wrong. One row each: name, operands and description for the documentation, then
+// the kinds of operands and result, and the formula.
 #pragma once
 
 #include <algorithm>
@@ -17,38 +17,38 @@
 
 namespace warpjet {
 
-// What an operand or a result must be.
+// The requirement on an operand or a result.
 enum class Kind : char {
   Number = 's',
-  Vector = 'v',  // of two to four; all vectors of a row have one size
+  Vector = 'v',  // two to four components; all vectors of a row have the same size
   Vec3 = '3',
-  NumberOrVector = 'x',  // by component: all that are no numbers have one shape
-  Square = 'm',          // a matrix of as many rows as columns
+  NumberOrVector = 'x',  // componentwise: all operands that aren't numbers have the same shape
+  Square = 'm',          // a square matrix
   Matrix = 'M',
   Any = 'e',
   Mat3 = '9',
   Input = 'i',    // a number that the host gives
-  Inputs = 'I',   // a vector of different ones
-  Inputs3 = 'J',  // a vec3 of them
+  Inputs = 'I',   // a vector of distinct inputs
+  Inputs3 = 'J',  // a vec3 of distinct inputs
 };
 
 constexpr bool isInput(Kind kind) {
   return kind == Kind::Input || kind == Kind::Inputs || kind == Kind::Inputs3;
 }
 
-// Derivatives need the differentiator; the other formulas leave it alone.
+// Derivatives need the differentiator; the other formulas ignore it.
 using Compose = Value (*)(Differentiator&, std::span<const Value>);
 
-// What constant operands are refused for, or nothing.
-using Refusal = std::string_view (*)(std::span<const Value>);
+// Returns why constant operands are invalid; empty if they are valid.
+using Rejection = std::string_view (*)(std::span<const Value>);
 
 struct Composition {
   ops::Title title;
-  std::string_view operands;  // a Kind each
+  std::string_view operands;  // one Kind per operand
   Kind result;
   Compose compose;
-  Refusal refusal = nullptr;
-  bool isListed = true;  // otherwise it is for our own JavaScript
+  Rejection rejection = nullptr;
+  bool isListed = true;  // false for internal use by our JavaScript
 };
 
 inline bool isConstant(const Value& v, double value) {
@@ -66,50 +66,50 @@ inline constexpr std::array compositions{
                 "33",
                 Kind::Vec3,
                 [](auto&, auto x) { return cross(x[0], x[1]); }},
-    Composition{{"length", "v", "The length; its derivative at zero counts as zero."},
+    Composition{{"length", "v", "The length; its derivative at zero is defined as zero."},
                 "v",
                 Kind::Number,
                 [](auto&, auto x) -> Value { return length(x[0]); }},
-    Composition{{"dist", "a, b", "The distance of two points."},
+    Composition{{"dist", "a, b", "The distance between two points."},
                 "vv",
                 Kind::Number,
                 [](auto&, auto x) -> Value { return length(x[0] - x[1]); }},
-    Composition{{"distance", "a, b", "The distance of two points."},
+    Composition{{"distance", "a, b", "The distance between two points."},
                 "vv",
                 Kind::Number,
                 [](auto&, auto x) -> Value { return length(x[0] - x[1]); }},
-    Composition{{"normalize", "v", "Length 1 in the same direction, or zero for zero."},
-                "v",
-                Kind::Vector,
-                [](auto&, auto x) { return normalize(x[0]); }},
-    Composition{{"scale", "v, factor", "The product with a number."},
+    Composition{
+        {"normalize", "v", "The unit vector in the same direction; zero for the zero vector."},
+        "v",
+        Kind::Vector,
+        [](auto&, auto x) { return normalize(x[0]); }},
+    Composition{{"scale", "v, factor", "The vector times a number."},
                 "es",
                 Kind::Any,
                 [](auto&, auto x) { return x[0] * x[1]; }},
     Composition{{"reflect", "incident, normal",
-                 "A direction mirrored by the surface with that unit normal."},
+                 "The direction reflected by a surface with that unit normal."},
                 "vv",
                 Kind::Vector,
                 [](auto&, auto x) { return reflect(x[0], x[1]); }},
     Composition{{"refract", "incident, normal, eta",
-                 "A unit direction behind the surface with that unit normal, for a ratio of "
-                 "indices of refraction; zero where all light is reflected."},
+                 "The direction refracted by a surface with that unit normal, for a ratio of "
+                 "indices of refraction; zero in case of total internal reflection."},
                 "vvs",
                 Kind::Vector,
                 [](auto&, auto x) { return refract(x[0], x[1], x[2][0]); }},
     Composition{{"faceforward", "normal, incident, reference",
-                 "The normal, turned round where `incident` goes along `reference`."},
+                 "The normal, reversed if `incident` points along `reference`."},
                 "vvv",
                 Kind::Vector,
                 [](auto&, auto x) { return faceforward(x[0], x[1], x[2]); }},
 
     // numbers and vectors
-    Composition{
-        {"smoothstep", "low, high, x",
-         "From 0 where x is at `low`, smoothly to 1 where it is at `high`, another number."},
-        "xxx",
-        Kind::NumberOrVector,
-        [](auto&, auto x) { return smoothstep(x[0], x[1], x[2]); }},
+    Composition{{"smoothstep", "low, high, x",
+                 "A smooth step from 0 for x at `low` to 1 for x at `high`, which must differ."},
+                "xxx",
+                Kind::NumberOrVector,
+                [](auto&, auto x) { return smoothstep(x[0], x[1], x[2]); }},
     Composition{{"radians", "degrees", "An angle in degrees, as radians."},
                 "x",
                 Kind::NumberOrVector,
@@ -120,7 +120,7 @@ inline constexpr std::array compositions{
                 [](auto&, auto x) { return x[0] * (180 / std::numbers::pi); }},
 
     // matrices
-    Composition{{"transpose", "m", "Rows become columns."},
+    Composition{{"transpose", "m", "The transposed matrix."},
                 "M",
                 Kind::Matrix,
                 [](auto&, auto x) { return transpose(x[0]); }},
@@ -138,20 +138,20 @@ inline constexpr std::array compositions{
                              : "";
                 }},
     Composition{{"rotateX", "angle",
-                 "The mat3 that turns by an angle in radians about the x axis, "
-                 "counterclockwise for an eye that the axis points to."},
+                 "The mat3 that rotates by an angle in radians about the x axis, "
+                 "counterclockwise when the axis points at the viewer."},
                 "s",
                 Kind::Mat3,
                 [](auto&, auto x) { return rotationAbout(0, x[0][0]); }},
-    Composition{{"rotateY", "angle", "The mat3 that turns about the y axis, as `rotateX` does."},
+    Composition{{"rotateY", "angle", "The mat3 that rotates about the y axis, like `rotateX`."},
                 "s",
                 Kind::Mat3,
                 [](auto&, auto x) { return rotationAbout(1, x[0][0]); }},
-    Composition{{"rotateZ", "angle", "The mat3 that turns about the z axis, as `rotateX` does."},
+    Composition{{"rotateZ", "angle", "The mat3 that rotates about the z axis, like `rotateX`."},
                 "s",
                 Kind::Mat3,
                 [](auto&, auto x) { return rotationAbout(2, x[0][0]); }},
-    Composition{{"rotate", "axis, angle", "The mat3 that turns about any axis, as `rotateX` does."},
+    Composition{{"rotate", "axis, angle", "The mat3 that rotates about any axis, like `rotateX`."},
                 "3s",
                 Kind::Mat3,
                 [](auto&, auto x) { return rotationAbout(x[0], x[1][0]); },
@@ -161,12 +161,12 @@ inline constexpr std::array compositions{
 
     // derivatives
     Composition{{"derivative", "value, input",
-                 "The exact partial derivative of each component by an input."},
+                 "The exact partial derivative of each component with respect to an input."},
                 "ei",
                 Kind::Any,
                 [](auto& d, auto x) { return derivative(d, x[0], x[1][0]); }},
     Composition{{"gradient", "value, inputs",
-                 "The exact derivatives of a number by each component of a vector of inputs."},
+                 "The exact derivatives of a number with respect to a vector of inputs."},
                 "sI",
                 Kind::Vector,
                 [](auto& d, auto x) { return gradient(d, x[0][0], x[1]); }},
@@ -179,7 +179,7 @@ inline constexpr std::array compositions{
         [](auto& d, auto x) { return jacobian(d, x[0], x[1]); }},
     Composition{
         {"adjustNormal", "offset, normal, position",
-         "The unit normal after the warp of `position` by this offset; zero where there is "
+         "The unit normal after the warp of `position` by this offset; zero where it has "
          "none."},
         "33J",
         Kind::Vec3,
@@ -190,9 +190,9 @@ inline constexpr std::array compositions{
          "`normal`, the one after the warp."},
         "333J",
         Kind::Vec3,
-        [](auto& d, auto x) { return turnedTangent(deformation(d, x[0], x[3]), x[1], x[2]); }},
+        [](auto& d, auto x) { return warpTangent(deformation(d, x[0], x[3]), x[1], x[2]); }},
     Composition{{"orientation", "offset, normal, position",
-                 "-1 where the warp of `position` by this offset mirrors all of space, 1 where it "
+                 "-1 if the warp of `position` by this offset mirrors all of space, 1 if it "
                  "does not, 0 if it may mirror parts of it."},
                 "33J",
                 Kind::Number,
@@ -208,17 +208,17 @@ static_assert(std::all_of(compositions.begin(), compositions.end(), [](const Com
   return row.operands.find_first_not_of("sv3xmM9eiIJ") == std::string_view::npos;
 }));
 
-// A composition without what people read, which so stays out of the program.
+// A composition without its documentation, which is thereby left out of the program.
 struct Form {
   std::string_view operands;
   Compose compose;
-  Refusal refusal;
+  Rejection rejection;
 };
 
 inline constexpr auto forms = [] {
   std::array<Form, compositions.size()> all{};
   for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = {compositions[i].operands, compositions[i].compose, compositions[i].refusal};
+    all[i] = {compositions[i].operands, compositions[i].compose, compositions[i].rejection};
   return all;
 }();
 

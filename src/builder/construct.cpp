@@ -1,27 +1,27 @@
-// How vectors and matrices are made and taken apart.
+// Constructs vectors and matrices, and extracts their parts.
 #include <vector>
 
 #include "builder/builder.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// A condition becomes 0 or 1 here, as it does in any sum.
+// Adding 0 converts a condition to 0 or 1.
 NodeId toFloat(Graph& graph, NodeId id) {
   return graph.apply(ops::find("add"), {id, graph.constant(0)});
 }
 
 }  // namespace
 
-// The components of all operands, one after the other.
+// The components of all operands, concatenated.
 std::optional<std::vector<Expression>> Builder::components(const Site& site) {
   std::vector<Expression> all;
   for (std::size_t i = 0; i < operands_.size(); ++i) {
     if (operands_[i].shape().isMatrix()) {
-      refuse(site.method, {site.place(i), " is ", shapeName(operands_[i].shape()),
-                           ", but must be a vector or a number."});
+      reject(site.method, {"expected a vector or a number as ", site.place(i), ", got ",
+                           shapeName(operands_[i].shape()), "."});
       return std::nullopt;
     }
     for (const NodeId id : operands_[i].nodes()) all.push_back({&graph_, toFloat(graph_, id)});
@@ -34,8 +34,8 @@ std::optional<Value> Builder::makeVector(int size, const Site& site) {
   if (!parts) return std::nullopt;
   const int given = static_cast<int>(parts->size());
   if (given != size && given != 1)
-    return refuse(site.method, {std::to_string(size), " components were expected, but ",
-                                std::to_string(given), " came."});
+    return reject(site.method, {"expected ", std::to_string(size), " components, got ",
+                                std::to_string(given), "."});
   return fill(graph_, vectorOf(size), [&](int i) { return (*parts)[given == 1 ? 0 : i]; });
 }
 
@@ -48,18 +48,18 @@ std::optional<Value> Builder::makeMatrix(int size, bool ofRows, const Site& site
   const bool ofNumbers = operands_.size() == parts->size();
   for (const Value& operand : operands_) {
     if (ofNumbers || operand.shape() == vectorOf(size)) continue;
-    return refuse(site.method, {std::to_string(size), ofRows ? " rows" : " columns",
-                                " of as many components were expected, but ",
-                                shapeName(operand.shape()), " came."});
+    return reject(site.method,
+                  {"expected ", std::to_string(size), ofRows ? " rows" : " columns", " of ",
+                   std::to_string(size), " components, got ", shapeName(operand.shape()), "."});
   }
   if (static_cast<int>(parts->size()) != size * size)
-    return refuse(site.method, {std::to_string(size * size), " components were expected, but ",
-                                std::to_string(parts->size()), " came."});
+    return reject(site.method, {"expected ", std::to_string(size * size), " components, got ",
+                                std::to_string(parts->size()), "."});
   const Value matrix = fill(graph_, matrixOf(size, size), [&](int i) { return (*parts)[i]; });
   return ofRows ? transpose(matrix) : matrix;
 }
 
-// As GLSL does it: cut off, or filled up from the unit matrix.
+// Truncates the matrix, or extends it by the identity matrix, as GLSL does.
 Value Builder::resize(const Value& matrix, int size) {
   return fillMatrix(graph_, size, size, [&](int column, int row) {
     if (column < matrix.shape().columns && row < matrix.shape().rows) return matrix.at(column, row);
@@ -72,13 +72,13 @@ std::optional<Value> Builder::takePart(bool isRow, const Site& site) {
   const Value& matrix = operands_[0];
   const Shape shape = matrix.shape();
   if (!shape.isMatrix())
-    return refuse(site.method,
-                  {site.place(0), " must be a matrix, but is ", shapeName(shape), "."});
+    return reject(site.method,
+                  {"expected a matrix as ", site.place(0), ", got ", shapeName(shape), "."});
   const int count = isRow ? shape.rows : shape.columns;
   for (int i = 0; i < count; ++i) {
     if (isConstant(operands_[1], i)) return isRow ? matrix.row(i) : matrix.column(i);
   }
-  return refuse(site.method, {site.place(1), " must be a whole number from 0 to ",
+  return reject(site.method, {site.place(1), " must be a whole number from 0 to ",
                               std::to_string(count - 1), "."});
 }
 

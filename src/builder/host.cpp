@@ -4,24 +4,24 @@
 
 #include "builder/builder.hpp"
 #include "graph/reachable.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 #include "module/syntax.hpp"
 
 namespace warpjet {
 
-// `position.x`, `position.xz` and `position[0]` are parts of `position`, so that derivatives know
-// that they are the same.
+// `position.x`, `position.xz` and `position[0]` are resolved to parts of `position`, so that
+// derivatives treat them as the same variable.
 int Builder::input(std::string_view method, std::string_view text, Shape shape) {
   const auto found = [&]() -> std::optional<Value> {
     std::string why = text.find_first_not_of(' ') == text.npos ? "it is empty"
                                                                : syntaxProblem(text, allOperators);
     if (!why.empty())
-      return refuse(method, {quotedShort(text), " cannot be read in a shader: ", why, "."});
+      return reject(method, {quotedShort(text), " cannot be read in a shader: ", why, "."});
     const Label label = readLabel(text);
-    if (auto known = knownInput(method, label, shape)) return *known;
+    if (auto known = findKnownInput(method, label, shape)) return *known;
     const std::uint32_t number = graph_.input(label.text, shape);
     nameInput(number, label, method);
-    return wholeInput(number);
+    return allComponents(number);
   }();
   return finish(found, graph_.size(), method);
 }
@@ -34,13 +34,13 @@ void Builder::nameInput(std::uint32_t number, const Label& label, std::string_vi
   numbers_[label.root].push_back(number);
 }
 
-// What was asked for before, or a part of it; nothing if it is new. The value in it is missing if
-// it cannot be told.
-std::optional<std::optional<Value>> Builder::knownInput(std::string_view method, const Label& label,
-                                                        Shape shape) {
+// Finds an input that was read before, or a part of one; nullopt if it is new. The inner value is
+// missing if there was an error.
+std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view method,
+                                                            const Label& label, Shape shape) {
   const std::vector<std::uint32_t>& beside = numbers_[label.root];
-  const auto refused = [&](Parts parts) {
-    refuse(method, parts);
+  const auto rejected = [&](Parts parts) {
+    reject(method, parts);
     return std::optional(std::optional<Value>());
   };
   const auto components = [&](std::uint32_t input, const std::vector<int>& indices) {
@@ -51,31 +51,31 @@ std::optional<std::optional<Value>> Builder::knownInput(std::string_view method,
   for (const std::uint32_t i : beside) {
     if (labels_[i].text != label.text) continue;
     const Shape known = graph_.input(i).shape;
-    if (known == shape) return wholeInput(i);
-    return refused({quotedShort(label.text), " was read as ", shapeName(known),
-                    " before, and now as ", shapeName(shape), "."});
+    if (known == shape) return allComponents(i);
+    return rejected({quotedShort(label.text), " was read as ", shapeName(known),
+                     " before, and now as ", shapeName(shape), "."});
   }
   for (const std::uint32_t i : beside) {
     const Shape known = graph_.input(i).shape;
     const auto part = partOf(labels_[i], known, label);
     if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
-    // What it has no such part for is a matter of the host.
+    // If it has no such part, the host has to report it.
     if (isWithin(label, labels_[i]) && !isWithin(labels_[i], label)) return std::nullopt;
   }
   for (const std::uint32_t i : beside) {
     const Label& known = labels_[i];
-    if (!mayMeet(known, label)) continue;
+    if (!mayOverlap(known, label)) continue;
     const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
     if (isWithin(known, label))
-      return refused({quotedShort(known.text), " was read before ", quotedShort(label.text),
-                      ", whose part it is; read the ", whole, " first."});
-    return refused({quotedShort(known.text), " was read before ", quotedShort(label.text),
-                    " and may be a part of it; read the ", whole, " of both first."});
+      return rejected({quotedShort(known.text), " was read before ", quotedShort(label.text),
+                       ", whose part it is; read the ", whole, " first."});
+    return rejected({quotedShort(known.text), " was read before ", quotedShort(label.text),
+                     " and may be a part of it; read the ", whole, " of both first."});
   }
   return std::nullopt;
 }
 
-Value Builder::wholeInput(std::uint32_t input) {
+Value Builder::allComponents(std::uint32_t input) {
   return fill(graph_, graph_.input(input).shape, [&](int i) {
     return Expression{&graph_, graph_.component(input, i)};
   });
@@ -86,27 +86,27 @@ std::uint32_t Builder::inputOf(int handle) {
 }
 
 int Builder::addFunction(std::string_view name, const std::vector<HostText>& sources, int arity) {
-  const auto refuseName = [&](std::string_view why) {
-    refuse("fn", {quotedShort(name), why, "."});
+  const auto rejectName = [&](std::string_view why) {
+    reject("fn", {quotedShort(name), why, "."});
     return failed;
   };
   if (name.starts_with("warpjet"))
-    return refuseName(" cannot name a function: such names are warpjet's own; rename it");
-  if (const auto known = graph_.functionNamed(name)) {
+    return rejectName(" cannot name a function: such names are reserved for warpjet; rename it");
+  if (const auto known = graph_.findFunction(name)) {
     const bool isSame = !graph_.function(*known).isOurs() && module_.sources[*known] == sources &&
                         graph_.function(*known).arity == arity;
     if (isSame) return static_cast<int>(*known);
-    return refuseName(" is the name of another function already; rename one");
+    return rejectName(" is already the name of another function; rename one");
   }
-  if (arity < 1) return refuseName(" must have at least one argument");
+  if (arity < 1) return rejectName(" must have at least one argument");
   const std::uint32_t number = graph_.addFunction({std::string(name), arity});
   module_.sources.resize(number);
   module_.sources.push_back(sources);
   return static_cast<int>(number);
 }
 
-// Whether all calls that a value needs have their partials; if not, those that lack them are
-// pending.
+// Returns true if all calls that a value depends on have their partials; otherwise adds those that
+// lack them to `pendingCalls_`.
 bool Builder::hasAllPartials(const Value& value) {
   pendingCalls_.clear();
   if (module_.sources.empty()) return true;
@@ -125,9 +125,9 @@ int Builder::argumentOfCall(NodeId call, int i) {
   return values_.add(Expression{&graph_, graph_.arguments(call)[i]});
 }
 
-// Whether one of the nodes is made of a loop that makes the call: the loop of its derivatives would
-// need itself.
-bool Builder::isOfRepeatOf(NodeId call, std::span<const NodeId> nodes) const {
+// True if one of the nodes depends on a loop that contains the call: the derivative of that loop
+// would depend on itself.
+bool Builder::dependsOnLoopOf(NodeId call, std::span<const NodeId> nodes) const {
   if (!graph_.has(foldOp)) return false;
   std::vector<NodeId> folds = reachable(graph_, nodes);
   std::erase_if(folds, [&](NodeId id) { return !graph_.isFold(id); });
@@ -139,21 +139,22 @@ bool Builder::setPartials(NodeId call) {
   const std::vector<Value> given = std::exchange(operands_, {});
   const Function& function = graph_.function(call);
   if (static_cast<int>(given.size()) != function.arity) {
-    refuse(function.name,
-           {std::to_string(function.arity), " derivatives were expected, one for each argument."});
+    reject(function.name,
+           {"expected ", std::to_string(function.arity), " derivatives, one per argument."});
     return false;
   }
   std::vector<NodeId> partials;
   for (const Value& partial : given) {
     if (!partial.shape().isNumber()) {
-      refuse(function.name, {"derivative ", std::to_string(partials.size() + 1),
-                             " must be a single number, but is ", shapeName(partial.shape()), "."});
+      reject(function.name,
+             {"expected a single number as derivative ", std::to_string(partials.size() + 1),
+              ", got ", shapeName(partial.shape()), "."});
       return false;
     }
     partials.push_back(partial[0].id);
   }
-  if (isOfRepeatOf(call, partials)) {
-    refuse(function.name, {"a derivative of it cannot be what repeat makes of it."});
+  if (dependsOnLoopOf(call, partials)) {
+    reject(function.name, {"its derivative cannot be a result of the repeat that calls it."});
     return false;
   }
   graph_.setPartials(call, partials);

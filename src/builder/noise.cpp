@@ -1,11 +1,11 @@
 // Calls of noise functions.
 #include "builder/builder.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 #include "noise/table.hpp"
 
 namespace warpjet {
 
-// The operands are a point and a seed, and of a fractal lacunarity and gain.
+// The operands are a point and a seed; for fractal noise, also lacunarity and gain.
 int Builder::callNoise(const Noise& noise, bool isMethod) {
   const std::size_t before = graph_.size();
   const NoiseRow& kind = row(noise.kind);
@@ -18,20 +18,20 @@ int Builder::callNoise(const Noise& noise, bool isMethod) {
     }
     const Value& point = operands_[0];
     const int dimensions = point.size();
-    if (dimensions < kind.fewest || dimensions > kind.most)
-      return refuse(name, {site.place(0), " must be ", kind.points, ", but is ",
+    if (dimensions < kind.minDimensions || dimensions > kind.maxDimensions)
+      return reject(name, {"expected ", kind.points, " as ", site.place(0), ", got ",
                            shapeName(point.shape()), "."});
     Numbers arguments;
     for (const Value& operand : operands_) {
       for (int i = 0; i < operand.size(); ++i) arguments.push_back(operand[i]);
     }
-    // A hash, so that neighbouring seeds give fields that are far from each other.
+    // Hashed, so that neighboring seeds give fields that are far from each other.
     Expression& seed = arguments[static_cast<std::size_t>(dimensions)];
     const NodeId zero = graph_.constant(0);
     seed = {&graph_, graph_.apply(ops::find("hash"), {zero, seed.id})};
 
     const Definition definition = definitionOf(noise, dimensions);
-    // Derivatives of a function are by its point alone.
+    // Functions are differentiated only with respect to the point.
     const bool isPlain = !isFractal(noise.kind) || (graph_.isConstant(arguments.end()[-2].id) &&
                                                     graph_.isConstant(arguments.end()[-1].id));
     const Numbers values = isPlain

@@ -1,5 +1,5 @@
-// Every operation that a sketch can name, by number: the rows of the table, other names for them,
-// compositions, and what makes and takes apart vectors and matrices.
+// Every operation with a public name, by number: the rows of the table, aliases, compositions, and
+// the constructors and parts of vectors and matrices.
 #pragma once
 
 #include <algorithm>
@@ -24,12 +24,12 @@ struct Operation {
 
   std::string_view name;
   Source source;
-  // Of the row or composition; of a constructor the size; of a part, 1 for a row.
+  // The index of the row or composition; the size of a constructor; for a part, 1 means a row.
   std::uint8_t index;
-  // Only what reads shader text calls it, and no method does.
-  bool isForText = false;
+  // Used only by the GLSL front end; it has no method.
+  bool isGlslOnly = false;
 
-  // Vectors and matrices are not made by a method.
+  // Vectors and matrices are not constructed by a method.
   constexpr bool isConstructor() const {
     return source == Source::Vector || source == Source::MatrixOfColumns ||
            source == Source::MatrixOfRows;
@@ -42,7 +42,7 @@ struct Alias {
   std::string_view name, of;
 };
 
-// As glsl-autodiff has them.
+// Names of glsl-autodiff.
 inline constexpr std::array aliases{
     Alias{"sum", "add"},      Alias{"prod", "mult"},  Alias{"vecSum", "add"},
     Alias{"vecProd", "mult"}, Alias{"vecMix", "mix"}, Alias{"vecClamp", "clamp"},
@@ -77,7 +77,7 @@ inline constexpr auto operations = [] {
   for (std::size_t i = 0; i < ops::count; ++i) {
     if (!detail::isHidden(ops::declarations[i]))
       all[n++] = {ops::declarations[i].name, Source::Row, number(i),
-                  ops::declarations[i].traits.has(ops::Trait::ForText)};
+                  ops::declarations[i].traits.has(ops::Trait::GlslOnly)};
   }
   for (const auto& alias : detail::aliases) {
     for (std::size_t i = 0; i < ops::count; ++i) {
@@ -91,7 +91,8 @@ inline constexpr auto operations = [] {
   return all;
 }();
 
-// Where people find an operation: each heading holds from its first operation on. Some come twice.
+// The sections of the documentation: each heading applies from its first operation on. Some
+// headings occur twice.
 struct Heading {
   std::string_view text, first;
 };

@@ -1,10 +1,10 @@
-// What is recorded once and runs more often: the body of `repeat`, and functions.
+// Code that is recorded once and runs repeatedly: the body of `repeat`, and functions.
 #include <algorithm>
 #include <utility>
 
 #include "builder/builder.hpp"
 #include "graph/reachable.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 
 namespace warpjet {
 
@@ -18,15 +18,15 @@ int Builder::openRepeat(int steps) {
   const std::vector<Value> start = std::exchange(operands_, {});
   std::uint64_t all = static_cast<std::uint64_t>(steps);
   for (const Repeat& repeat : repeats_) all *= std::max(graph_.loop(repeat.fold.loop).steps, 1u);
-  if (all > mostSteps) {
-    refuse(repeatMethod, {"it takes at most ", std::to_string(mostSteps),
-                          " steps, those of repeats within each other multiplied, but these are ",
+  if (all > maxSteps) {
+    reject(repeatMethod, {"expected at most ", std::to_string(maxSteps),
+                          " steps, where those of nested repeats are multiplied, got ",
                           std::to_string(all), "."});
     return failed;
   }
-  if (repeats_.size() == deepestLoops) {
-    refuse(repeatMethod,
-           {"repeats stand at most ", std::to_string(deepestLoops), " deep in each other."});
+  if (repeats_.size() == maxLoopDepth) {
+    reject(repeatMethod,
+           {"repeats can be nested at most ", std::to_string(maxLoopDepth), " deep."});
     return failed;
   }
   Repeat repeat;
@@ -49,9 +49,9 @@ int Builder::closeRepeat() {
   std::vector<NodeId> nodes;
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (next[i].shape() != repeat.shapes[i]) {
-      refuse(repeatMethod,
-             {"state ", std::to_string(i + 1), " starts as ", shapeName(repeat.shapes[i]),
-              ", but becomes ", shapeName(next[i].shape()), "."});
+      reject(repeatMethod,
+             {"expected ", shapeName(repeat.shapes[i]), " as the next value of state ",
+              std::to_string(i + 1), ", got ", shapeName(next[i].shape()), "."});
       return failed;
     }
     nodes.insert(nodes.end(), next[i].nodes().begin(), next[i].nodes().end());
@@ -63,9 +63,9 @@ int Builder::closeRepeat() {
 
 int Builder::addRecorded(std::string_view name, std::uint32_t variables,
                          std::span<const std::uint32_t> words) {
-  if (const auto known = graph_.functionNamed(name)) return static_cast<int>(*known);
+  if (const auto known = graph_.findFunction(name)) return static_cast<int>(*known);
   const Definition definition =
-      recordedFrom(name, variables, {words.begin(), words.end()}, module_.library);
+      readRecordedFunction(name, variables, {words.begin(), words.end()}, module_.library);
   module_.library.add(definition);
   return static_cast<int>(graph_.addFunction(definition.function));
 }
@@ -95,7 +95,7 @@ int Builder::addAll(std::span<const Shape> shapes, std::span<const NodeId> nodes
   return first;
 }
 
-bool Builder::isWithinRepeat(std::span<const NodeId> nodes, bool mayReadStep) {
+bool Builder::readsOpenRepeat(std::span<const NodeId> nodes, bool mayReadStep) {
   if (!graph_.has(localOp)) return false;
   const std::vector<NodeId> needed = reachable(graph_, nodes);
   const Loops loops(graph_, needed);
@@ -110,9 +110,9 @@ bool Builder::isWithinRepeat(std::span<const NodeId> nodes, bool mayReadStep) {
   return false;
 }
 
-bool Builder::checkOutside(const Value& value, std::string_view asker) {
-  if (!isWithinRepeat(value.nodes(), false)) return true;
-  refuse(asker, {onlyInItsBody});
+bool Builder::checkReadsNoRepeat(const Value& value, std::string_view asker) {
+  if (!readsOpenRepeat(value.nodes(), false)) return true;
+  reject(asker, {onlyInItsBody});
   return false;
 }
 

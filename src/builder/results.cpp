@@ -1,4 +1,4 @@
-// What is asked for in the end: results by name, and the results of a warp.
+// The requested results: results by name, and the results of a warp.
 #include <array>
 #include <span>
 #include <string_view>
@@ -7,7 +7,7 @@
 
 #include "builder/builder.hpp"
 #include "graph/reachable.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 #include "warp/warp.hpp"
 
 namespace warpjet {
@@ -24,13 +24,13 @@ void Builder::addOutput(std::string_view method, std::string_view name, const Va
 
 int Builder::warp(std::string_view method, const WarpOptions& options) {
   const std::size_t before = graph_.size();
-  // A condition becomes 0 or 1 here, as it does in any sum.
+  // Adding 0 converts a condition to 0 or 1.
   const Value offset = operands_[0] + constantLike(operands_[0], 0);
-  if (!checkOutside(offset, method)) {
+  if (!checkReadsNoRepeat(offset, method)) {
     operands_.clear();
     return failed;
   }
-  if (options.turns && !hasAllPartials(offset)) {
+  if (options.needsDirections && !hasAllPartials(offset)) {
     operands_.clear();
     return needsPartials;
   }
@@ -45,15 +45,15 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
   const auto add = [&](std::span<const std::string_view> names, std::span<const Value> values) {
     for (std::size_t i = 0; i < names.size(); ++i) results.emplace_back(names[i], values[i]);
   };
-  const auto addTurned = [&](const Turned& turned) {
-    add(turnedResults, std::array<Value, turnedResults.size()>{
-                           turned.normal, turned.tangent, turned.direction, turned.determinant});
+  const auto addDirections = [&](const WarpedDirections& turned) {
+    add(orientedResults, std::array<Value, orientedResults.size()>{
+                             turned.normal, turned.tangent, turned.direction, turned.determinant});
   };
   add(movedResults, std::array<Value, movedResults.size()>{warp.offset, warp.position});
   if (warp.surface) {
     results.emplace_back(orientationResult, *warp.orientation);
-    addTurned(warp.flat ? *warp.flat : *warp.surface);
-    addTurned(*warp.surface);
+    addDirections(warp.flat ? *warp.flat : *warp.surface);
+    addDirections(*warp.surface);
   }
   std::vector<NodeId> nodes;
   for (const auto& [name, value] : results)
@@ -66,14 +66,14 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
 
 bool Builder::finish() {
   problem_.clear();
-  // Every value was searched when it was made; but a sketch may catch a problem and go on.
+  // Every value was checked when it was made, but a sketch may catch an error and continue.
   if (wasImpossible_) {
     for (const NodeId id : reachable(graph_, module_.roots())) {
-      if (const auto* why = impossible(id)) refuse("A result", {*why});
+      if (const auto* why = impossible(id)) reject("A result", {*why});
     }
   }
-  if (isWithinRepeat(module_.roots(), false)) refuse("A result", {onlyInItsBody});
-  if (graph_.full()) refuse("A result", {tooLarge});
+  if (readsOpenRepeat(module_.roots(), false)) reject("A result", {onlyInItsBody});
+  if (graph_.isFull()) reject("A result", {tooLarge});
   return problem_.empty();
 }
 

@@ -1,4 +1,4 @@
-// Calls of images: at a vec2, and with the host's settings of the image, a vec3, if it has any.
+// Samples images at a vec2; host settings of the image, if any, are passed as a vec3.
 #include "texture/texture.hpp"
 
 #include <utility>
@@ -16,7 +16,7 @@ int Builder::callTexture(const Sampling& sampling, std::string_view image) {
   const Value texels = values_.get(graph_, handle);
   const std::uint32_t number = graph_.sizeOf(inputOf(handle));
   nameInput(number, {}, "texture");
-  const Value size = wholeInput(number), place = uv * size - constantLike(size, 0.5);
+  const Value size = allComponents(number), place = uv * size - constantLike(size, 0.5);
   Numbers arguments{place[0], place[1], texels[0], size[0], size[1]};
   if (sampling.isByHost())
     for (int i = 0; i < 3; ++i) arguments.push_back(operands[1][i]);

@@ -1,4 +1,4 @@
-// The values that a sketch holds, by handle.
+// The values that a sketch refers to by handle.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class Values {
   // More than any sketch can use; see Graph::maxNodes.
   static constexpr std::size_t maxValues = std::size_t{1} << 23;
 
-  bool full() const { return slots_.size() >= maxValues; }
+  bool isFull() const { return slots_.size() >= maxValues; }
 
   int add(const Value& value) {
     const auto nodes = value.nodes();
@@ -37,7 +37,7 @@ class Values {
   }
 
  private:
-  // `first` is the node of a number, or where the nodes of a vector or matrix begin.
+  // `first` is the node of a number, or the position of the first node of a vector or matrix.
   struct Slot {
     Shape shape;
     std::uint32_t first;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "diff/combine_terms.hpp"
 #include "diff/partials.hpp"
-#include "diff/together.hpp"
 #include "graph/expression.hpp"
 #include "graph/reachable.hpp"
 
@@ -15,8 +15,8 @@ namespace {
 constexpr Op Mult = ops::find("mult"), Div = ops::find("div"), Atan = ops::find("atan"),
              Atan2 = ops::find("atan2");
 
-// The node whose operands an operation is differentiated by. The angle atan(y / x) turns as
-// atan2(y, x) does, also where the quotient is infinite.
+// The node whose operands an operation is differentiated with respect to. atan(y / x) has the
+// derivative of atan2(y, x), which is finite also where the quotient is infinite.
 NodeId operandsOf(const Graph& graph, NodeId id) {
   const bool isAngle = graph.is(id, Atan) && graph.is(graph.operand(id, 0), Div);
   return isAngle ? graph.operand(id, 0) : id;
@@ -26,7 +26,7 @@ const Partials& partialsOf(const Graph& graph, NodeId id) {
   return partialsOf(operandsOf(graph, id) == id ? graph.node(id).op : Atan2);
 }
 
-// The sum of the products, without those whose factor is zero.
+// Adds products, except those with a zero factor.
 class Sum {
  public:
   Sum(Graph& graph, NodeId zero) : graph_(graph), zero_(zero) {}
@@ -35,7 +35,7 @@ class Sum {
   void add(NodeId tangent, Product product) {
     if (graph_.isConstant(tangent, 0)) return;
     const Expression term = product(Expression{&graph_, tangent});
-    sum_ = sum_ ? together(*sum_, term) : term;
+    sum_ = sum_ ? combineTerms(*sum_, term) : term;
   }
 
   NodeId total() const { return sum_ ? sum_->id : zero_; }
@@ -48,20 +48,20 @@ class Sum {
 
 }  // namespace
 
-void Differentiator::forgetIfTooMuch() {
-  if (bytes_ < mostBytes) return;
+void Differentiator::clearIfTooLarge() {
+  if (bytes_ < maxBytes) return;
   tangents_.clear();
   components_.clear();
   bytes_ = 0;
 }
 
-NodeId Differentiator::whole(const Tangent& tangent) {
+NodeId Differentiator::fullTangent(const Tangent& tangent) {
   return graph_.apply(Mult, {tangent.factor, tangent.base});
 }
 
-// The base of all operands, if they depend on the same components as the node does. What branches
-// begins with bases of its own: the one of the branch that is not taken may be infinite, and a
-// factor 0 before it would not keep it out.
+// The common base of all operands, if each depends on the same components as the node. Branching
+// operations always start with bases of their own: the base of the branch not taken may be
+// infinite, and multiplying it by a factor of 0 would give NaN.
 std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& direction) const {
   const auto& [input, zero, one, tangents, components] = direction;
   if (graph_.isOperation(id) && ops::has(graph_.node(id).op, ops::Trait::Branches)) return {};
@@ -70,7 +70,7 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& dir
   for (int i = 0; i < graph_.arity(from); ++i) {
     const NodeId operand = graph_.operand(from, i);
     if (components[operand] == 0) continue;
-    // The arguments of a call, each with a tangent.
+    // These contain the arguments of a call, each with its own tangent.
     if (graph_.isList(operand) || graph_.isResult(id)) return {};
     if (components[operand] != components[id]) return {};
     if (base && tangents[operand].base != *base) return {};
@@ -82,7 +82,7 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& dir
 void Differentiator::findTangent(NodeId id, const Direction& direction) {
   Tangents& tangents = direction.tangents;
   auto& [factor, base] = tangents.set(id) = {direction.one, direction.one};
-  // Not zero; who reads the call asks for the tangent of each argument.
+  // Any nonzero value: readers of the call ask for the tangent of each argument.
   if (graph_.isList(id) || graph_.isOurCall(id)) return;
   if (const auto common = commonBase(id, direction)) {
     factor = chainRule(id, direction, &Differentiator::factorOf);
@@ -90,11 +90,11 @@ void Differentiator::findTangent(NodeId id, const Direction& direction) {
     if (!canOverflow(id, tangents)) return;
     factor = direction.one;
   }
-  base = chainRule(id, direction, &Differentiator::whole);
+  base = chainRule(id, direction, &Differentiator::fullTangent);
 }
 
-// Whether the factor or the base may, though their product does not: 1 / r² near r = 0, where r
-// dr is as small as the factor -2 / r⁴ is large.
+// True if the factor or the base may overflow, though their product doesn't: for 1 / r² near r = 0,
+// the base r dr is as small as the factor -2 / r⁴ is large.
 bool Differentiator::canOverflow(NodeId id, const Tangents& tangents) {
   if (!graph_.isOperation(id)) return false;
   const NodeId from = operandsOf(graph_, id);
@@ -134,7 +134,7 @@ NodeId Differentiator::chainRule(NodeId id, const Direction& direction, Part par
 
 std::uint32_t Differentiator::componentsOf(NodeId id, const Direction& direction) const {
   const Node& node = graph_.node(id);
-  // A state may come to depend on all.
+  // A state may come to depend on all components.
   if (graph_.isLocal(id)) return graph_.isStep(id) ? 0 : ~std::uint32_t{0};
   const bool isOfInput =
       graph_.isInput(id) && node.operands[0] == graph_.node(direction.input).operands[0];
@@ -153,7 +153,7 @@ void Differentiator::visit(NodeId id, const Direction& direction) {
   };
 
   if (const std::uint32_t bits = componentsOf(id, direction)) components.set(id) = bits;
-  if (graph_.has(localOp) && visitOfFold(id, direction)) return;
+  if (graph_.has(localOp) && visitFoldPart(id, direction)) return;
   Tangent& tangent = tangents.set(id) = {zero, one};
   if (id == input) {
     tangent.factor = one;
@@ -167,7 +167,7 @@ void Differentiator::visit(NodeId id, const Direction& direction) {
 }
 
 NodeId Differentiator::derivative(NodeId root, NodeId input) {
-  forgetIfTooMuch();
+  clearIfTooLarge();
   Components& components = components_[graph_.node(input).operands[0]];
   Tangents& tangents = tangents_[input];
   const std::size_t before = components.bytes() + tangents.bytes();
@@ -178,7 +178,7 @@ NodeId Differentiator::derivative(NodeId root, NodeId input) {
     for (const NodeId id : unknown) visit(id, {input, zero, one, tangents, components});
   }
   bytes_ += components.bytes() + tangents.bytes() - before;
-  return whole(tangents[root]);
+  return fullTangent(tangents[root]);
 }
 
 }  // namespace warpjet

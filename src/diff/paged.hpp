@@ -1,4 +1,4 @@
-// Values by node of which most are never set: pages of them, each made when one of its values is.
+// Sparse values by node: pages that are allocated when one of their values is set.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ class Paged {
     return (*pages_[page])[index(id) % pageSize];
   }
 
-  // A value never set is the one that its type begins with.
+  // Values that were never set are default-constructed.
   Value operator[](NodeId id) const {
     const std::size_t page = index(id) / pageSize;
     if (page >= pages_.size() || !pages_[page]) return {};

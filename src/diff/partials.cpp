@@ -16,13 +16,13 @@ Expression times(Graph& graph, const Operands<Expression>& x, Expression value,
 template <std::size_t Row>
 constexpr Partials partialsOfRow() {
   using Functions = decltype(std::get<Row>(ops::table).partials);
-  return ops::numbered<std::tuple_size_v<Functions>>([](auto... k) {
+  return ops::withIndices<std::tuple_size_v<Functions>>([](auto... k) {
     return Partials{Partial{&times<Row, k>, ops::takesDerivative<Row, k>}...};
   });
 }
 
 constexpr auto partials =
-    ops::numbered<ops::count>([](auto... row) { return std::array{partialsOfRow<row>()...}; });
+    ops::withIndices<ops::count>([](auto... row) { return std::array{partialsOfRow<row>()...}; });
 
 }  // namespace
 
@@ -41,7 +41,7 @@ std::vector<Slope> slopesOf(Graph& graph, NodeId id) {
   const int derivative = graph.resultNumber(id) / values, value = graph.resultNumber(id) % values;
   MultiIndices indices(variables, MultiIndices::orderOf(variables, derivative) + 1);
   for (int i = 0; i < variables; ++i) {
-    const int number = indices.derived(derivative, i) * values + value;
+    const int number = indices.derivative(derivative, i) * values + value;
     slopes.push_back({arguments[i], graph.result(call, number)});
   }
   return slopes;

@@ -1,4 +1,4 @@
-// The partial derivatives of each row, as functions that build nodes.
+// The partial derivatives of each table row, as functions that build nodes.
 #pragma once
 
 #include <vector>
@@ -7,26 +7,26 @@
 
 namespace warpjet {
 
-// By an operand of an operation.
+// The partial derivative with respect to one operand.
 struct Partial {
-  // From all operands, the operation's own node and the derivative of that operand to the node of
-  // their product; null where the operation is locally constant.
+  // Takes all operands, the operation's own node and the derivative of this operand; returns the
+  // product of the partial and that derivative. Null if the operation is locally constant.
   Expression (*times)(Graph&, const Operands<Expression>&, Expression value,
                       Expression derivative) = nullptr;
-  // Whether it may overflow where the product does not.
+  // True if the partial may overflow where the product doesn't.
   bool canOverflow = false;
 };
 using Partials = Operands<Partial>;
 
 const Partials& partialsOf(Op op);
 
-// An argument of a call, and the partial derivative by it.
+// An argument of a call, and the partial derivative with respect to it.
 struct Slope {
   NodeId argument, partial;
 };
 
-// Of a call of a function of the host, or of a result of one of ours, by the arguments that it has
-// derivatives by.
+// The slopes of a host function's call, or of a result of one of our functions, for the arguments
+// that it has derivatives for.
 std::vector<Slope> slopesOf(Graph& graph, NodeId id);
 
 }  // namespace warpjet

@@ -38,8 +38,9 @@ std::string Bundle::definition(const Dialect& dialect) const {
   if (!isStruct()) return {};
   const std::string_view vec4 = dialect.typeName(ops::Type::Float, vectorOf(perPart));
   std::string members;
-  for (int part = 0; part < parts(); ++part) fill(members, dialect.member, {vec4, partName(part)});
-  return filled(dialect.structure, {type(dialect), members});
+  for (int part = 0; part < parts(); ++part)
+    appendExpanded(members, dialect.member, {vec4, partName(part)});
+  return expand(dialect.structure, {type(dialect), members});
 }
 
 }  // namespace warpjet

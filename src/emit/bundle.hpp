@@ -1,4 +1,4 @@
-// How a function of ours gives several numbers at once: up to four as a number or a vector, more as
+// Multiple return values of our functions: up to four are returned as a number or a vector, more as
 // a struct of vec4.
 #pragma once
 
@@ -9,10 +9,11 @@
 
 namespace warpjet {
 
-// How many numbers a function gives with all derivatives up to an order.
+// The number of values that a function returns with all derivatives up to an order.
 int resultCount(const Function& function, int order);
 
-// The name of the function that gives so many derivatives: warpjetNoise3, warpjetNoise3Gradient.
+// The name of the function that returns that many derivatives: warpjetNoise3,
+// warpjetNoise3Gradient.
 std::string nameWithDerivatives(const Function& function, int order);
 
 struct Bundle {
@@ -29,9 +30,9 @@ struct Bundle {
   static std::string partName(int part);
 
   std::string type(const Dialect& dialect) const;
-  // What follows the name of a variable where its number `i` is read.
+  // The suffix that selects value `i` of a variable: `.x`, or a member of the struct.
   std::string member(int i) const;
-  // The struct itself, or nothing.
+  // The definition of the struct, or empty if there is none.
   std::string definition(const Dialect& dialect) const;
 };
 

@@ -24,7 +24,7 @@ std::string_view Dialect::typeName(ops::Type type, Shape shape) const {
   return shape.isNumber() ? numbers[kind] : vectors[kind][shape.rows - 2u];
 }
 
-void fill(std::string& text, std::string_view form, Parts parts) {
+void appendExpanded(std::string& text, std::string_view form, Parts parts) {
   for (std::size_t dollar; (dollar = form.find('$')) != form.npos;) {
     text += form.substr(0, dollar);
     text += parts.begin()[form[dollar + 1] - '0'];
@@ -33,9 +33,9 @@ void fill(std::string& text, std::string_view form, Parts parts) {
   text += form;
 }
 
-std::string filled(std::string_view form, Parts parts) {
+std::string expand(std::string_view form, Parts parts) {
   std::string text;
-  fill(text, form, parts);
+  appendExpanded(text, form, parts);
   return text;
 }
 

@@ -34,9 +34,9 @@ class Emitter {
     if (graph.has(foldOp)) loops_.emplace(graph, nodes_);
   }
 
-  Emitted run() {
+  EmittedCode run() {
     findOrders();
-    findHelped();
+    findHelpers();
     reserveNames();
     writeStatements();
     result_.nodes = nodes_.size();
@@ -46,7 +46,7 @@ class Emitter {
   }
 
  private:
-  // A loop may compute before it what a sum within it has as a term.
+  // A loop may compute a term of a sum in its body before the loop, which splits the product.
   bool hasProducts() const { return options_.vectors && !graph_.has(foldOp); }
   bool computes(NodeId id) const { return graph_.isOperation(id) || graph_.isCall(id); }
 
@@ -59,7 +59,7 @@ class Emitter {
     return roots;
   }
 
-  // How often each node is read.
+  // Counts how often each node is read.
   std::vector<std::uint32_t> countUses() const {
     std::vector<std::uint32_t> uses(graph_.size());
     for (const NodeId id : roots()) ++uses[index(id)];
@@ -69,7 +69,7 @@ class Emitter {
     return uses;
   }
 
-  // How many derivatives each call of a function of ours has to give.
+  // Finds the order of derivatives that each call of our own functions must return.
   void findOrders() {
     for (const NodeId id : nodes_) {
       if (graph_.isResult(id)) writer_.need(graph_.operand(id, 0), graph_.resultNumber(id));
@@ -83,14 +83,15 @@ class Emitter {
     }
   }
 
-  void findHelped() {
+  void findHelpers() {
     Flags isUsed(ops::count);
     for (const NodeId id : nodes_) {
       if (graph_.isOperation(id)) isUsed[index(graph_.node(id).op)] = true;
     }
     for (std::size_t i = 0; i < ops::count; ++i) {
       const Op op{static_cast<std::uint8_t>(i)};
-      if (isUsed[i] && !ops::helpers(op, dialect_.language).empty()) result_.helped.push_back(op);
+      if (isUsed[i] && !ops::helpers(op, dialect_.language).empty())
+        result_.withHelpers.push_back(op);
     }
   }
 
@@ -119,8 +120,8 @@ class Emitter {
   void writeStatements() {
     Plan plan{graph_, dialect_, outputs_, sums_, comments_, packs_, loops_ ? &*loops_ : nullptr};
     StatementWriter writer(plan, writer_, temporaries_);
-    constexpr std::size_t usualLength = 24;
-    writer.reserve(nodes_.size() * usualLength);
+    constexpr std::size_t typicalLength = 24;
+    writer.reserve(nodes_.size() * typicalLength);
     for (const std::uint32_t i : result_.inputs) writer.bindInput(i, inputs_[i]);
     plan.statements =
         makeStatements(graph_, nodes_, uses_, plan.loops, outputs_, sums_, products_, options_);
@@ -131,8 +132,8 @@ class Emitter {
     result_.code = assemble(writer.code());
   }
 
-  // Results are declared outside of a block that holds the temporaries, so that two texts can be
-  // spliced into one function, and no temporary can meet a variable of the host.
+  // Results are declared outside of a block that holds the temporaries, so that two pieces of code
+  // can be spliced into one function and no temporary can clash with a variable of the host.
   std::string assemble(const std::string& statements) const {
     std::string code;
     std::string_view group;
@@ -141,7 +142,7 @@ class Emitter {
       if (type == group && dialect_.declaresSeveral) {
         code += ", " + output.name;
       } else {
-        code += (group.empty() ? "" : ";\n") + filled(dialect_.declaration, {type, output.name});
+        code += (group.empty() ? "" : ";\n") + expand(dialect_.declaration, {type, output.name});
       }
       group = type;
     }
@@ -162,23 +163,23 @@ class Emitter {
   Packs packs_;
   Writer writer_;
   Temporaries temporaries_;
-  Emitted result_;
+  EmittedCode result_;
 };
 
 }  // namespace
 
-Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-             const EmitOptions& options, const Comments& comments,
-             std::span<const std::string> inputs) {
+EmittedCode emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+                 const EmitOptions& options, const Comments& comments,
+                 std::span<const std::string> inputs) {
   if (outputs.empty()) return {};
   return Emitter(graph, dialect, outputs, options, comments, inputs).run();
 }
 
-std::vector<std::string> inputTexts(const Graph& graph, const Dialect& dialect) {
+std::vector<std::string> inputExpressions(const Graph& graph, const Dialect& dialect) {
   std::vector<std::string> texts;
   for (std::uint32_t i = 0; i < graph.inputCount(); ++i) {
     const Input& input = graph.input(i);
-    texts.push_back(input.image ? filled(dialect.imageSize, {texts[*input.image]}) : input.label);
+    texts.push_back(input.image ? expand(dialect.imageSize, {texts[*input.image]}) : input.label);
   }
   return texts;
 }

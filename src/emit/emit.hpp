@@ -1,8 +1,8 @@
-// Emission: roots of a graph enter, the statements that compute them leave.
+// Emission: takes roots of a graph, returns the statements that compute them.
 //
-// A node that is used once is written where it is used; a node that is used more often becomes a
-// temporary, and so does one that would nest too deep or read too much. Nothing here recurses, so
-// depth is no limit. Emission knows nothing of warps.
+// A node that is used once is written inline; a node that is used more often becomes a temporary,
+// and so does one that would nest too deep or read too much. Nothing here recurses, so depth is
+// unlimited. Emission knows nothing of warps.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,18 @@
 namespace warpjet {
 
 struct EmitOptions {
-  // The number of nested operations at which an expression becomes a temporary.
+  // The depth of nested operations at which an expression becomes a temporary.
   int maxDepth = 8;
-  // The number of temporaries that an expression reads at most, as far as it can be cut, since what
-  // waits to be read stays alive; see schedule.hpp for what was tried.
+  // The max number of temporaries that an expression reads, as far as expressions can be split:
+  // values that wait to be read stay alive. schedule.hpp lists the alternatives tried.
   std::uint32_t maxReads = 4;
-  // As good as no limit, but a bound for what is remembered of an expression.
-  static constexpr std::uint32_t mostReads = 64;
-  // Whether equal operations on components are written as one on vectors; see packs.hpp.
+  // Practically no limit, but it bounds the sets that are stored per expression.
+  static constexpr std::uint32_t maxTrackedReads = 64;
+  // Writes equal operations on components as one operation on vectors; see packs.hpp.
   bool vectors = true;
 };
 
-// A function of ours, with its derivatives up to an order.
+// One of our own functions, with its derivatives up to an order.
 struct OurFunction {
   std::uint32_t number;
   int order;
@@ -37,29 +37,29 @@ struct OurFunction {
   bool operator==(const OurFunction&) const = default;
 };
 
-struct Emitted {
+struct EmittedCode {
   std::string code;
   std::vector<std::uint32_t> inputs;      // the inputs that the statements read, ascending
-  std::vector<std::uint32_t> functions;   // the functions of the host that they call, ascending
-  std::vector<OurFunction> ourFunctions;  // those of ours, each once
-  std::vector<Op> helped;                 // the operations that call helpers, each once
-  std::size_t nodes = 0;                  // graph nodes that the outputs need, leaves included
-  std::size_t operations = 0;             // those of them that compute something
+  std::vector<std::uint32_t> functions;   // host functions that they call, ascending
+  std::vector<OurFunction> ourFunctions;  // our own functions that they call, without duplicates
+  std::vector<Op> withHelpers;  // operations that need helper functions, without duplicates
+  std::size_t nodes = 0;        // graph nodes that the outputs need, including leaves
+  std::size_t operations = 0;   // the nodes that compute something
   std::size_t temporaries = 0;
-  std::size_t vectors = 0;  // those of them that are
+  std::size_t vectors = 0;  // temporaries that are vectors
 };
 
-// What each input is in this language, if the host calls it by its label.
-std::vector<std::string> inputTexts(const Graph& graph, const Dialect& dialect);
+// The expression of each input in this language, if the host uses its label as its name.
+std::vector<std::string> inputExpressions(const Graph& graph, const Dialect& dialect);
 
 // Names must have passed `inputProblem` and `outputProblem`, and be distinct. The outputs must have
-// been lowered to what the dialect has. `inputs` has the host's text of each input.
-Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-             const EmitOptions& options, const Comments& comments,
-             std::span<const std::string> inputs);
-inline Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-                    const EmitOptions& options = {}, const Comments& comments = {}) {
-  return emit(graph, dialect, outputs, options, comments, inputTexts(graph, dialect));
+// been lowered to operations of the dialect. `inputs` holds the host's expression for each input.
+EmittedCode emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+                 const EmitOptions& options, const Comments& comments,
+                 std::span<const std::string> inputs);
+inline EmittedCode emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+                        const EmitOptions& options = {}, const Comments& comments = {}) {
+  return emit(graph, dialect, outputs, options, comments, inputExpressions(graph, dialect));
 }
 
 }  // namespace warpjet

@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-// The results as one variable, or as one for each part of a struct.
+// The results as one variable, or one variable per member of a struct.
 std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
                               const std::vector<NodeId>& results) {
   if (!bundle.isStruct()) return {{"result", vectorOf(bundle.count), results}};
@@ -26,8 +26,8 @@ std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
 
 }  // namespace
 
-void Declarations::add(const Graph& graph, const Emitted& emitted) {
-  for (const Op op : emitted.helped)
+void Declarations::add(const Graph& graph, const EmittedCode& emitted) {
+  for (const Op op : emitted.withHelpers)
     define(ops::declaration(op).name, ops::helpers(op, dialect_.language));
   for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
 }
@@ -53,14 +53,14 @@ void Declarations::define(const Function& function, int order) {
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
   results = lower(body.graph, results, dialect_.language, noComments);
   const std::vector<Output> outputs = outputsOf(body.graph, bundle, results);
-  const Emitted emitted = emit(body.graph, dialect_, outputs);
+  const EmittedCode emitted = emit(body.graph, dialect_, outputs);
   add(body.graph, emitted);
 
   const std::string type = bundle.type(dialect_);
   std::string result = outputs[0].name;
   if (bundle.isStruct()) {
     for (std::size_t i = 1; i < outputs.size(); ++i) result += ", " + outputs[i].name;
-    result = filled(dialect_.construction, {type, result});
+    result = expand(dialect_.construction, {type, result});
   }
   define(bundle.function, bundle.definition(dialect_) + header(type, bundle.function, body) +
                               emitted.code + "return " + result + ";\n}\n");
@@ -73,9 +73,9 @@ std::string Declarations::header(const std::string& type, const std::string& nam
   for (int i = 0; i < definition.function.arity; ++i) {
     if (i > 0) parameters += ", ";
     const auto kind = dialect_.typeName(ops::Type::Float, definition.argumentShape(i));
-    fill(parameters, dialect_.parameter, {kind, definition.argumentName(i)});
+    appendExpanded(parameters, dialect_.parameter, {kind, definition.argumentName(i)});
   }
-  return filled(dialect_.function, {type, name, parameters});
+  return expand(dialect_.function, {type, name, parameters});
 }
 
 }  // namespace warpjet

@@ -1,4 +1,4 @@
-// The text of functions of ours: those that statements call, and those that these call.
+// The source of our own functions: those that statements call, and those that these functions call.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ class Declarations {
  public:
   Declarations(const Dialect& dialect, Library& library) : dialect_(dialect), library_(library) {}
 
-  // What these statements of this graph call, callees first, and each function once.
-  void add(const Graph& graph, const Emitted& emitted);
+  // Adds every function that these statements call, callees first, each function once.
+  void add(const Graph& graph, const EmittedCode& emitted);
 
   const std::string& text() const { return text_; }
 

@@ -1,15 +1,15 @@
-// What the two versions of GLSL ES write alike.
+// Shared by the two versions of GLSL ES.
 #pragma once
 
 #include "emit/dialect.hpp"
 
 namespace warpjet::glsl {
 
-// Whole numbers of a fragment shader have 16 bits unless told otherwise.
+// The default precision of integers in a fragment shader is mediump, 16 bits.
 inline constexpr std::array<std::string_view, ops::typeCount> numbers{"float", "bool", "highp int"};
 inline constexpr std::array<std::array<std::string_view, 3>, ops::typeCount> vectors{
     {{"vec2", "vec3", "vec4"}, {"bvec2", "bvec3", "bvec4"}, {"ivec2", "ivec3", "ivec4"}}};
-// Images have low precision unless told otherwise, which cuts heights off.
+// The default precision of samplers is lowp, which truncates height values.
 inline constexpr std::string_view image = "highp sampler2D";
 
 inline constexpr std::string_view declaration = "$0 $1", definition = "$0 $1 = ",
@@ -18,7 +18,7 @@ inline constexpr std::string_view declaration = "$0 $1", definition = "$0 $1 = "
                                   function = "$0 $1($2) {\n", parameter = "$0 $1",
                                   structure = "struct $0 {$1 };\n", member = " $0 $1;";
 
-// WebGL 1.0, section 6.21; WebGL 2 allows 1024, but a warp should do in both.
-inline constexpr std::size_t longestName = 256;
+// The limit of WebGL 1.0, section 6.21; WebGL 2 allows 1024, but a warp should compile for both.
+inline constexpr std::size_t maxNameLength = 256;
 
 }  // namespace warpjet::glsl

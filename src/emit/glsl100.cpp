@@ -2,9 +2,9 @@
 
 namespace warpjet {
 
-// The GLSL ES 1.00 specification, sections 3.6 and 8, and its extensions in WebGL. WebGL 1 cannot
-// ask an image for its size, so that it is a variable of the host like others. Texels are read at
-// their centres, where not even a linear filter mixes neighbours.
+// The GLSL ES 1.00 specification, sections 3.6 and 8, and its extensions in WebGL. WebGL 1 can't
+// query the size of an image, so the size is a variable of the host. Texels are read at their
+// centers, where not even a linear filter mixes neighbors.
 constinit const Dialect glsl100{
     .name = "glsl100",
     .language = ops::Language::Glsl100,
@@ -33,12 +33,12 @@ constinit const Dialect glsl100{
         "texture2DProjLod textureCube textureCubeLod texture2DLodEXT texture2DProjLodEXT "
         "textureCubeLodEXT texture2DGradEXT texture2DProjGradEXT textureCubeGradEXT dFdx dFdy "
         "fwidth ",
-    .longestName = glsl::longestName,
+    .maxNameLength = glsl::maxNameLength,
     .numbers = glsl::numbers,
     .vectors = glsl::vectors,
     .matrices = {{{"mat2", "", ""}, {"", "mat3", ""}, {"", "", "mat4"}}},
     .image = glsl::image,
-    .lacks = "WebGL 1 has only matrices of as many rows as columns; take its columns by .column(0)",
+    .lacks = "WebGL 1 has only square matrices; use its columns, such as .column(0)",
     .numberSuffix = "",
     .declaration = glsl::declaration,
     .declaresSeveral = true,

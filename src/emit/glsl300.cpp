@@ -48,7 +48,7 @@ constinit const Dialect glsl300{
         "texture textureProj textureLod textureOffset texelFetch texelFetchOffset "
         "textureProjOffset textureLodOffset textureProjLod textureProjLodOffset textureGrad "
         "textureGradOffset textureProjGrad textureProjGradOffset dFdx dFdy fwidth ",
-    .longestName = glsl::longestName,
+    .maxNameLength = glsl::maxNameLength,
     .numbers = glsl::numbers,
     .vectors = glsl::vectors,
     .matrices = {{{"mat2", "mat2x3", "mat2x4"},

@@ -15,8 +15,8 @@ bool areEqual(const Lanes& lanes) {
 void Packs::add(const Lanes& lanes) {
   for (int i = 0; i < lanes.count; ++i)
     places_[index(lanes[i])] = static_cast<std::uint32_t>(lanes_.size()) + i;
-  lanes_.resize(lanes_.size() + Lanes::most, noNode);
-  std::copy(lanes.begin(), lanes.end(), lanes_.end() - Lanes::most);
+  lanes_.resize(lanes_.size() + Lanes::maxCount, noNode);
+  std::copy(lanes.begin(), lanes.end(), lanes_.end() - Lanes::maxCount);
   for (const NodeId id : lanes) lengths_.setName(id, Lengths::name + Lengths::member);
 }
 
@@ -29,8 +29,8 @@ void Packs::dissolve(std::uint32_t pack) {
 
 Lanes Packs::operator[](std::uint32_t pack) const {
   Lanes lanes;
-  const NodeId* all = &lanes_[pack * Lanes::most];
-  while (lanes.count < Lanes::most && all[lanes.count] != noNode) lanes.add(all[lanes.count]);
+  const NodeId* all = &lanes_[pack * Lanes::maxCount];
+  while (lanes.count < Lanes::maxCount && all[lanes.count] != noNode) lanes.add(all[lanes.count]);
   return lanes;
 }
 
@@ -40,7 +40,7 @@ Lanes Packs::operandsOf(const Lanes& lanes, int i) const {
   return operands;
 }
 
-// Of three operands all that may be numbers are, or none.
+// If an operation has three operands, either all that may be scalars are scalars, or none is.
 bool Packs::takesNumber(const Lanes& lanes, int i) const {
   const ops::SomeOperands numbers = spellingOf(lanes).numbers;
   if ((numbers >> i & 1) == 0) return false;
@@ -51,7 +51,7 @@ bool Packs::takesNumber(const Lanes& lanes, int i) const {
   return true;
 }
 
-bool Packs::isHope(const Lanes& lanes) const {
+bool Packs::isPackable(const Lanes& lanes) const {
   for (int i = 0; i < lanes.count; ++i) {
     if (numberOf(lanes[i]) >= never || packOf(lanes[i]) != none) return false;
     if (std::find(lanes.begin(), lanes.begin() + i, lanes[i]) != lanes.begin() + i) return false;
@@ -59,7 +59,7 @@ bool Packs::isHope(const Lanes& lanes) const {
   return true;
 }
 
-// Whether the lanes are one operation, which vectors have.
+// True if all lanes are the same operation, and it can be applied to vectors.
 bool Packs::isOperation(const Lanes& lanes) const {
   const Op op = graph_.node(lanes[0]).op;
   if (!graph_.isOperation(lanes[0])) return false;
@@ -98,8 +98,8 @@ bool Packs::isPart(const Lanes& lanes) const {
                                     [&](NodeId id) { return placeOf(id) / 4 == vector; });
 }
 
-// Terms are met from the last one to the first.
-std::optional<Packs::Factors> Packs::factorsOf(NodeId sum) const {
+// Terms are visited from last to first.
+std::optional<Packs::Factors> Packs::dotProductOf(NodeId sum) const {
   Factors factors;
   for (NodeId rest = sum, term = noNode; term != rest;) {
     const bool isMore = graph_.is(rest, ops::find("add")) && (rest == sum || !isStatement(rest));
@@ -110,7 +110,7 @@ std::optional<Packs::Factors> Packs::factorsOf(NodeId sum) const {
       return std::nullopt;
     if (isStatement(term) || !graph_.is(term, ops::find("mult"))) return std::nullopt;
     NodeId a = graph_.operand(term, 0), b = graph_.operand(term, 1);
-    if (factors.a.count == Lanes::most) return std::nullopt;
+    if (factors.a.count == Lanes::maxCount) return std::nullopt;
     if (factors.a.count > 0 && placeOf(a) / 4 != placeOf(factors.a[0]) / 4) std::swap(a, b);
     if (placeOf(a) % 4 != placeOf(b) % 4) return std::nullopt;
     factors.a.add(a);
@@ -123,7 +123,7 @@ std::optional<Packs::Factors> Packs::factorsOf(NodeId sum) const {
 }
 
 // Component i is a[i + 1] * b[i + 2] - a[i + 2] * b[i + 1], with either factor first.
-std::optional<Packs::Factors> Packs::crossedBy(const Lanes& lanes) const {
+std::optional<Packs::Factors> Packs::crossProductOf(const Lanes& lanes) const {
   Factors factors;
   if (lanes.count != 3) return std::nullopt;
   factors.a.count = factors.b.count = 3;
@@ -144,9 +144,9 @@ std::optional<Packs::Factors> Packs::crossedBy(const Lanes& lanes) const {
   return factors;
 }
 
-std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
+std::optional<Packs::Rotation> Packs::rotationOf(const Lanes& lanes) const {
   if (lanes.count != 2) return std::nullopt;
-  Turn turn{{}, {noNode, noNode, 0}};
+  Rotation turn{{}, {noNode, noNode, 0}};
   Matrix& matrix = turn.matrix;
   std::array<NodeId, 4> factors{noNode, noNode, noNode, noNode};
   for (int k = 0; k < 4; ++k) {
@@ -160,7 +160,7 @@ std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
     NodeId& known = isSine ? matrix.sine : matrix.cosine;
     if (!isNamedSineOrCosine(wave) || (known != noNode && known != wave)) return {};
     known = wave;
-    // The cosine stands in the column of its row, the sine in the other one.
+    // The cosine belongs in the column with its row's index, the sine in the other column.
     const int row = k / 2, column = (row == 1) == isSine ? 0 : 1, place = 2 * column + row;
     if (factors[place] != noNode) return {};
     factors[place] = factor;
@@ -181,7 +181,7 @@ const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
   return found == products_.end() ? nullptr : &*found;
 }
 
-// A sine or cosine that has a name.
+// A sine or cosine with a variable of its own.
 bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }
@@ -190,30 +190,31 @@ int Packs::operationLength(const Lanes& lanes, int levels) const {
   const int arity = graph_.arity(lanes[0]);
   int total = Lengths::around(spellingOf(lanes), arity);
   for (int i = 0; i < arity; ++i) {
-    const auto [form, length] = written(operandsOf(lanes, i), As::Operand, levels - 1);
+    const auto [form, length] = chooseLayout(operandsOf(lanes, i), As::Operand, levels - 1);
     total += length;
     if (form == Form::Number && !takesNumber(lanes, i)) total += rowStart;
   }
   return total;
 }
 
-Packs::Written Packs::written(const Lanes& lanes, As as, int levels) const {
+Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
   bool isInPlace = true;
   if (as == As::Operand) {
     const int first = lengths_.whereRead(lanes[0], levels);
     if (areEqual(lanes)) return {Form::Number, first};
     if (isPart(lanes)) return {Form::Part, first - 1 + lanes.count};
-    if (hopes_ && isHope(lanes)) return {Form::Part, Lengths::name};
+    if (isOptimistic_ && isPackable(lanes)) return {Form::Part, Lengths::name};
     for (const NodeId id : lanes) isInPlace &= !isStatement(id);
   }
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
     row += as == As::Operand ? lengths_.whereRead(id, levels) : lengths_.ofOperation(id, levels);
-  // Found because it pays.
+  // Matrix products are only recorded if they pay off.
   if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
   if (levels > 0 && isInPlace) {
-    if (const auto turn = turnOf(lanes)) {
-      const int together = turnStart + written(turn->point, As::Operand, levels - 1).length;
+    if (const auto turn = rotationOf(lanes)) {
+      const int together =
+          rotationStart + chooseLayout(turn->point, As::Operand, levels - 1).length;
       if (together <= row) return {Form::Operation, together};
     }
   }

@@ -1,10 +1,10 @@
-// How several nodes are written as the components of one vector, and how long that is.
+// Writing several nodes as the components of one vector, and the length of the result.
 //
-// Lanes are up to four nodes. They are one number for all, a part of a vector that there is, one
-// operation on vectors (a cross product and a turn by a mat2 among them), or a row of numbers,
-// whichever is shortest. All is computed component by component, so every component has the bits of
-// its own scalar text, but in dot products, turns and products with a matrix, which a language may
-// add up in any order.
+// Lanes are up to four nodes. They are written in the shortest of these forms: one number for all
+// lanes, components of an existing vector, one vector operation (including cross products and
+// rotations by a mat2), or a list of numbers. Everything is computed component by component, so
+// every component has the same bits as its scalar code, except in dot products, rotations and
+// matrix products, which a language may sum in any order.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@
 namespace warpjet {
 
 struct Lanes {
-  static constexpr int most = 4;
+  static constexpr int maxCount = 4;
 
-  std::array<NodeId, most> nodes{};
+  std::array<NodeId, maxCount> nodes{};
   int count = 0;
 
   Lanes() = default;
@@ -37,11 +37,11 @@ struct Lanes {
   const NodeId* end() const { return nodes.data() + count; }
 };
 
-// Which nodes are statements, and which of those share one.
+// Records which nodes are statements, and which statements are packed into one.
 class Packs {
  public:
   enum class Form : std::uint8_t { Number, Part, Operation, Row };
-  // Whether lanes are read, or are what a statement computes.
+  // Distinguishes lanes that are an operand from lanes that a statement computes.
   enum class As : std::uint8_t { Operand, Statement };
 
   Packs(const Graph& graph, const Dialect& dialect, std::span<const MatrixProduct> products)
@@ -52,7 +52,8 @@ class Packs {
         numbers_(graph.size(), none),
         places_(graph.size(), none) {}
 
-  // The node has a statement of its own, with that number among those that might be shared.
+  // Gives the node a statement of its own. `number` identifies it among the statements that may be
+  // packed; `never` excludes it.
   void addStatement(NodeId id, std::uint32_t number) {
     numbers_[index(id)] = number;
     lengths_.setName(id, Lengths::name);
@@ -60,73 +61,75 @@ class Packs {
   static constexpr std::uint32_t never = none - 1;
   std::uint32_t numberOf(NodeId id) const { return numbers_[index(id)]; }
   bool isStatement(NodeId id) const { return numberOf(id) != none; }
-  // The node is written where it is read instead.
+  // From now on the node is written inline.
   void removeStatement(NodeId id) {
     numbers_[index(id)] = none;
     lengths_.removeName(id);
   }
-  // `nodes` are all that are written, ascending, and all statements are there.
+  // `nodes` are all nodes to write, in ascending order; all statements must have been added.
   void measure(std::span<const NodeId> nodes) { lengths_.measure(nodes); }
 
   void add(const Lanes& lanes);
   void dissolve(std::uint32_t pack);
-  // Lanes that hope for a statement count as if they had one.
-  void setHopes(bool hopes) { hopes_ = hopes; }
+  // With hopes on, lanes that could still be packed are measured as if they were.
+  void setOptimistic(bool optimistic) { isOptimistic_ = optimistic; }
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(lanes_.size() / Lanes::most); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(lanes_.size() / Lanes::maxCount); }
   Lanes operator[](std::uint32_t pack) const;
-  // What a node is a lane of, or none.
+  // The pack that a node is a lane of, or `none`.
   std::uint32_t packOf(NodeId id) const {
-    return places_[index(id)] == none ? none : places_[index(id)] / Lanes::most;
+    return places_[index(id)] == none ? none : places_[index(id)] / Lanes::maxCount;
   }
 
-  struct Written {
+  struct Layout {
     Form form;
-    int length;  // in characters, about
+    int length;  // approximate, in characters
   };
-  Written written(const Lanes& lanes, As as, int levels = Lengths::deepest) const;
-  int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::deepest); }
+  Layout chooseLayout(const Lanes& lanes, As as, int levels = Lengths::maxLevels) const;
+  int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::maxLevels); }
 
-  // Which component of which vector a node is, as four times the vector's key and the component;
-  // fewer than four if it is none.
+  // The vector and component that a node is read from, as four times the vector's key plus the
+  // component; less than four if it isn't a component of a vector.
   std::uint64_t placeOf(NodeId id) const;
-  // How many components that vector has, if it is a variable of ours or of the host.
+  // The number of components of that vector, if it is one of our variables or the host's; 0
+  // otherwise.
   int sizeAround(NodeId id) const;
   bool isPart(const Lanes& lanes) const;
-  // The i-th operand of each.
+  // Operand i of each lane.
   Lanes operandsOf(const Lanes& lanes, int i) const;
-  // Whether the i-th operand of lanes is the same for all, and may be one number.
+  // True if operand i is the same for all lanes and may be a scalar.
   bool takesNumber(const Lanes& lanes, int i) const;
-  // The vectors whose dot product a sum is, which a language may add up in any order.
+  // The two vectors of a sum that is a dot product. A language may add its terms in any order.
   struct Factors {
     Lanes a, b;
   };
-  std::optional<Factors> factorsOf(NodeId sum) const;
-  // The vectors whose cross product three lanes are.
-  std::optional<Factors> crossedBy(const Lanes& lanes) const;
-  // Of a turn by an angle, or a reflection. `minus` has a bit for each entry that is negated,
-  // column by column.
+  std::optional<Factors> dotProductOf(NodeId sum) const;
+  // The two vectors whose cross product the three lanes are.
+  std::optional<Factors> crossProductOf(const Lanes& lanes) const;
+  // The matrix of a rotation by an angle, or of a reflection. `minus` has one bit per negated
+  // entry, column by column.
   struct Matrix {
     NodeId cosine, sine;
     std::uint8_t minus;
     bool operator==(const Matrix&) const = default;
   };
-  // The point (a, b) whose turn by an angle two lanes are: ±a cos u ± b sin u, ±a sin u ± b cos u.
-  struct Turn {
+  // Two lanes that are the point (a, b) rotated by an angle: ±a cos u ± b sin u, ±a sin u ± b cos
+  // u.
+  struct Rotation {
     Lanes point;
     Matrix matrix;
   };
-  std::optional<Turn> turnOf(const Lanes& lanes) const;
-  // The vector times a matrix that three lanes are, or null.
+  std::optional<Rotation> rotationOf(const Lanes& lanes) const;
+  // The vector-matrix product that the three lanes are, or null.
   const MatrixProduct* productOf(const Lanes& lanes) const;
-  // Whether all could share a statement that none of them shares.
-  bool isHope(const Lanes& lanes) const;
+  // True if the lanes could share a statement and none of them is packed yet.
+  bool isPackable(const Lanes& lanes) const;
 
  private:
   static constexpr int rowStart = 6, separator = 2;
-  // Of `mat2(t12, t13, -t13, t12) * `, a name being three long.
-  static constexpr int turnStart = 28;
-  // An operation that is hardly shorter than a row is read less well.
+  // The length of `mat2(t12, t13, -t13, t12) * `, with names of three characters.
+  static constexpr int rotationStart = 28;
+  // A vector operation must be shorter than a list by this much, since it is harder to read.
   static constexpr int margin = 4;
 
   int operationLength(const Lanes& lanes, int levels) const;
@@ -140,10 +143,10 @@ class Packs {
   ops::Language language_;
   std::span<const MatrixProduct> products_;
   Lengths lengths_;
-  bool hopes_ = false;
-  std::vector<std::uint32_t> numbers_;  // by node, of its statement
-  std::vector<std::uint32_t> places_;   // by node, which lane it is
-  std::vector<NodeId> lanes_;           // four for each pack
+  bool isOptimistic_ = false;
+  std::vector<std::uint32_t> numbers_;  // by node: the number of its statement
+  std::vector<std::uint32_t> places_;   // by node: the lane that it is
+  std::vector<NodeId> lanes_;           // four per pack
 };
 
 }  // namespace warpjet

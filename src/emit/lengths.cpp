@@ -26,13 +26,13 @@ void Lengths::measure(std::span<const NodeId> nodes) {
     Text& text = texts_[index(id)];
     if (graph_.isOperation(id)) {
       text.depth = static_cast<std::uint8_t>(depthOfOperation(id));
-      if (text.depth <= deepest) text.operation = measureOperation(id, deepest);
+      if (text.depth <= maxLevels) text.operation = measureOperation(id, maxLevels);
     }
     if (!text.isNamed) text.whereRead = graph_.isInput(id) ? lengthOfInput(id) : text.operation;
   }
 }
 
-// Counted, then put where those of the nodes before end.
+// Counting sort: count the readers, then place each after those of the preceding nodes.
 void Lengths::gatherUsers(std::span<const NodeId> nodes) {
   userEnds_.assign(graph_.size() + 2, 0);
   const auto forEachRead = [&](auto visit) {
@@ -47,13 +47,13 @@ void Lengths::gatherUsers(std::span<const NodeId> nodes) {
   forEachRead([&](NodeId id, std::uint32_t read) { users_[userEnds_[read + 1]++] = id; });
 }
 
-// At most as many levels of calls as texts have that are measured.
+// The recursion is no deeper than the nesting of measured expressions.
 void Lengths::changeReaders(NodeId id, int difference) {
   if (users_.empty()) return;
   const std::uint32_t end = userEnds_[index(id) + 1];
   for (std::uint32_t i = userEnds_[index(id)]; i < end; ++i) {
     Text& user = texts_[index(users_[i])];
-    if (user.depth > deepest) continue;
+    if (user.depth > maxLevels) continue;
     user.operation += difference;
     user.depth = static_cast<std::uint8_t>(depthOfOperation(users_[i]));
     if (user.isNamed) continue;
@@ -65,7 +65,7 @@ void Lengths::changeReaders(NodeId id, int difference) {
 int Lengths::whereRead(NodeId id, int levels) const {
   const Text& text = texts_[index(id)];
   if (text.isNamed || text.depth <= levels) return text.whereRead;
-  return levels == 0 ? usualNumber : measureOperation(id, levels);
+  return levels == 0 ? typicalNumber : measureOperation(id, levels);
 }
 
 int Lengths::ofOperation(NodeId id, int levels) const {
@@ -86,7 +86,7 @@ int Lengths::depthOfOperation(NodeId id) const {
     const Text& operand = texts_[index(graph_.operand(id, i))];
     if (!operand.isNamed) most = std::max<int>(most, operand.depth);
   }
-  return std::min(most, deepest) + 1;
+  return std::min(most, maxLevels) + 1;
 }
 
 int Lengths::lengthOfInput(NodeId id) const {

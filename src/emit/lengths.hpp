@@ -1,9 +1,9 @@
-// Approximate lengths of texts, in characters, for each number: where it is computed, and where it
-// is read.
+// Approximate lengths of expressions, in characters, for each number: where it is computed, and
+// where it is read.
 //
-// All lengths are found once, operands before users. After that, a statement that changes its name
-// corrects the texts that read it, up to where those texts have names of their own. So asking is
-// free, and nothing ever has to be forgotten.
+// All lengths are computed once, operands before users. After that, a statement whose name changes
+// updates the expressions that read it, up to those that have names of their own. So queries are
+// free, and no cache needs to be invalidated.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +16,36 @@ namespace warpjet {
 
 class Lengths {
  public:
-  // Deeper operands count as `usualNumber`. Texts have fewer levels, unless somebody wants them
-  // deeper.
-  static constexpr int deepest = 16;
-  static constexpr int usualNumber = 5, name = 3, member = 2;
+  // Deeper operands count as `typicalNumber`. Expressions nest less deep, unless `maxDepth` was
+  // raised.
+  static constexpr int maxLevels = 16;
+  static constexpr int typicalNumber = 5, name = 3, member = 2;
 
   Lengths(const Graph& graph, ops::Language language)
       : graph_(graph), language_(language), texts_(graph.size()) {}
 
-  // The node is read by a name of this length, before `measure` or after it.
+  // The node is read by a name of this length. Call it before or after `measure`.
   void setName(NodeId id, int length);
-  // The node is written where it is read again.
+  // The node is written inline again.
   void removeName(NodeId id);
 
-  // `nodes` are all that are written, ascending. Their names are known.
+  // `nodes` are all nodes to write, in ascending order, with their names set.
   void measure(std::span<const NodeId> nodes);
 
-  // The length where the node is read; operands below `levels` operations are not looked at.
+  // The length where the node is read. Operands more than `levels` operations deep are not
+  // measured.
   int whereRead(NodeId id, int levels) const;
-  // The length of its operation.
+  // The length of the node's operation.
   int ofOperation(NodeId id, int levels) const;
-  // The characters of a spelling that are no operands.
+  // The number of characters of a spelling that don't belong to operands.
   static int around(const ops::Spelling& spelling, int operands) {
     return static_cast<int>(spelling.text.size()) - member * operands;
   }
 
  private:
   struct Text {
-    int whereRead = usualNumber, operation = usualNumber;
-    // Levels of operations, one within another, up to one more than the deepest: where the node is
-    // computed.
+    int whereRead = typicalNumber, operation = typicalNumber;
+    // The depth of nested operations where the node is computed; at most `maxLevels` + 1.
     std::uint8_t depth = 0;
     bool isNamed = false;
   };
@@ -59,7 +59,7 @@ class Lengths {
   const Graph& graph_;
   ops::Language language_;
   std::vector<Text> texts_;  // by node
-  // The operations that read each node, as often as they do.
+  // The operations that read each node, once per read.
   std::vector<std::uint32_t> userEnds_;
   std::vector<NodeId> users_;
 };

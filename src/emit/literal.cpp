@@ -13,8 +13,8 @@ struct Decimal {
   int exponent;
 };
 
-// Nine digits tell any two float32 apart; the largest one needs ten not to be rounded up.
-constexpr int mostDigits = 10;
+// Nine digits distinguish all float32 values; the largest one needs ten not to be rounded up.
+constexpr int maxDigits = 10;
 
 // 10^0 to 10^63; the smallest float32, 1e-45, with ten digits needs 10^54.
 constexpr auto powersOfTen = [] {
@@ -23,14 +23,14 @@ constexpr auto powersOfTen = [] {
   return powers;
 }();
 
-double scaled(double x, int exponent) {
+double scaleByPowerOfTen(double x, int exponent) {
   return exponent < 0 ? x / powersOfTen[-exponent] : x * powersOfTen[exponent];
 }
 
-// The shortest decimal close enough to a positive `value` to read back as it: nearer than half the
-// gap to the next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are
-// right to 1e-14 of it, so the margin leaves no doubt; inside it there is just one more digit.
-Decimal shortest(float value) {
+// The shortest decimal that reads back as the positive `value`: closer than half the gap to the
+// next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are accurate to
+// 1e-14 of it, so the margin covers their error; within the margin one more digit is used.
+Decimal findShortest(float value) {
   constexpr double margin = 1e-5;
   const double exact = value;
   const double below = (exact - double{std::nextafter(value, 0.0f)}) / 2 * (1 - margin);
@@ -39,11 +39,11 @@ Decimal shortest(float value) {
   const int magnitude = static_cast<int>(std::floor(std::log10(value)));
 
   Decimal decimal{};
-  // Trailing zeros are dropped later, so six digits find all the shorter decimals too.
-  for (int digits = 6; digits <= mostDigits; ++digits) {
+  // Trailing zeros are dropped later, so starting at six digits finds the shorter decimals, too.
+  for (int digits = 6; digits <= maxDigits; ++digits) {
     decimal.exponent = magnitude - digits + 1;
-    decimal.digits = std::llround(scaled(exact, -decimal.exponent));
-    const double read = scaled(static_cast<double>(decimal.digits), decimal.exponent);
+    decimal.digits = std::llround(scaleByPowerOfTen(exact, -decimal.exponent));
+    const double read = scaleByPowerOfTen(static_cast<double>(decimal.digits), decimal.exponent);
     if (read > exact - below && read < exact + above) break;
   }
   return decimal;
@@ -56,7 +56,7 @@ std::string literal(double value) {
   const std::string sign = std::signbit(rounded) ? "-" : "";
   if (rounded == 0) return sign + "0.0";
 
-  const Decimal decimal = shortest(std::abs(rounded));
+  const Decimal decimal = findShortest(std::abs(rounded));
   std::string digits = std::to_string(decimal.digits);
   const int magnitude = static_cast<int>(digits.size()) - 1 + decimal.exponent;
   while (digits.size() > 1 && digits.back() == '0') digits.pop_back();

@@ -18,7 +18,7 @@ NodeId applyFormula(Graph& graph, const Operands<NodeId>& operands) {
   Operands<Expression> x{};
   for (int i = 0; i < ops::declarations[Row].arity; ++i) x[i] = {&graph, operands[i]};
   constexpr auto formula = std::get<Row>(ops::table).lowered;
-  return ops::spread<ops::declarations[Row].arity>(formula, x.data()).id;
+  return ops::applyTo<ops::declarations[Row].arity>(formula, x.data()).id;
 }
 
 template <std::size_t Row>
@@ -30,7 +30,7 @@ constexpr Formula formulaOf() {
   constexpr auto spellings = std::get<Row>(ops::table).spellings.byLanguage;
   constexpr bool isMissing = std::any_of(spellings.begin(), spellings.end(),
                                          [](const auto& spelling) { return spelling.isMissing(); });
-  static_assert(hasFormula<Row> || !isMissing || ops::declarations[Row].signature.hasWhole(),
+  static_assert(hasFormula<Row> || !isMissing || ops::declarations[Row].signature.hasInt(),
                 "a row that a language lacks must say what it is lowered to");
   if constexpr (hasFormula<Row>) {
     return &applyFormula<Row>;
@@ -39,9 +39,9 @@ constexpr Formula formulaOf() {
   }
 }
 
-// Null where every language has the operation, or what lacks it refuses it.
+// Null if every language has the operation, or if languages without it reject it.
 constexpr auto formulas =
-    ops::numbered<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
+    ops::withIndices<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
 
 bool lacks(ops::Language language, Op op) { return ops::spelling(op, language).isMissing(); }
 
@@ -52,7 +52,7 @@ class Lowering {
 
   // Operands are visited before their users.
   void visit(NodeId id) {
-    if (graph_.isLeaf(id) || graph_.isList(id) || graph_.isOfStates(id)) return;
+    if (graph_.isLeaf(id) || graph_.isList(id) || graph_.isStateOrList(id)) return;
     const NodeId first = end();
     lowered_[index(id)] = replacement(id);
     const Comments::Range* comment = comments_.find(id);
@@ -109,8 +109,8 @@ class Lowering {
 
 }  // namespace
 
-std::string_view refused(const Graph& graph, std::span<const NodeId> roots,
-                         ops::Language language) {
+std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
+                                 ops::Language language) {
   if (!lacksAny(graph, language)) return {};
   for (const NodeId id : reachable(graph, roots)) {
     if (!graph.isOperation(id)) continue;

@@ -1,4 +1,4 @@
-// Lowering: operations that a language lacks become others that it has.
+// Lowering: replaces operations that a language lacks by others that it has.
 #pragma once
 
 #include <span>
@@ -10,15 +10,16 @@
 
 namespace warpjet {
 
-// Whether an operation of the graph is one that the language lacks.
+// True if the graph contains an operation that the language lacks.
 bool lacksAny(const Graph& graph, ops::Language language);
 
-// The name of an operation that the language lacks and that nothing else can say, or nothing.
-std::string_view refused(const Graph& graph, std::span<const NodeId> roots, ops::Language language);
+// The name of an operation that the language lacks and that can't be lowered, or empty.
+std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
+                                 ops::Language language);
 
-// Nodes of the same values as `roots`, which the language can write; what was made for a node gets
-// its comment. Derivatives must have been taken before: a row's own are shorter than those of what
-// it is lowered to.
+// Returns nodes with the values of `roots` that the language can express; a replacement inherits
+// the comment of its node. Take derivatives before: those of a row are shorter than those of its
+// replacement.
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
                           Comments& comments);
 

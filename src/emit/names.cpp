@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-// The functions that our statements call in a language, such as `sin($0)`, as a list of words.
+// The functions of a language that our statements call, such as `sin($0)`, as a list of words.
 constexpr auto listCalled(ops::Language language) {
   std::array<char, 2048> list{};
   std::size_t size = 0;
@@ -18,7 +18,7 @@ constexpr auto listCalled(ops::Language language) {
     for (const char c : name) list[size++] = c;
     list[size++] = ' ';
   };
-  for (const std::string_view name : {"dot", "cross"}) add(name);  // of sums, by the writer
+  for (const std::string_view name : {"dot", "cross"}) add(name);  // called by the writer for sums
   const auto addCalled = [&](std::string_view text) {
     const std::size_t bracket = text.find('(');
     const std::string_view name = text.substr(0, bracket);
@@ -40,17 +40,17 @@ bool isCalledByUs(const Dialect& dialect, std::string_view word) {
 }
 
 std::string reservedProblem(const Dialect& dialect, std::string_view word) {
-  if (word.size() > dialect.longestName)
-    return "it is longer than " + std::to_string(dialect.longestName) + " letters";
+  if (word.size() > dialect.maxNameLength)
+    return "it is longer than " + std::to_string(dialect.maxNameLength) + " characters";
   const std::string language(dialect.family);
-  if (dialect.keywords.holds(word)) return quoted(word) + " is a word of " + language + " itself";
+  if (dialect.keywords.holds(word)) return quoted(word) + " is a reserved word of " + language;
   for (const std::string_view prefix : {"gl_", "GL_", "webgl_", "_webgl_"}) {
     if (word.starts_with(prefix))
-      return "names that start with gl_ or webgl_ belong to GLSL, as " + quoted(word) + " does";
+      return "names that start with gl_ or webgl_ are reserved in GLSL, such as " + quoted(word);
   }
   if (word.find("__") != std::string_view::npos)
-    return "names with two underscores in a row belong to " + language + ", as " + quoted(word) +
-           " does";
+    return "names with two consecutive underscores are reserved in " + language + ", such as " +
+           quoted(word);
   if (isCalledByUs(dialect, word)) return quoted(word) + " is a function of " + language;
   return {};
 }
@@ -61,7 +61,7 @@ std::string inputProblem(const Dialect& dialect, std::string_view text) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return "it is empty";
   if (auto problem = syntaxProblem(text, dialect.operators); !problem.empty()) return problem;
   if (Dialect::holds(dialect.otherTypes, text))
-    return "it is no float; write float(" + std::string(text) + ')';
+    return "it is not a float; write float(" + std::string(text) + ')';
   for (const std::string_view word : identifiers(text)) {
     const std::size_t end = text.find_first_not_of(' ', word.data() - text.data() + word.size());
     const char next = end == text.npos ? ' ' : text[end];
@@ -78,13 +78,13 @@ std::string outputProblem(const Dialect& dialect, std::string_view name) {
   const bool isIdentifier =
       !name.empty() && isWordStart(name[0]) && std::all_of(name.begin(), name.end(), isWordPart);
   if (!isIdentifier)
-    return "a name is made of letters, digits and underscores and does not start with a digit";
+    return "a name consists of letters, digits and underscores and does not start with a digit";
   return reservedProblem(dialect, name);
 }
 
 std::string functionProblem(const Dialect& dialect, std::string_view name) {
-  if (name == "main") return "it is the function that a shader begins with";
-  if (name.starts_with(ourPrefix)) return "such names are warpjet's own; rename it";
+  if (name == "main") return "it is the entry point of a shader";
+  if (name.starts_with(ourPrefix)) return "such names are reserved for warpjet; rename it";
   if (Dialect::holds(dialect.functions, name))
     return quoted(name) + " is a function of " + std::string(dialect.family);
   return outputProblem(dialect, name);

@@ -1,4 +1,4 @@
-// Names and expressions that come from outside: are they safe to write into a shader?
+// Checks names and expressions from outside: are they safe to write into a shader?
 #pragma once
 
 #include <set>
@@ -10,26 +10,26 @@
 
 namespace warpjet {
 
-// What is wrong with a host's expression, such as `aPosition` or `(m * vec4(p, 1.0)).xyz`, or
-// nothing. It must be one balanced expression without statements, comments or reserved words.
+// The problem with a host's expression, such as `aPosition` or `(m * vec4(p, 1.0)).xyz`; empty if
+// there is none. It must be one balanced expression without statements, comments or reserved words.
 std::string inputProblem(const Dialect& dialect, std::string_view text);
 
-// What is wrong with the name of a result, or nothing.
+// The problem with the name of a result; empty if there is none.
 std::string outputProblem(const Dialect& dialect, std::string_view name);
 
-// What is wrong with the name of a function of the host, or nothing.
+// The problem with the name of a host function; empty if there is none.
 std::string functionProblem(const Dialect& dialect, std::string_view name);
 
-// How the names of our own functions begin.
+// The prefix of our own functions.
 inline constexpr std::string_view ourPrefix = "warpjet";
 
-// Whether a word of a text, one of its `identifiers`, is what is called there.
+// True if `word`, one of the `identifiers` of `text`, is called as a function there.
 bool isCalled(std::string_view text, std::string_view word);
 
-// Whether a text is an identifier, perhaps with members: `position`, `inputs.uv`.
+// True for an identifier, optionally with members: `position`, `inputs.uv`.
 bool isPlainVariable(std::string_view text);
 
-// Hands out t0, t1, … and skips every name in use.
+// Generates t0, t1, … and skips every name in use.
 class Temporaries {
  public:
   void reserve(std::string_view text);

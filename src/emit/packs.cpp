@@ -9,12 +9,12 @@ namespace {
 using As = Packs::As;
 using Form = Packs::Form;
 
-// Packs the statements of one body, which have numbers from `first` on.
+// Packs the statements of one body, which are numbered from `first`.
 class Packer {
  public:
   Packer(const Graph& graph, Packs& packs, Statements& body, std::uint32_t first,
          const EmitOptions& options)
-      : mostBeside_(std::min(options.maxDepth - 1, 3)),
+      : maxInlineDepth_(std::min(options.maxDepth - 1, 3)),
         graph_(graph),
         packs_(packs),
         body_(body),
@@ -29,35 +29,36 @@ class Packer {
   }
 
   void run() {
-    packs_.setHopes(true);
+    packs_.setOptimistic(true);
     const std::uint32_t first = packs_.size();
     for (const Statement& statement : body_.all) {
       if (statement.node == noNode && statement.output->shape.isVector())
         packParts(Lanes(statement.output->components), As::Operand);
     }
-    for (std::uint32_t i = 0; i < count_; ++i) packTurnsBy(i);
+    for (std::uint32_t i = 0; i < count_; ++i) packRotationsBy(i);
     for (std::uint32_t i = first; i < packs_.size(); ++i) {
       const Lanes lanes = packs_[i];
       packParts(lanes, As::Statement);
       packReaders(lanes);
     }
-    packs_.setHopes(false);
+    packs_.setOptimistic(false);
     merge(packs_.size() > first);
   }
 
  private:
-  // Of a statement beside what it computes: `  float t12 = ;` and its line's end, or `  vec3 …`.
+  // The length of a statement without its expression: `  float t12 = ;` and the line's end, or `
+  // vec3 …`.
   static constexpr int frame = 15;
-  // Who reads more than a few is looked for no further.
-  static constexpr std::size_t mostReaders = 8;
+  // Only this many readers of a statement are searched.
+  static constexpr std::size_t maxReaders = 8;
 
-  // What cannot be packed is beyond.
+  // At least `count_` for statements that can't be packed here.
   std::uint32_t numberOf(NodeId id) const { return packs_.numberOf(id) - first_; }
 
-  // What a statement reads is on a lower level than it. Lanes share theirs, so nothing that is
-  // packed waits for itself.
+  // Operands of a statement are on lower levels than the statement, and all lanes are on the same
+  // level, so a pack never depends on itself.
   bool pack(const Lanes& lanes) {
-    if (lanes.count < 2 || !packs_.isHope(lanes)) return false;
+    if (lanes.count < 2 || !packs_.isPackable(lanes)) return false;
     std::uint32_t highest = 0;
     for (const NodeId id : lanes) {
       if (numberOf(id) >= count_) return false;
@@ -74,53 +75,53 @@ class Packer {
   bool canRise(std::uint32_t i, std::uint32_t level) const {
     if (levels_[i] == level) return true;
     const auto readers = readers_.of(i);
-    return readers.size() <= mostReaders &&
+    return readers.size() <= maxReaders &&
            std::all_of(readers.begin(), readers.end(),
                        [&](std::uint32_t reader) { return levels_[reader] > level; });
   }
 
-  // Pairs that are turned by the angle whose cosine this is.
-  void packTurnsBy(std::uint32_t cosine) {
+  // Packs pairs that are rotated by the angle whose cosine this is.
+  void packRotationsBy(std::uint32_t cosine) {
     const NodeId id = body_.all[cosine].node;
     if (id == noNode || !graph_.is(id, ops::find("cos"))) return;
     const auto readers = someReadersOf(cosine);
     for (const std::uint32_t x : readers) {
       for (const std::uint32_t y : readers) {
         const std::array lanes{body_.all[x].node, body_.all[y].node};
-        if (x != y && lanes[0] != noNode && lanes[1] != noNode && packs_.turnOf(Lanes(lanes)))
+        if (x != y && lanes[0] != noNode && lanes[1] != noNode && packs_.rotationOf(Lanes(lanes)))
           pack(Lanes(lanes));
       }
     }
   }
 
-  // What an operation on vectors reads that could be a vector.
+  // Packs those operands of a vector operation that could be vectors.
   void packParts(const Lanes& lanes, As as) {
     if (lanes.count < 2 || (as == As::Operand && pack(lanes))) return;
-    if (packs_.written(lanes, as).form != Form::Operation || packs_.productOf(lanes)) return;
-    if (const auto turn = packs_.turnOf(lanes)) return packParts(turn->point, As::Operand);
+    if (packs_.chooseLayout(lanes, as).form != Form::Operation || packs_.productOf(lanes)) return;
+    if (const auto turn = packs_.rotationOf(lanes)) return packParts(turn->point, As::Operand);
     for (int i = 0; i < graph_.arity(lanes[0]); ++i)
       packParts(packs_.operandsOf(lanes, i), As::Operand);
   }
 
-  // Of the statements that read the first lane, those that one for each other lane resembles.
+  // Packs a reader of the first lane with the most similar reader of each other lane.
   void packReaders(const Lanes& lanes) {
     for (const std::uint32_t reader : readersOf(lanes[0])) {
       Lanes found;
       found.add(body_.all[reader].node);
       if (found[0] == noNode) continue;
-      for (int i = 1; i < lanes.count; ++i) addMostAlike(found, lanes[i]);
+      for (int i = 1; i < lanes.count; ++i) addMostSimilar(found, lanes[i]);
       pack(found);
     }
   }
 
-  void addMostAlike(Lanes& lanes, NodeId read) const {
+  void addMostSimilar(Lanes& lanes, NodeId read) const {
     NodeId best = noNode;
     int most = 0;
     for (const std::uint32_t reader : readersOf(read)) {
       Lanes with = lanes;
       with.add(body_.all[reader].node);
-      if (body_.all[reader].node == noNode || !packs_.isHope(with)) continue;
-      const auto [form, length] = packs_.written(with, As::Statement);
+      if (body_.all[reader].node == noNode || !packs_.isPackable(with)) continue;
+      const auto [form, length] = packs_.chooseLayout(with, As::Statement);
       if (form != Form::Operation) continue;
       const int gain = gainOf(with, length);
       if (gain <= most) continue;
@@ -130,22 +131,22 @@ class Packer {
     if (best != noNode) lanes.add(best);
   }
 
-  // Some of them, if they are many.
+  // The first `maxReaders` readers.
   std::span<const std::uint32_t> readersOf(NodeId id) const { return someReadersOf(numberOf(id)); }
   std::span<const std::uint32_t> someReadersOf(std::uint32_t i) const {
     const auto all = readers_.of(i);
-    return all.first(std::min(all.size(), mostReaders));
+    return all.first(std::min(all.size(), maxReaders));
   }
 
-  // Characters saved by one statement of this length in place of one for each lane.
+  // The characters saved by one statement of this length in place of one per lane.
   int gainOf(const Lanes& lanes, int length) const {
     int gain = -frame - length;
     for (const NodeId id : lanes) gain += frame + packs_.lengthOfStatement(id);
     return gain;
   }
 
-  // Statements of one pack, and a result that is just that, become one. Those of lower levels come
-  // first, so that each reads only earlier ones.
+  // Merges the statements of a pack, and an assignment of exactly that pack to a result, into one
+  // statement. Statements are ordered by level, so that each reads only earlier ones.
   void merge(bool hasPacks) {
     std::vector<std::uint32_t> firstOf(count_ + 1, none), nextOf(count_), order;
     for (std::uint32_t i = count_; i-- > 0;) {
@@ -160,9 +161,10 @@ class Packer {
       if (found != none && isLoss(packs_[found])) packs_.dissolve(found);
     }
     bool isShorter = hasPacks;
-    // What the end of a loop's step reads has no reader here.
+    // The end of a loop's step reads values too, but isn't in `readers_`; so bodies of loops are
+    // left out.
     for (std::uint32_t i = 0; i < count_ && first_ == 0; ++i) {
-      if (!standsBeside(body_.all[i], readers_.of(i))) continue;
+      if (!isInlineScalar(body_.all[i], readers_.of(i))) continue;
       packs_.removeStatement(body_.all[i].node);
       isShorter = true;
     }
@@ -184,7 +186,7 @@ class Packer {
 
   void mergeOne(Statements& merged, std::vector<std::uint32_t>& unitOf, std::uint32_t i) {
     const auto unit = static_cast<std::uint32_t>(merged.all.size());
-    Statements::Set reads = merged.noReads();
+    Statements::Set reads = merged.emptySet();
     const auto read = [&](std::uint32_t other) {
       for (const std::uint32_t each : body_.work.readsOf(other)) {
         if (!isRemoved(each)) merged.include(reads, unitOf[each]);
@@ -205,7 +207,7 @@ class Packer {
       const Lanes lanes = packs_[statement.pack];
       for (const NodeId id : lanes) join(numberOf(id));
       for (const std::uint32_t reader : readers_.of(numberOf(lanes[0]))) {
-        if (statement.output || !isJust(lanes, body_.all[reader])) continue;
+        if (statement.output || !assignsOnly(lanes, body_.all[reader])) continue;
         statement.output = body_.all[reader].output;
         unitOf[reader] = unit;
       }
@@ -213,9 +215,9 @@ class Packer {
     merged.add(statement, reads);
   }
 
-  // Whether a number is read as that beside a vector, by one statement and once, as in `v * t1`:
-  // then it is written there.
-  bool standsBeside(const Statement& statement, std::span<const std::uint32_t> readers) const {
+  // True if a scalar is read by a single statement, once, as the scalar operand of a vector
+  // operation, as in `v * t1`: then it is written inline.
+  bool isInlineScalar(const Statement& statement, std::span<const std::uint32_t> readers) const {
     const NodeId id = statement.node;
     if (id == noNode || statement.output || packs_.packOf(id) != none || readers.empty())
       return false;
@@ -229,8 +231,8 @@ class Packer {
       return packOf(body_.all[other]) == pack;
     });
     if (!isOne || readers.size() != statements) return false;
-    if (packs_.turnOf(lanes) || packs_.productOf(lanes)) return false;
-    if (packs_.written(lanes, isResult ? As::Operand : As::Statement).form != Form::Operation)
+    if (packs_.rotationOf(lanes) || packs_.productOf(lanes)) return false;
+    if (packs_.chooseLayout(lanes, isResult ? As::Operand : As::Statement).form != Form::Operation)
       return false;
     int times = 0;
     for (int i = 0; i < graph_.arity(lanes[0]); ++i) {
@@ -242,12 +244,12 @@ class Packer {
                             [&](NodeId operand) { return operand != id && isNamed(operand); }))
         return false;
     }
-    return times == 1 && graph_.isOperation(id) && areShallow(id, mostBeside_);
+    return times == 1 && graph_.isOperation(id) && areShallow(id, maxInlineDepth_);
   }
 
   bool isNamed(NodeId id) const { return graph_.isLeaf(id) || packs_.isStatement(id); }
 
-  // Whether an operation's operands nest fewer than so many operations.
+  // True if the operands nest fewer than `levels` operations.
   bool areShallow(NodeId id, int levels) const {
     if (levels == 0) return false;
     for (int i = 0; i < graph_.arity(id); ++i) {
@@ -258,17 +260,17 @@ class Packer {
     return true;
   }
 
-  // Whether a statement assigns these lanes to a result.
-  bool isJust(const Lanes& lanes, const Statement& statement) const {
+  // True if a statement does nothing but assign these lanes to a result.
+  bool assignsOnly(const Lanes& lanes, const Statement& statement) const {
     return statement.node == noNode &&
            std::equal(lanes.begin(), lanes.end(), statement.output->components.begin(),
                       statement.output->components.end());
   }
 
-  // What hoped for others in vain. A single number is read with `.x` behind it, where packs and
-  // vectors need no `vec3( )`.
+  // True for a pack that doesn't pay off because the packs it counted on were not made. Reading a
+  // single lane costs a `.x`; packs and vectors that read all lanes save a `vec3( )`.
   bool isLoss(const Lanes& lanes) const {
-    int gain = gainOf(lanes, packs_.written(lanes, As::Statement).length);
+    int gain = gainOf(lanes, packs_.chooseLayout(lanes, As::Statement).length);
     for (const NodeId id : lanes) {
       for (const std::uint32_t reader : readers_.of(numberOf(id))) {
         const Statement& statement = body_.all[reader];
@@ -280,7 +282,7 @@ class Packer {
     return gain <= 0;
   }
 
-  int mostBeside_;  // operations, one within another
+  int maxInlineDepth_;  // nested operations
   const Graph& graph_;
   Packs& packs_;
   Statements& body_;

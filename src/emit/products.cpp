@@ -21,7 +21,7 @@ class Finder {
   }
 
  private:
-  // The vector of whose length this is the inverse.
+  // Matches the inverse length of a vector; its components become the sums of the product.
   bool findSums(NodeId inverse) {
     if (!graph_.is(inverse, inversesqrt)) return false;
     NodeId rest = graph_.operand(inverse, 0);
@@ -36,7 +36,7 @@ class Finder {
     return true;
   }
 
-  // Each term stands behind what it is a term of.
+  // Breadth-first, so that each term follows the sum it belongs to.
   bool findEntries() {
     product_.vector = none;
     terms_.clear();
@@ -55,8 +55,8 @@ class Finder {
         }
         for (int i = 0; i < graph_.arity(id); ++i) {
           const NodeId term = graph_.operand(id, i);
-          const bool isTurned = isDifference ? i == 1 : !isSum;
-          isMinus_[index(term)] = isMinus_[index(id)] != isTurned;
+          const bool isNegated = isDifference ? i == 1 : !isSum;
+          isMinus_[index(term)] = isMinus_[index(id)] != isNegated;
           terms_.push_back(term);
         }
       }
@@ -64,7 +64,7 @@ class Finder {
     return found_ == (1U << 9) - 1 && differences_ < 9;
   }
 
-  // A component times its factor, or the other way round.
+  // A component times its factor, in either order.
   bool addEntry(unsigned column, NodeId term) {
     for (int i = 0; graph_.is(term, mult) && i < 2; ++i) {
       const NodeId component = graph_.operand(term, i), factor = graph_.operand(term, 1 - i);
@@ -86,8 +86,8 @@ class Finder {
 
   const Graph& graph_;
   std::span<const std::uint32_t> uses_;
-  Flags isMinus_;  // by node, if it is a term
-  // Of the one that is looked at: its places that have an entry, and how many of those are
+  Flags isMinus_;  // by node, for terms
+  // Of the candidate product: a bit for each entry found, and the number of entries that belong to
   // differences.
   MatrixProduct product_{};
   std::vector<NodeId> terms_;

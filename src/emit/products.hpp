@@ -1,5 +1,5 @@
-// Three sums that are a vector of the host times a matrix, as the turned normal is:
-// `normal * mat3(…)`.
+// Finds three sums that are a vector of the host times a matrix, as a warped normal is: `normal *
+// mat3(…)`.
 #pragma once
 
 #include <array>
@@ -20,18 +20,18 @@ struct MatrixProduct {
 
   std::uint32_t vector;          // the input
   std::array<NodeId, 3> sums;    // the components
-  std::array<Entry, 9> entries;  // column by column, which are the factors of each sum
+  std::array<Entry, 9> entries;  // the factors of each sum, column by column
 };
 
 struct MatrixProducts {
   std::vector<MatrixProduct> all;
-  Flags terms;  // by node, whether it is one of their sums or in one, but for factors
+  Flags terms;  // by node: true for the sums and their terms, but not their factors
 };
 
-// Looked for where `nodes` make a vector a unit one; `uses` says how often each node is read. All
-// nine factors must be there, since with 0 or 1 among them the sums are shorter, and not all may be
-// differences, as cofactors are: those make cross products. Sums stay sums if something else reads
-// a term of theirs.
+// Searches where `nodes` normalize a vector; `uses` has the number of reads of each node. All nine
+// factors must be present, since with 0 or 1 among them the sums are shorter, and not all may be
+// differences, as cofactors are: those are written as cross products. Sums remain sums if one of
+// their terms is read elsewhere.
 MatrixProducts findProducts(const Graph& graph, std::span<const NodeId> nodes,
                             std::span<const std::uint32_t> uses);
 

@@ -24,17 +24,17 @@ void StatementWriter::define(std::string_view type, std::string_view name) {
 
 void StatementWriter::begin(std::string_view form, std::string_view type, std::string_view name) {
   code_ += indent_;
-  fill(code_, form, {type, name});
+  appendExpanded(code_, form, {type, name});
 }
 
 void StatementWriter::write(const Statements& statements) {
   const std::size_t known = writer_.matrixCount();
   for (const Statement& statement : statements.all) {
-    if (const auto turn = turnOf(statement)) writer_.countMatrix(turn->matrix, known);
+    if (const auto turn = rotationOf(statement)) writer_.countMatrix(turn->matrix, known);
   }
   for (const std::uint32_t i : schedule(statements.work)) {
     const Statement& statement = statements.all[i];
-    const auto turn = turnOf(statement);
+    const auto turn = rotationOf(statement);
     if (turn && writer_.wantsName(turn->matrix)) nameMatrix(turn->matrix);
     if (statement.node == noNode)
       assign(*statement.output);
@@ -46,11 +46,11 @@ void StatementWriter::write(const Statements& statements) {
   writer_.forgetMatrices(known);
 }
 
-std::optional<Packs::Turn> StatementWriter::turnOf(const Statement& statement) const {
+std::optional<Packs::Rotation> StatementWriter::rotationOf(const Statement& statement) const {
   if (statement.pack == none) return {};
   const Lanes lanes = plan_.packs[statement.pack];
-  const auto turn = plan_.packs.turnOf(lanes);
-  if (!turn || plan_.packs.written(lanes, Packs::As::Statement).form != Packs::Form::Operation)
+  const auto turn = plan_.packs.rotationOf(lanes);
+  if (!turn || plan_.packs.chooseLayout(lanes, Packs::As::Statement).form != Packs::Form::Operation)
     return {};
   return turn;
 }
@@ -64,7 +64,7 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   ++temporaryCount_;
 }
 
-// Variables live on behind the loop, where they are the outcome.
+// The variables are declared before the loop, so that the outcomes can be read after it.
 [[gnu::noinline, gnu::cold]] void StatementWriter::writeLoop(std::uint32_t loop) {
   const std::vector<State>& states = plan_.loops->statesOf(loop);
   const std::string_view type = plan_.dialect.typeName(ops::Type::Float, oneNumber);
@@ -78,12 +78,12 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   for (std::size_t i = 0; i < states.size(); ++i) writer_.name(states[i].local, variables[i]);
   const std::string counter = temporaries_.next();
   code_ += indent_;
-  fill(code_, plan_.dialect.loop, {counter, std::to_string(graph_.loop(loop).steps)});
+  appendExpanded(code_, plan_.dialect.loop, {counter, std::to_string(graph_.loop(loop).steps)});
   indent_ += "  ";
   if (const auto step = plan_.loops->stepOf(loop)) {
     const std::string number = temporaries_.next();
     define(type, number);
-    fill(code_, plan_.dialect.construction, {type, counter});
+    appendExpanded(code_, plan_.dialect.construction, {type, counter});
     code_ += ";\n";
     writer_.name(*step, number);
   }
@@ -94,7 +94,7 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   temporaryCount_ += states.size();
 }
 
-// All at once: what is read from a variable that is assigned too is kept before.
+// Parallel assignment: a variable that is both assigned and read is copied first.
 void StatementWriter::assignStates(std::span<const State> states) {
   std::vector<std::string> sources;
   for (const auto& [local, start, next] : states) {
@@ -147,7 +147,7 @@ void StatementWriter::assign(const Output& output) {
   code_ += ";\n";
 }
 
-// Of all nodes that a statement has in it, each once.
+// Writes the comments of all nodes in a statement, each once.
 [[gnu::noinline, gnu::cold]] void StatementWriter::writeComments(std::span<const NodeId> roots) {
   if (plan_.comments.ranges.empty()) return;
   std::vector<NodeId> nodes(roots.begin(), roots.end());

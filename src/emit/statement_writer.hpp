@@ -1,4 +1,4 @@
-// The statements of a text, in order and written: what is decided of them enters, lines leave.
+// Writes the statements of shader code in order: takes the decisions about them, returns lines.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace warpjet {
 
-// What is to be written: statements outside of all loops, then by loop; `loops` is null if there
-// are none.
+// The statements to write: those outside of all loops, then those of each loop. `loops` is null if
+// there are none.
 struct Plan {
   const Graph& graph;
   const Dialect& dialect;
@@ -29,22 +29,22 @@ struct Plan {
 
 class StatementWriter {
  public:
-  // `writer` knows the names of nodes, `temporaries` which names are taken.
+  // `writer` holds the names of nodes, `temporaries` the names in use.
   StatementWriter(const Plan& plan, Writer& writer, Temporaries& temporaries)
       : plan_(plan), graph_(plan.graph), writer_(writer), temporaries_(temporaries) {}
 
   void reserve(std::size_t characters) { code_.reserve(characters); }
-  // An expression of the host that is more than a variable is computed once.
+  // An input whose expression is more than a variable is computed once.
   void bindInput(std::uint32_t input, const std::string& text);
   void write() { write(plan_.statements[0]); }
 
   const std::string& code() const { return code_; }
   std::size_t temporaryCount() const { return temporaryCount_; }
-  // Of these, those that are vectors.
+  // The number of temporaries that are vectors.
   std::size_t vectorCount() const { return vectorCount_; }
 
  private:
-  // The beginning of a statement.
+  // Begins a statement.
   void define(std::string_view type, std::string_view name);
   void begin(std::string_view form, std::string_view type, std::string_view name);
 
@@ -55,7 +55,7 @@ class StatementWriter {
   void assign(const Output& output);
   void nameMatrix(const Packs::Matrix& matrix);
   void writeComments(std::span<const NodeId> roots);
-  std::optional<Packs::Turn> turnOf(const Statement& statement) const;
+  std::optional<Packs::Rotation> rotationOf(const Statement& statement) const;
 
   const Plan& plan_;
   const Graph& graph_;

@@ -37,7 +37,7 @@ class Maker {
   std::vector<Statements> run(std::span<const NodeId> nodes) {
     findScalarOutputs();
     for (const NodeId id : nodes) {
-      if (graph_.isOperation(id) && ops::isChoice(graph_.node(id).op)) nameChosen(id);
+      if (graph_.isOperation(id) && ops::isChoice(graph_.node(id).op)) nameBranches(id);
     }
     if (loops_) findCaptured();
     for (const NodeId id : loops_ ? std::span(loops_->order()) : nodes) {
@@ -53,16 +53,16 @@ class Maker {
 
   struct State {
     std::uint32_t statement = none;
-    int depth = 0;  // of the operations in its text
-    Set reads;      // of its text
+    int depth = 0;  // of the operations in its expression
+    Set reads;      // of its expression
     const Output* output = nullptr;
     bool isForced = false;
-    bool isChosen = false;  // or not, by a condition
+    bool isChosen = false;  // true for a branch of a conditional
   };
 
   State& state(NodeId id) { return states_[index(id)]; }
 
-  // A scalar result is its own temporary.
+  // A scalar result needs no other temporary.
   void findScalarOutputs() {
     for (const Output& output : outputs_) {
       const NodeId id = output.components[0];
@@ -71,10 +71,10 @@ class Maker {
     }
   }
 
-  // ANGLE, through which browsers read GLSL, makes a branch of `c ? a : b` unless both are names or
-  // numbers. Few do no harm; where SwiftShader compiles the noise of four dimensions, 48 of them
-  // take 3 s, and without them it takes 0.08 s. GPUs compute both anyway, as does WGSL's select.
-  void nameChosen(NodeId choice) {
+  // ANGLE, which translates GLSL in browsers, compiles `c ? a : b` to a branch unless both are
+  // names or literals. A few do no harm; but SwiftShader takes 3 s to compile 4D noise with 48 of
+  // them, and 0.08 s without. GPUs compute both sides anyway, as does WGSL's select.
+  void nameBranches(NodeId choice) {
     for (const int i : {1, 2}) {
       const NodeId id = graph_.operand(choice, i);
       state(id).isChosen = !isWrittenAsName(id);
@@ -83,8 +83,8 @@ class Maker {
 
   std::uint32_t loopOf(NodeId id) const { return loops_ ? loops_->loopOf(id) : Loops::outside; }
 
-  // What a body reads from outside of it is computed before it, as is what a state becomes at the
-  // end of a step.
+  // Values from outside that a body reads become temporaries before it; the new values of states
+  // become temporaries in it.
   [[gnu::noinline, gnu::cold]] void findCaptured() {
     captured_.resize(graph_.loopCount());
     for (const NodeId id : loops_->order()) {
@@ -101,7 +101,7 @@ class Maker {
     }
   }
 
-  // In the body of that loop, or outside of all.
+  // Records a read from the body of that loop, or from outside of all loops.
   void read(NodeId id, std::uint32_t loop) {
     if (loopOf(id) == loop) return;
     if (graph_.isList(id)) {
@@ -109,7 +109,7 @@ class Maker {
       return;
     }
     state(id).isForced = true;
-    for (; loop != loopOf(id); loop = loops_->around(loop)) captured_[loop].push_back(id);
+    for (; loop != loopOf(id); loop = loops_->parentOf(loop)) captured_[loop].push_back(id);
   }
 
   [[gnu::noinline, gnu::cold]] void visitFold(NodeId id) {
@@ -117,7 +117,7 @@ class Maker {
     if (loopStatements_.empty()) loopStatements_.resize(graph_.loopCount(), none);
     std::uint32_t& statement = loopStatements_[loop];
     if (statement == none) {
-      Set set = made_->noReads();
+      Set set = made_->emptySet();
       for (const auto& [local, start, next] : loops_->statesOf(loop)) include(set, start);
       for (const NodeId read : captured_[loop]) include(set, read);
       statement = made_->add({id}, set);
@@ -125,7 +125,7 @@ class Maker {
     state(id).statement = statement;
   }
 
-  // Operands before users.
+  // Call it for operands before their users.
   void visit(NodeId id) {
     loop_ = loopOf(id);
     made_ = &all_[loop_ == Loops::outside ? 0 : loop_ + 1];
@@ -151,7 +151,7 @@ class Maker {
     return graph_.isResult(id) || graph_.isOutcome(id) || graph_.isKnownInt(id);
   }
 
-  // Not worth a temporary: what is written as a name, and the negative of a variable.
+  // Not worth a temporary: anything written as a name, and the negative of a variable.
   bool isCheap(NodeId id) const {
     if (isWrittenAsName(id)) return true;
     return graph_.is(id, ops::find("neg")) && graph_.isLeaf(graph_.operand(id, 0));
@@ -163,16 +163,17 @@ class Maker {
   }
 
   Set readsOfOperands(NodeId id) {
-    // Most operations read what one of their operands does, and share its set.
+    // Most operations have the same reads as one of their operands, and share its set.
     const bool isSame = graph_.arity(id) == 1 && loopOf(graph_.operand(id, 0)) == loop_;
     if (isSame && state(graph_.operand(id, 0)).statement == none)
       return state(graph_.operand(id, 0)).reads;
-    Set set = made_->noReads();
+    Set set = made_->emptySet();
     for (int i = 0; i < graph_.arity(id); ++i) include(set, graph_.operand(id, i));
     return set;
   }
 
-  // Operands with many reads get statements, those with the most first, until few enough are left.
+  // Turns operands with many reads into statements, those with the most first, until few enough
+  // reads remain.
   Set readFewer(NodeId id) {
     Set set = state(id).reads;
     while (set.count > options_.maxReads) {
@@ -191,12 +192,12 @@ class Maker {
     return set;
   }
 
-  // How many statements the text of a node reads, if it is written where it is used.
+  // The number of statements that the expression of a node reads, if it is written inline.
   std::uint32_t readsWhereWritten(NodeId id) {
     return state(id).statement == none ? state(id).reads.count : 0;
   }
 
-  // Adds what is read where the node is used. The set must be the last one.
+  // Adds the reads of an operand's expression. `set` must be the last one.
   void include(Set& set, NodeId id) {
     if (loopOf(id) != loop_) return;  // computed before the body begins
     const State& it = state(id);
@@ -207,7 +208,7 @@ class Maker {
 
   void assign(const Output& output, const std::optional<Sum>& sum) {
     const NodeId first = output.components[0];
-    Set set = made_->noReads();
+    Set set = made_->emptySet();
     if (sum) {
       made_->include(set, assigned_[sum->output]);
     } else if (state(first).output == &output) {
@@ -223,15 +224,16 @@ class Maker {
   const Loops* loops_;
   std::span<const Output> outputs_;
   std::span<const std::optional<Sum>> sums_;
-  const Flags& uncut_;  // by node; it may read much and be deep
+  const Flags& uncut_;  // by node: may exceed maxReads and maxDepth
   const EmitOptions& options_;
-  std::vector<State> states_;                  // by node
-  std::vector<std::uint32_t> assigned_;        // by output, its statement
-  std::vector<std::vector<NodeId>> captured_;  // by loop, what its body reads from outside
+  std::vector<State> states_;            // by node
+  std::vector<std::uint32_t> assigned_;  // by output: its statement
+  std::vector<std::vector<NodeId>>
+      captured_;  // by loop: the nodes from outside that its body reads
   std::vector<std::uint32_t> loopStatements_;  // by loop
   std::vector<Statements> all_;                // outside of all loops, then by loop
-  std::uint32_t loop_ = Loops::outside;        // where statements are being made
-  Statements* made_ = nullptr;                 // those
+  std::uint32_t loop_ = Loops::outside;        // the loop whose statements are being made
+  Statements* made_ = nullptr;                 // its statements
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Which nodes become statements of their own: needed nodes and outputs enter, statements and what
-// each of them reads leave. The order of writing is not decided here.
+// Decides which nodes become statements: takes needed nodes and outputs, returns statements and
+// what each of them reads. The order is decided elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 namespace warpjet {
 
 struct Statement {
-  // What it computes; noNode if it assigns an output from what others have computed. A fold stands
-  // for its loop, and the first of several lanes for all.
+  // The node that it computes; noNode if it assigns an output from values computed by others. A
+  // fold represents its loop, and the first of several lanes all of them.
   NodeId node = noNode;
   // The output that it assigns; null for a temporary.
   const Output* output = nullptr;
-  // The lanes that it computes at once, or none; see packs.hpp.
+  // The pack whose lanes it computes, or `none`; see packs.hpp.
   std::uint32_t pack = none;
 };
 
-// Those of one body; `work` has the variables that each of them reads.
+// The statements of one body; `work` has the variables that each of them reads.
 struct Statements {
-  // Some of them, as a part of `work.reads`: while it grows, the last one.
+  // A set of statements, as a range of `work.reads`. Only the last set can grow.
   struct Set {
     std::uint32_t first = 0, count = 0;
   };
@@ -33,14 +33,14 @@ struct Statements {
   std::vector<Statement> all;
   Work work;
 
-  Set noReads() const { return {static_cast<std::uint32_t>(work.reads.size()), 0}; }
+  Set emptySet() const { return {static_cast<std::uint32_t>(work.reads.size()), 0}; }
   void include(Set& set, std::uint32_t statement);
   std::uint32_t add(const Statement& statement, Set reads);
 };
 
-// Those outside of all loops, then those of the body of each loop. `nodes` are all that the outputs
-// need, ascending, `uses` how often each is read, and `loops` what they are in, unless there are
-// none; `sums` says which of the outputs are sums, and `products` what stays whole.
+// Returns the statements outside of all loops, then those of each loop's body. `nodes` are all
+// nodes that the outputs need, ascending; `uses` has the number of reads of each; `loops` is null
+// if there are none; `sums` says which outputs are sums, and `products` which sums stay whole.
 std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
                                        std::span<const std::uint32_t> uses, const Loops* loops,
                                        std::span<const Output> outputs,

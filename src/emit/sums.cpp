@@ -8,13 +8,13 @@ namespace {
 
 constexpr Op add = ops::find("add"), sub = ops::find("sub");
 
-// Whether `y` is what the graph makes of -x.
+// True if the graph simplifies -x to `y`, or the reverse.
 bool isNegative(const Graph& graph, NodeId x, NodeId y) {
   if (graph.isConstant(x)) return graph.isConstant(y, -graph.value(x));
   return graph.is(x, ops::find("neg")) && graph.operand(x, 0) == y;
 }
 
-// Whether `sum` is what the graph makes of x + y, where x is an input.
+// True if the graph simplifies x + y to `sum`, where x is an input.
 bool isSum(const Graph& graph, NodeId sum, NodeId x, NodeId y) {
   if (graph.isConstant(y, 0)) return sum == x;
   if (isNegative(graph, y, x)) return graph.isConstant(sum, 0);
@@ -51,7 +51,7 @@ class Finder {
   }
 
  private:
-  // Those of its shape that are, or are an operand of, one of its components.
+  // The inputs of the output's shape that are a component of it, or an operand of one.
   std::vector<std::uint32_t> inputsIn(const Output& output) const {
     std::vector<std::uint32_t> found;
     const auto consider = [&](NodeId id) {
@@ -79,7 +79,7 @@ class Finder {
 
   const Graph& graph_;
   std::span<const Output> outputs_;
-  std::vector<std::vector<NodeId>> components_;  // by input, its nodes
+  std::vector<std::vector<NodeId>> components_;  // by input: its nodes
 };
 
 }  // namespace

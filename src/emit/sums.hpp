@@ -1,4 +1,4 @@
-// Results that are the sum of an input and an earlier result, which makes their text shorter:
+// Finds results that are the sum of an input and an earlier result, which shortens the code:
 // `position + offset` instead of three sums.
 #pragma once
 
@@ -16,7 +16,7 @@ struct Sum {
   std::size_t output;
 };
 
-// By result.
+// The sum that each output is, if it is one.
 std::vector<std::optional<Sum>> findSums(const Graph& graph, std::span<const Output> outputs);
 
 }  // namespace warpjet

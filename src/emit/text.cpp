@@ -8,41 +8,41 @@
 #include "emit/lower.hpp"
 #include "emit/names.hpp"
 #include "module/label.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 #include "module/syntax.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Whether a text defines or calls a function of that name.
+// True if the source defines or calls a function of that name.
 bool hasCall(std::string_view text, std::string_view name) {
   const auto words = identifiers(text);
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return word == name && isCalled(text, word); });
 }
 
-class TextWriter {
+class ShaderTextWriter {
  public:
-  TextWriter(const Module& module, const Dialect& dialect, const TextOptions& options)
+  ShaderTextWriter(const Module& module, const Dialect& dialect, const ShaderTextOptions& options)
       : module_(module), graph_(module.graph), dialect_(dialect), options_(options) {
     nameInputs();
     nameOutputs();
   }
 
-  Written run() {
+  ShaderTextResult run() {
     const bool isFine = checkInputs() && checkFunctions() && checkOutputs() && checkOperations();
     if (!isFine) return {{}, problem_};
-    Text text = compose();
-    if (isFull_) refuse("A result", {tooLarge});
-    if (isFull_ || hidesWhatIsRead(text)) return {{}, problem_};
+    ShaderText text = compose();
+    if (isFull_) reject("A result", {tooLarge});
+    if (isFull_ || hidesNameInUse(text)) return {{}, problem_};
     return {std::move(text)};
   }
 
  private:
   using Parts = std::initializer_list<std::string_view>;
 
-  bool refuse(std::string_view method, Parts parts) {
+  bool reject(std::string_view method, Parts parts) {
     problem_ = method;
     if (!method.empty()) problem_ += ": ";
     for (const std::string_view part : parts) problem_ += part;
@@ -55,7 +55,7 @@ class TextWriter {
     for (const auto& [number, text] : options_.inputs) inputs_[number] = text;
     for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
       if (const auto image = graph_.input(i).image)
-        inputs_[i] = filled(dialect_.imageSize, {inputs_[*image]});
+        inputs_[i] = expand(dialect_.imageSize, {inputs_[*image]});
     }
   }
 
@@ -71,21 +71,22 @@ class TextWriter {
     for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
       if (graph_.input(i).image) continue;
       if (const std::string why = inputProblem(dialect_, inputs_[i]); !why.empty())
-        return refuse(module_.methods[i],
+        return reject(module_.methods[i],
                       {quotedShort(inputs_[i]), " cannot be read in a shader: ", why, "."});
     }
     return std::all_of(options_.inputs.begin(), options_.inputs.end(),
                        [&](const Naming& naming) { return isNewName(naming.number); });
   }
 
-  // What the host calls it now must not be what another input is called.
+  // The host's new name must not be the name of another input.
   bool isNewName(std::uint32_t input) {
     if (inputs_[input] == graph_.input(input).label) return true;
     const Label label = readLabel(inputs_[input]);
     for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
-      if (i == input || graph_.input(i).image || !mayMeet(readLabel(inputs_[i]), label)) continue;
-      return refuse(module_.methods[input],
-                    {quotedShort(inputs_[input]), " is the name of another input already (",
+      if (i == input || graph_.input(i).image || !mayOverlap(readLabel(inputs_[i]), label))
+        continue;
+      return reject(module_.methods[input],
+                    {quotedShort(inputs_[input]), " is already the name of another input (",
                      quotedShort(inputs_[i]),
                      "), but was not when the function was compiled; "
                      "rename one, or compile it with these names."});
@@ -93,22 +94,22 @@ class TextWriter {
     return true;
   }
 
-  // Those of ours have no sources.
+  // Our own functions have no sources.
   bool checkFunctions() {
     for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
       const Function& function = graph_.function(i);
       if (function.isOurs()) continue;
       const std::string key(dialect_.sourceKey);
       if (!sourceOf(i))
-        return refuse("fn", {"the option \"source\" of ", function.name, " must be a text of ",
+        return reject("fn", {"the option \"source\" of ", function.name, " must be a source in ",
                              dialect_.family, " for the target ", dialect_.name,
                              ", or an object { ", key, ": … } with one."});
       if (const std::string why = functionProblem(dialect_, function.name); !why.empty())
-        return refuse("fn", {quotedShort(function.name), " cannot name a function: ", why, "."});
+        return reject("fn", {quotedShort(function.name), " cannot name a function: ", why, "."});
       if (!hasCall(sourceOf(i)->text, function.name))
-        return refuse("fn", {quotedShort(function.name),
+        return reject("fn", {quotedShort(function.name),
                              " is not in the source, which must define "
-                             "a function of that name."});
+                             "a function with that name."});
     }
     return true;
   }
@@ -125,32 +126,34 @@ class TextWriter {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
       const auto& [name, shape, components, method] = outputs_[i];
       if (const std::string why = outputProblem(dialect_, name); !why.empty())
-        return refuse(method, {quotedShort(name), " cannot name a result: ", why, "."});
+        return reject(method, {quotedShort(name), " cannot name a result: ", why, "."});
       if (!outputNames_.insert(name).second)
-        return refuse(method, {"there are two results named ", quotedShort(name), "; rename one."});
+        return reject(method, {"there are two results named ", quotedShort(name), "; rename one."});
       if (dialect_.typeName(ops::Type::Float, shape).empty())
-        return refuse(method, {"the result ", quotedShort(name), " is ", shapeName(shape), ", but ",
+        return reject(method, {"the result ", quotedShort(name), " is ", shapeName(shape), ", but ",
                                dialect_.lacks, "."});
     }
     return true;
   }
 
-  // Of whole numbers, a language may have less than others.
+  // Languages differ in their integer operations.
   bool checkOperations() {
     for (const Output& output : outputs_) {
-      const std::string_view missing = refused(graph_, output.components, dialect_.language);
+      const std::string_view missing =
+          findUnsupported(graph_, output.components, dialect_.language);
       if (!missing.empty())
-        return refuse(output.method, {dialect_.name, " has no ", missing,
-                                      ", which is an operation on the bits of whole numbers; take ",
+        return reject(output.method, {dialect_.name, " has no ", missing,
+                                      ", an operation on the bits of whole numbers; use ",
                                       glsl300.name, " or ", wgsl.name, "."});
     }
     return true;
   }
 
-  // In operations that the language has; what it lacks is lowered in a copy.
-  Text compose() {
-    Library library = module_.library.fresh();
-    Text text;
+  // Writes the module in operations of the language; missing ones are lowered in a copy of the
+  // graph.
+  ShaderText compose() {
+    Library library = module_.library.withEmptyCaches();
+    ShaderText text;
     if (lacksAny(graph_, dialect_.language)) {
       Graph graph = graph_.copy();
       Comments comments = module_.comments;
@@ -179,29 +182,29 @@ class TextWriter {
     }
   }
 
-  void declare(Text& text, const Graph& graph, Library& library) {
+  void declare(ShaderText& text, const Graph& graph, Library& library) {
     for (const std::uint32_t i : text.emitted.functions)
       text.declarations += sourceOf(i)->text + '\n';
     Declarations declarations(dialect_, library);
     declarations.add(graph, text.emitted);
     text.declarations += declarations.text();
-    isFull_ = (&graph != &graph_ && graph.full()) || library.isFull();
+    isFull_ = (&graph != &graph_ && graph.isFull()) || library.isFull();
   }
 
-  // A result named like a variable or function that the text reads would hide it, and a variable
-  // cannot have the name of a function.
-  bool hidesWhatIsRead(const Text& text) {
-    const auto refusesResult = [&](std::string_view name, std::string_view read) {
+  // A result with the name of a variable or function that the code reads would shadow it, and a
+  // variable can't have the name of a function.
+  bool hidesNameInUse(const ShaderText& text) {
+    const auto hidesRead = [&](std::string_view name, std::string_view read) {
       if (!outputNames_.contains(name)) return false;
-      refuse({}, {"The result ", quotedShort(name),
-                  " has the name of a variable or function that is read for it (",
+      reject({}, {"The result ", quotedShort(name),
+                  " has the name of a variable or function that its code reads (",
                   quotedShort(read), "); rename the result."});
       return true;
     };
     std::set<std::string_view> variables;
     for (const std::uint32_t i : text.emitted.inputs) {
       for (const std::string_view word : identifiers(inputs_[i])) {
-        if (refusesResult(word, inputs_[i])) return true;
+        if (hidesRead(word, inputs_[i])) return true;
         if (!isCalled(inputs_[i], word)) variables.insert(word);
       }
     }
@@ -212,9 +215,9 @@ class TextWriter {
       if (word.starts_with(ourPrefix)) functions.push_back(word);
     }
     for (const std::string_view name : functions) {
-      if (refusesResult(name, name)) return true;
+      if (hidesRead(name, name)) return true;
       if (!variables.contains(name)) continue;
-      refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
+      reject({}, {quotedShort(name), " is both a variable and a function; rename one."});
       return true;
     }
     return false;
@@ -223,8 +226,8 @@ class TextWriter {
   const Module& module_;
   const Graph& graph_;
   const Dialect& dialect_;
-  const TextOptions& options_;
-  std::vector<std::string> inputs_;  // by number, the host's text
+  const ShaderTextOptions& options_;
+  std::vector<std::string> inputs_;  // by number, the host's expression
   std::vector<Output> outputs_;
   std::set<std::string, std::less<>> outputNames_;
   bool isFull_ = false;
@@ -233,8 +236,9 @@ class TextWriter {
 
 }  // namespace
 
-Written write(const Module& module, const Dialect& dialect, const TextOptions& options) {
-  return TextWriter(module, dialect, options).run();
+ShaderTextResult write(const Module& module, const Dialect& dialect,
+                       const ShaderTextOptions& options) {
+  return ShaderTextWriter(module, dialect, options).run();
 }
 
 }  // namespace warpjet

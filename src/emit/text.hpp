@@ -1,4 +1,4 @@
-// A module in a language: the text, or one sentence that says why there is none.
+// Writes a module in a language: returns shader code, or a message that says why there is none.
 #pragma once
 
 #include <optional>
@@ -11,29 +11,30 @@
 
 namespace warpjet {
 
-// What the host calls an input or a result, by number.
+// The host's name for an input or a result, by number.
 struct Naming {
   std::uint32_t number;
   std::string text;
 };
 
-struct TextOptions {
-  std::vector<Naming> results = {};  // those that are wanted, in this order; all if there are none
-  std::vector<Naming> inputs = {};   // those that are called otherwise than in the module
+struct ShaderTextOptions {
+  std::vector<Naming> results = {};  // the results to write, in this order; empty for all
+  std::vector<Naming> inputs = {};   // inputs with other names than in the module
   EmitOptions emit = {};
 };
 
-struct Text {
-  Emitted emitted;             // for the inside of a function
-  std::string declarations;    // for above it
-  std::vector<Naming> inputs;  // that the text reads and the host gives
+struct ShaderText {
+  EmittedCode emitted;         // for the body of a function
+  std::string declarations;    // to be placed above that function
+  std::vector<Naming> inputs;  // inputs of the host that the code reads
 };
 
-struct Written {
-  std::optional<Text> text;
+struct ShaderTextResult {
+  std::optional<ShaderText> text;
   std::string problem = {};
 };
 
-Written write(const Module& module, const Dialect& dialect, const TextOptions& options = {});
+ShaderTextResult write(const Module& module, const Dialect& dialect,
+                       const ShaderTextOptions& options = {});
 
 }  // namespace warpjet

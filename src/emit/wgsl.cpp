@@ -41,7 +41,8 @@ constinit const Dialect wgsl{
         "texture_depth_2d texture_depth_2d_array texture_depth_cube texture_depth_cube_array "
         "texture_depth_multisampled_2d texture_external texture_multisampled_2d "
         "texture_storage_1d texture_storage_2d texture_storage_2d_array texture_storage_3d ",
-    // And what the declarations of a host say, as in `var<storage, read_write>`.
+    // Includes the access modes and address spaces of declarations, as in `var<storage,
+    // read_write>`.
     .functions =
         " read write read_write storage uniform workgroup private function "
         "abs acos acosh all any arrayLength asin asinh atan atan2 atanh ceil clamp cos cosh "
@@ -65,7 +66,7 @@ constinit const Dialect wgsl{
         "subgroupMax subgroupMin subgroupMul subgroupOr subgroupShuffle subgroupShuffleDown "
         "subgroupShuffleUp subgroupShuffleXor subgroupXor quadBroadcast quadSwapDiagonal "
         "quadSwapX quadSwapY ",
-    .longestName = 256,
+    .maxNameLength = 256,
     .numbers = {"f32", "bool", "i32"},
     .vectors = {{{"vec2f", "vec3f", "vec4f"},
                  {"vec2<bool>", "vec3<bool>", "vec4<bool>"},

@@ -1,5 +1,4 @@
-// A set of words that is made when it is compiled, so that a name is judged without a search: every
-// warp has each of its names judged.
+// A set of words, hashed at compile time for fast lookup: every warp checks each of its names.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace warpjet {
 
 class WordSet {
  public:
-  // Separated by spaces, and so few that they leave half of the places empty.
+  // The words are separated by spaces, and few enough to leave half of the table empty.
   constexpr WordSet(std::string_view list) : list_(list) {
     for (std::size_t end = 0, begin; (begin = list.find_first_not_of(' ', end)) != list.npos;) {
       end = std::min(list.find(' ', begin), list.size());
@@ -26,7 +25,7 @@ class WordSet {
  private:
   static constexpr std::size_t size = 512;
 
-  // The place that holds the word, or the empty one where it belongs; open addressing by FNV-1a.
+  // The slot that holds the word, or the empty one where it belongs; open addressing by FNV-1a.
   constexpr std::size_t placeOf(std::string_view word) const {
     std::uint32_t hash = 2166136261u;
     for (const char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -41,7 +40,7 @@ class WordSet {
   }
 
   std::string_view list_;
-  std::array<std::uint16_t, size> places_{};  // one more than where in the list; 0 if it is empty
+  std::array<std::uint16_t, size> places_{};  // position in the list plus one; 0 if empty
 };
 
 }  // namespace warpjet

@@ -44,7 +44,7 @@ std::string_view Writer::textOf(NodeId id) {
   return graph_.isCall(id) ? callText(id) : spellingOf(id).text;
 }
 
-// With the name of the function.
+// The call with the function's name.
 std::string_view Writer::callText(NodeId id) {
   const Function& function = graph_.function(id);
   const std::string name =
@@ -78,7 +78,8 @@ void Writer::writeLeaf(std::string& text, NodeId id) {
   if (shape.size() > 1) text += {'.', "xyzw"[component % shape.rows]};
 }
 
-// With a sign, never as it would read after a minus: GLSL has no literal of -2^31.
+// Negative integers get parentheses, so that they never follow a minus; GLSL has no literal for
+// -2^31.
 void Writer::writeInt(std::string& text, double value) {
   const auto whole = static_cast<std::int32_t>(value);
   if (whole == INT32_MIN)
@@ -100,7 +101,7 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
     writeInt(text, graph_.value(graph_.operand(id, 0)));
   } else if (graph_.isResult(id)) {
     writeResult(text, id);
-  } else if (const auto factors = packs_.factorsOf(id)) {
+  } else if (const auto factors = packs_.dotProductOf(id)) {
     writeProduct(text, "dot(", *factors);
   } else {
     const ops::Spelling& spelling = spellingOf(id);
@@ -140,7 +141,7 @@ void Writer::writeOperation(std::string& text, NodeId id) {
     return;
   }
   if (graph_.isKnownInt(id)) return writeInt(text, graph_.value(graph_.operand(id, 0)));
-  if (const auto factors = packs_.factorsOf(id)) return writeProduct(text, "dot(", *factors);
+  if (const auto factors = packs_.dotProductOf(id)) return writeProduct(text, "dot(", *factors);
   frames_.push_back({id, textOf(id), false});
   finish(text);
 }

@@ -1,4 +1,4 @@
-// How the writer writes vectors.
+// The part of Writer that writes vectors.
 #include <algorithm>
 #include <utility>
 
@@ -8,14 +8,14 @@ namespace warpjet {
 
 void Writer::writeLanes(std::string& text, const Lanes& lanes, Packs::As as,
                         ops::Precedence loosest) {
-  const auto form = packs_.written(lanes, as).form;
+  const auto form = packs_.chooseLayout(lanes, as).form;
   if (form == Packs::Form::Part) return writePart(text, lanes);
   if (form == Packs::Form::Operation) return writeOperation(text, lanes, loosest);
   const std::span all(lanes.begin(), form == Packs::Form::Number ? 1 : lanes.count);
   writeRow(text, vectorOf(lanes.count), all, as);
 }
 
-// One number is that of all components, and parts of a vector are written as that.
+// Equal components are written as one number, and adjacent components of a vector as a swizzle.
 void Writer::writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as) {
   std::string values;
   std::span<const NodeId> rest = all;
@@ -30,14 +30,15 @@ void Writer::writeRow(std::string& text, Shape shape, std::span<const NodeId> al
       as == Packs::As::Statement ? writeOperation(values, rest[0]) : write(values, rest[0]);
     rest = rest.subspan(count);
   }
-  fill(text, all.size() == 1 ? dialect_.splat : dialect_.construction,
-       {dialect_.typeName(graph_.type(all[0]), shape), values});
+  appendExpanded(text, all.size() == 1 ? dialect_.splat : dialect_.construction,
+                 {dialect_.typeName(graph_.type(all[0]), shape), values});
 }
 
 void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest) {
   if (const MatrixProduct* product = packs_.productOf(lanes)) return writeProduct(text, *product);
-  if (const auto factors = packs_.crossedBy(lanes)) return writeProduct(text, "cross(", *factors);
-  if (const auto turn = packs_.turnOf(lanes)) return writeTurn(text, *turn, loosest);
+  if (const auto factors = packs_.crossProductOf(lanes))
+    return writeProduct(text, "cross(", *factors);
+  if (const auto turn = packs_.rotationOf(lanes)) return writeRotation(text, *turn, loosest);
   const ops::Spelling& spelling = spellingOf(lanes[0]);
   const bool parenthesized = spelling.result < loosest;
   if (parenthesized) text += '(';
@@ -58,7 +59,7 @@ void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Preceden
   if (parenthesized) text += ')';
 }
 
-// As the first one is written, but for what follows the last point.
+// Writes the first lane, then replaces what follows its last point.
 void Writer::writePart(std::string& text, const Lanes& lanes) {
   open(text, lanes[0], ops::Precedence::Primary);
   text.pop_back();
@@ -71,11 +72,12 @@ void Writer::writePart(std::string& text, const Lanes& lanes) {
   if (isWhole) text.resize(text.size() - lanes.count - 1);
 }
 
-void Writer::writeTurn(std::string& text, const Packs::Turn& turn, ops::Precedence loosest) {
+void Writer::writeRotation(std::string& text, const Packs::Rotation& turn,
+                           ops::Precedence loosest) {
   const bool parenthesized = ops::Precedence::Multiplicative < loosest;
   if (parenthesized) text += '(';
   const std::uint32_t found = find(turn.matrix);
-  if (found != none && matrices_[found].text < isWanted)
+  if (found != none && matrices_[found].text < wanted)
     text += texts_[matrices_[found].text];
   else
     writeMatrix(text, turn.matrix);
@@ -91,12 +93,12 @@ std::uint32_t Writer::find(const Packs::Matrix& matrix) const {
   return i;
 }
 
-// One of a body around this one counts here if it has its name already.
+// A matrix of an enclosing body counts here only if it has a name already.
 void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
   lastMatrixOf_.resize(graph_.size(), none);
   const std::uint32_t found = find(matrix);
-  if (found != none && (found >= first || matrices_[found].text < isWanted)) {
-    matrices_[found].text = std::min(matrices_[found].text, isWanted);
+  if (found != none && (found >= first || matrices_[found].text < wanted)) {
+    matrices_[found].text = std::min(matrices_[found].text, wanted);
     return;
   }
   std::uint32_t& last = lastMatrixOf_[index(matrix.cosine)];
@@ -106,7 +108,7 @@ void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
 
 bool Writer::wantsName(const Packs::Matrix& matrix) const {
   const std::uint32_t found = find(matrix);
-  return found != none && matrices_[found].text == isWanted;
+  return found != none && matrices_[found].text == wanted;
 }
 
 void Writer::nameMatrix(const Packs::Matrix& matrix, std::string name) {
@@ -126,10 +128,11 @@ void Writer::writeMatrix(std::string& text, const Packs::Matrix& matrix) {
     if (matrix.minus >> i & 1) entries += '-';
     write(entries, i % 3 == 0 ? matrix.cosine : matrix.sine);
   }
-  fill(text, dialect_.construction, {dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), entries});
+  appendExpanded(text, dialect_.construction,
+                 {dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), entries});
 }
 
-// The names are the same in all languages; see names.cpp.
+// dot and cross have the same names in all languages; see names.cpp.
 void Writer::writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors) {
   text += name;
   writePart(text, factors.a);
@@ -138,7 +141,7 @@ void Writer::writeProduct(std::string& text, std::string_view name, const Packs:
   text += ')';
 }
 
-// Each sum is squared, so it is read twice and has a statement: nothing around it binds tighter.
+// Each sum is squared, hence read twice, hence a statement of its own: no parentheses are needed.
 void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
   std::string entries;
   for (const auto& [factor, isMinus] : product.entries) {
@@ -148,7 +151,8 @@ void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
     finish(entries);
   }
   text += inputNames_[product.vector] + " * ";
-  fill(text, dialect_.construction, {dialect_.typeName(ops::Type::Float, matrixOf(3, 3)), entries});
+  appendExpanded(text, dialect_.construction,
+                 {dialect_.typeName(ops::Type::Float, matrixOf(3, 3)), entries});
 }
 
 }  // namespace warpjet

@@ -10,12 +10,12 @@ namespace warpjet {
 
 namespace {
 
-// The registers of a block should stay in the first-level cache, beside what they are read from;
-// and the work on a block should outweigh finding out what to do.
+// The registers of a block should fit into the first-level cache together with the inputs, and the
+// work on a block should outweigh the cost of dispatch.
 constexpr std::size_t blockBytes = 32 * 1024;
-constexpr std::size_t leastLanes = 8, mostLanes = 64;
+constexpr std::size_t minLanes = 8, maxLanes = 64;
 
-// Where the lanes of a register are, and how far on those of the next four vertices.
+// The address of a register's lanes, and the stride to those of the next four vertices.
 struct Place {
   const Lanes* lanes;
   std::size_t step;
@@ -32,7 +32,7 @@ auto typed(const Lanes& lanes) {
 Lanes untyped(const Lanes& value) { return value; }
 Lanes untyped(const Mask& value) { return asLanes(value); }
 
-// A row of the table on four numbers; one that is written for plain numbers alone takes each.
+// Evaluates a row of the table on four numbers; rows written for plain numbers are called for each.
 template <std::size_t Row, class... X>
 auto valueOf(const X&... x) {
   constexpr const auto& row = std::get<Row>(ops::table);
@@ -49,7 +49,7 @@ auto valueOf(const X&... x) {
   }
 }
 
-// Of whole numbers; there are few of them.
+// For integer operations, which are rare.
 [[gnu::noinline]] void applyEach(Op op, Lanes* result, const Operands<Place>& operands,
                                  std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -62,7 +62,7 @@ auto valueOf(const X&... x) {
 template <std::size_t Row>
 void applyRow(Lanes* result, const Operands<Place>& operands, std::size_t count) {
   constexpr auto types = ops::declarations[Row].signature.operands;
-  ops::numbered<ops::declarations[Row].arity>([=](auto... k) {
+  ops::withIndices<ops::declarations[Row].arity>([=](auto... k) {
     for (std::size_t i = 0; i < count; ++i)
       result[i] =
           untyped(valueOf<Row>(typed<types[k]>(operands[k].lanes[i * operands[k].step])...));
@@ -73,16 +73,16 @@ using Kernel = void (*)(Lanes*, const Operands<Place>&, std::size_t);
 
 template <std::size_t Row>
 constexpr Kernel kernelOf() {
-  if constexpr (ops::declarations[Row].signature.hasWhole()) {
+  if constexpr (ops::declarations[Row].signature.hasInt()) {
     return nullptr;
   } else {
     return &applyRow<Row>;
   }
 }
 
-// Null for whole numbers.
+// Null for integer operations.
 constexpr auto kernels =
-    ops::numbered<ops::count>([](auto... row) { return std::array{kernelOf<row>()...}; });
+    ops::withIndices<ops::count>([](auto... row) { return std::array{kernelOf<row>()...}; });
 
 }  // namespace
 
@@ -92,7 +92,7 @@ BlockEvaluator::BlockEvaluator(RegisterProgram program, std::span<const Stream> 
     for (std::uint32_t i = 0; i < inputs[stream].size; ++i) sources_.push_back({stream, i});
   }
   const std::size_t registers = std::max<std::size_t>(program_.blockRegisters, 1);
-  lanesPerBlock_ = std::clamp(blockBytes / sizeof(Lanes) / registers, leastLanes, mostLanes);
+  lanesPerBlock_ = std::clamp(blockBytes / sizeof(Lanes) / registers, minLanes, maxLanes);
   block_.resize(registers * lanesPerBlock_);
 
   std::copy(program_.constants.begin(), program_.constants.end(), uniforms_.begin());
@@ -142,7 +142,7 @@ void BlockEvaluator::run(std::size_t vertices, std::span<const Stream> inputs,
   }
 }
 
-// Lanes past the last vertex repeat it, so that they hold nothing that arithmetic is slow on.
+// Lanes past the last vertex repeat it, so that they contain no values that slow arithmetic down.
 void BlockEvaluator::load(const Stream& stream, std::uint32_t component, std::size_t first,
                           std::size_t vertices, Lanes* result) const {
   const std::size_t size = stream.size;

@@ -1,4 +1,4 @@
-// Evaluation of many vertices: a register program runs over blocks of them, four at a time in a
+// Evaluates many vertices: a register program runs over blocks of vertices, four at a time in a
 // SIMD register, so that memory depends on the program and not on the mesh.
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace warpjet {
 
-// An input: `size` floats for each vertex, or `size` floats for all.
+// An input: `size` floats per vertex, or `size` floats in total if it is uniform.
 struct Stream {
   const float* values;
   std::uint32_t size;
   bool isUniform;
 };
 
-// Where results go: `size` floats for each vertex.
+// The destination of results: `size` floats per vertex.
 struct Sink {
   float* values;
   std::uint32_t size;
@@ -28,13 +28,13 @@ struct Sink {
 // The results of the program, which are numbers, fill the sinks in order.
 class BlockEvaluator {
  public:
-  // The uniform inputs are read here, the others with each run.
+  // Uniform inputs are read here, the others in each run.
   BlockEvaluator(RegisterProgram program, std::span<const Stream> inputs);
 
   void run(std::size_t vertices, std::span<const Stream> inputs, std::span<const Sink> results);
 
  private:
-  // Where a place among the numbers is read.
+  // The stream and component of an input number.
   struct Source {
     std::uint32_t stream, component;
   };

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double infinity = Interval::infinity;
 
-// A box is split no further where each side is as small a share of the whole.
-constexpr double leastShare = 0x1p-24;
+// A box is not split further once each side is this share of the whole.
+constexpr double minShare = 0x1p-24;
 
-// What is left of the instructions that may be run.
+// The number of instructions that may still be run.
 class Budget {
  public:
   explicit Budget(std::uint64_t instructions) : left_(instructions) {}
@@ -26,7 +26,7 @@ class Budget {
   std::uint64_t left_;
 };
 
-// The search for the bounds of one result.
+// Searches for the bounds of one result.
 class Search {
  public:
   Search(IntervalProgram& program, std::span<const Interval> inputs, double tolerance,
@@ -38,11 +38,11 @@ class Search {
     if (isNeeded()) sampleCorners();
   }
 
-  // Without any value, or nothing to gain.
+  // False if the result has no value, or if splitting gains nothing.
   bool isNeeded() const { return !plain_.isEmpty() && dimensions() > 0; }
   Interval plain() const { return plain_; }
 
-  // The upper bound of `sign` times the result, at a cost that leaves `reserve` of the budget.
+  // The upper bound of `sign` times the result; leaves `reserve` of the budget.
   double upper(double sign, std::uint64_t reserve);
 
  private:
@@ -50,7 +50,8 @@ class Search {
     double bound;
     std::uint32_t box;
 
-    // At equal bounds the newer box is the smaller one, so that a pole is soon reached.
+    // If bounds are equal, the newer box comes first: it is smaller, so that a pole is reached
+    // soon.
     bool operator<(const Entry& other) const {
       return bound != other.bound ? bound < other.bound : box < other.box;
     }
@@ -97,9 +98,9 @@ class Search {
   Budget& budget_;
   std::vector<Interval> whole_;
   Interval plain_;
-  Interval found_;  // at samples
+  Interval found_;  // values at samples
   std::vector<double> point_;
-  std::vector<Interval> boxes_;  // `dimensions` intervals each
+  std::vector<Interval> boxes_;  // `dimensions` intervals per box
 };
 
 double middle(const Interval& x) { return 0.5 * x.low + 0.5 * x.high; }
@@ -114,7 +115,8 @@ void Search::sampleCorners() {
   }
 }
 
-// At its centre, and where it touches the border of the whole, since extremes are often there.
+// Samples its center, and the point where it touches the border of the whole box, since extremes
+// are often there.
 void Search::sampleBox(std::span<const Interval> box) {
   for (std::size_t i = 0; i < dimensions(); ++i) point_[i] = middle(box[i]);
   sample();
@@ -128,13 +130,13 @@ void Search::sampleBox(std::span<const Interval> box) {
   if (touches) sample();
 }
 
-// The axis whose thickness widens the result most: without it, the bound is least.
+// The axis whose extent widens the result most: without it, the bound is smallest.
 std::size_t Search::axisToSplit(double sign, std::span<Interval> box) {
   std::size_t best = 0;
   double least = infinity;
   for (std::size_t i = 0; i < dimensions(); ++i) {
     const Interval side = box[i];
-    if (share(box, i) <= leastShare) continue;
+    if (share(box, i) <= minShare) continue;
     box[i] = middle(side);
     const double thin = bound(sign, box);
     box[i] = side;
@@ -149,16 +151,16 @@ std::size_t Search::axisToSplit(double sign, std::span<Interval> box) {
 double Search::upper(double sign, std::uint64_t reserve) {
   boxes_ = whole_;
   std::vector<Entry> heap{{sign > 0 ? plain_.high : -plain_.low, 0}};
-  double settled = -infinity;  // of boxes that are good enough
+  double maxDone = -infinity;  // max of the boxes that are good enough
   while (!heap.empty()) {
     const Entry worst = heap.front();
     if (worst.bound <= target(sign) || budget_.left() <= reserve) break;
     std::pop_heap(heap.begin(), heap.end());
     heap.pop_back();
     const std::size_t axis = axisToSplit(sign, box(worst.box));
-    if (share(box(worst.box), axis) <= leastShare) return std::max(worst.bound, settled);
+    if (share(box(worst.box), axis) <= minShare) return std::max(worst.bound, maxDone);
 
-    // The upper half is a new box, the lower one takes the old one's place.
+    // The upper half becomes a new box, the lower one replaces the old box.
     const auto half = static_cast<std::uint32_t>(boxes_.size() / dimensions());
     for (std::size_t i = 0; i < dimensions(); ++i) {
       const Interval side = box(worst.box)[i];
@@ -170,14 +172,14 @@ double Search::upper(double sign, std::uint64_t reserve) {
       const double childBound = std::min(worst.bound, bound(sign, box(child)));
       sampleBox(box(child));
       if (childBound <= target(sign)) {
-        settled = std::max(settled, childBound);
+        maxDone = std::max(maxDone, childBound);
       } else {
         heap.push_back({childBound, child});
         std::push_heap(heap.begin(), heap.end());
       }
     }
   }
-  return heap.empty() ? settled : std::max(settled, heap.front().bound);
+  return heap.empty() ? maxDone : std::max(maxDone, heap.front().bound);
 }
 
 Range withSlack(Interval x) {
@@ -205,7 +207,7 @@ std::vector<Range> bounds(std::span<const std::uint32_t> words, std::uint32_t in
     Search search(program, intervals, options.tolerance, budget);
     Interval range = search.plain();
     if (search.isNeeded()) {
-      // Each side of each result has its share, and what the sides before it left.
+      // Each side of each result has its share of the budget, plus the remainder of earlier ones.
       const std::uint64_t sides = 2 * (wanted.size() - i), share = budget.left() / sides;
       range.high = search.upper(1, budget.left() - share);
       range.low = -search.upper(-1, budget.left() - budget.left() / (sides - 1));

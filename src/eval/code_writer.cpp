@@ -21,7 +21,7 @@ Staged staged(wasm::Simd instruction, Staged x, Staged y) {
 Staged staged(wasm::Simd instruction, Staged x, Staged y, Staged z) {
   return writer().apply(instruction, {x, y, z});
 }
-Staged shifted(wasm::Simd instruction, Staged x, int count) {
+Staged shiftBits(wasm::Simd instruction, Staged x, int count) {
   return writer().shift(instruction, x, count);
 }
 Staged routine(Op op, Staged x) { return writer().callRoutine(op, {x}); }
@@ -31,11 +31,11 @@ Staged kernel(Op op, Staged x, Staged y) { return writer().callKernel(op, {x, y}
 
 Staged routineFormula(Op op, Staged x, Staged y) {
   if (op == ops::find("hash")) return ops::hashOf(x, y);
-  // The sine of what is too large for its formula is that of each lane.
+  // The sine of numbers too large for its formula is computed for each lane.
   const Staged magnitude = abs(x);
-  const Staged near = op == ops::find("sin") ? turned(sineUpToLimit(magnitude), signOf(x))
+  const Staged near = op == ops::find("sin") ? flipSign(sineUpToLimit(magnitude), signOf(x))
                                              : cosineUpToLimit(magnitude);
-  return writer().orEachLane(logicalNot(le(magnitude, sineLimit)), near, op, x);
+  return writer().replaceLanes(logicalNot(le(magnitude, sineLimit)), near, op, x);
 }
 
 std::uint32_t CodeModule::constant(std::uint32_t bits) {
@@ -88,7 +88,7 @@ Staged CodeWriter::callEachLane(Op op, const Operands<Staged>& x) {
   return pop();
 }
 
-Staged CodeWriter::orEachLane(StagedMask mask, Staged value, Op op, Staged x) {
+Staged CodeWriter::replaceLanes(StagedMask mask, Staged value, Op op, Staged x) {
   push(asLanes(mask));
   simd(wasm::AnyTrue);
   code_.byte(wasm::If);
@@ -148,7 +148,7 @@ void CodeWriter::storeFour(Staged x, std::uint32_t offset) {
   simd(wasm::Store, static_cast<int>(offset));
 }
 
-Staged CodeWriter::owned(Staged x) {
+Staged CodeWriter::copyToOwnLocal(Staged x) {
   if (std::find(taken_.begin(), taken_.end(), x.place) != taken_.end()) return x;
   push(x);
   return pop();
@@ -180,7 +180,7 @@ void CodeWriter::push(Staged x) {
   simd(wasm::LoadSplat, static_cast<int>(module_.sharedAt + floatBytes * number));
 }
 
-// What is on the stack as a local.
+// Pops the stack into a local.
 Staged CodeWriter::pop() {
   std::uint32_t local;
   if (free_.empty()) {
@@ -195,7 +195,7 @@ Staged CodeWriter::pop() {
   return Staged(local);
 }
 
-// Those that read or write memory have an offset, of numbers at any multiple of four bytes.
+// Instructions that access memory have an offset; it is a multiple of four bytes.
 void CodeWriter::simd(wasm::Simd instruction, int offset) {
   code_.byte(0xfd);
   code_.number(instruction);

@@ -1,5 +1,5 @@
-// The instructions of one function of a module: its values are locals, of which the engine makes
-// registers. One function is written at a time: what the operators of `Staged` write is its.
+// Writes the instructions of one function of a module: its values are locals, which the engine maps
+// to registers. Only one function is written at a time: the operators of `Staged` write to it.
 #pragma once
 
 #include <array>
@@ -11,27 +11,26 @@ namespace warpjet {
 
 inline constexpr std::uint32_t noFunction = ~0u;
 
-// What the functions of a module have in common.
+// The state that the functions of a module share.
 struct CodeModule {
-  // Bits of floats that all vertices share, at this offset in the memory that a call is given.
+  // The bits of floats shared by all vertices, at this offset in the memory passed to a call.
   std::uint32_t sharedAt;
   std::vector<std::uint32_t> shared;
-  // By operation, the number of the function of this module, if it has one, and of that from
-  // outside.
+  // The numbers of an operation's function in this module, if any, and of its import.
   std::array<std::uint32_t, ops::count> routines, kernels;
   std::uint32_t eachLane = noFunction;
-  std::size_t firstConstant = 0;  // of the shared ones, those of formulas
+  std::size_t firstConstant = 0;  // where the constants of formulas start among the shared floats
 
   std::uint32_t constant(std::uint32_t bits);
 };
 
-// What a routine computes.
+// The formula that a routine computes.
 Staged routineFormula(Op op, Staged x, Staged y);
 
 class CodeWriter {
  public:
-  // A function of so many parameters: whole numbers, the first of which is the address of that
-  // memory, and then lanes.
+  // Starts a function with integer parameters, the first of which is the address of that memory,
+  // followed by lanes parameters.
   CodeWriter(CodeModule& module, std::uint32_t numbers, std::uint32_t lanes)
       : module_(module), firstLanes_(numbers), address_(numbers + lanes) {
     current = this;
@@ -48,32 +47,32 @@ class CodeWriter {
   Staged shift(wasm::Simd instruction, Staged x, int count);
   Staged callRoutine(Op op, std::initializer_list<Staged> operands);
   Staged callKernel(Op op, std::initializer_list<Staged> operands);
-  // For any operation, of each lane as a number.
+  // Works for any operation, by calling it for each lane.
   Staged callEachLane(Op op, const Operands<Staged>& x);
-  // `value`, but where the mask is set what that gives.
-  Staged orEachLane(StagedMask mask, Staged value, Op op, Staged x);
+  // Returns `value`, with the lanes where the mask is set computed one by one.
+  Staged replaceLanes(StagedMask mask, Staged value, Op op, Staged x);
 
-  // Of four vertices the numbers at this component of an array at this offset, which has `size` a
-  // vertex. The second parameter is 16 times the number of the four.
+  // Loads this component of an array for four vertices; the array is at this offset and has `size`
+  // numbers per vertex. The second parameter is 16 times the index of the four vertices.
   Staged load(std::uint32_t offset, std::uint32_t size, std::uint32_t component);
   void store(Staged x, std::uint32_t offset, std::uint32_t size, std::uint32_t component);
-  // One number, the same in all lanes; and all four as they are.
+  // One number, the same in all lanes; or all four lanes unchanged.
   Staged loadOne(std::uint32_t offset);
   void storeOne(Staged x, std::uint32_t offset);
   Staged loadFour(std::uint32_t offset);
   void storeFour(Staged x, std::uint32_t offset);
 
-  // The result of a function.
-  void give(Staged x) { push(x); }
+  // Returns a value from the function.
+  void returnValue(Staged x) { push(x); }
 
-  // The value in a local that nothing else is in.
-  Staged owned(Staged x);
+  // Copies the value to a local of its own.
+  Staged copyToOwnLocal(Staged x);
   // A local is free for another value; or all that were taken since the last time, but this one.
   void release(Staged x) { free_.push_back(x.place); }
   void releaseAllBut(Staged x);
 
   std::size_t size() const { return code_.size(); }
-  // With its locals, as the code section has it.
+  // The function with its locals, as stored in the code section.
   WasmBytes function() const;
 
  private:

@@ -1,5 +1,5 @@
-// Any operation of the table on four lanes, one by one as numbers: for those that are not written
-// for lanes, such as those of whole numbers.
+// Applies an operation of the table to four lanes, one by one as numbers: for operations that are
+// not written for lanes, such as those on integers.
 #pragma once
 
 #include "eval/lanes.hpp"
@@ -7,7 +7,7 @@
 
 namespace warpjet {
 
-// Conditions are masks, and of an int a lane holds the bits.
+// Conditions are masks; for integers, a lane contains the bits.
 Lanes eachLane(Op op, const Operands<Lanes>& x);
 
 }  // namespace warpjet

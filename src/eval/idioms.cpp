@@ -14,7 +14,7 @@ bool isSquare(const Words& words, std::uint32_t i, std::uint32_t of) {
   return words.op(i) == mult && words.operands(i)[0] == of && words.operands(i)[1] == of;
 }
 
-// Whether it is x * x plus what is never negative. Sums lean to the left.
+// True for x * x plus a nonnegative term. Sums are left-associative.
 bool isSumWithSquare(const Words& words, std::span<const Interval> ranges, std::uint32_t sum,
                      std::uint32_t x) {
   while (words.op(sum) == add) {
@@ -26,7 +26,7 @@ bool isSumWithSquare(const Words& words, std::span<const Interval> ranges, std::
   return isSquare(words, sum, x);
 }
 
-// Whether it is 1 / sqrt(x * x + ...), or 0 instead of infinity.
+// True for 1 / sqrt(x * x + ...), or the same with 0 instead of infinity.
 bool isInverseLength(const Words& words, std::span<const Interval> ranges, std::uint32_t i,
                      std::uint32_t x) {
   if (words.op(i) == ops::find("ifElse") && isConstant(words, words.operands(i)[2], 0))
@@ -35,7 +35,7 @@ bool isInverseLength(const Words& words, std::span<const Interval> ranges, std::
          isSumWithSquare(words, ranges, words.operands(i)[0], x);
 }
 
-// Whether it is `factor` times x.
+// True for `factor` times x.
 bool isMultiple(const Words& words, std::uint32_t i, double factor, std::uint32_t x) {
   if (words.op(i) != mult) return false;
   const auto parts = words.operands(i);
@@ -43,7 +43,7 @@ bool isMultiple(const Words& words, std::uint32_t i, double factor, std::uint32_
          (parts[1] == x && isConstant(words, parts[0], factor));
 }
 
-// Whether it is 3 - 2 x.
+// True for 3 - 2 x.
 bool isFallingLine(const Words& words, std::uint32_t i, std::uint32_t x) {
   if (words.op(i) != add && words.op(i) != sub) return false;
   const auto parts = words.operands(i);
@@ -77,10 +77,10 @@ Idiom idiomOf(const Words& words, std::span<const Interval> ranges, std::uint32_
 
 Interval rangeOf(Idiom::Kind kind, const Interval& x, const Interval& plain) {
   const double some = 16 * rounding;
-  if (kind == Idiom::Kind::PartOfUnitVector) return limited(plain, -1 - some, 1 + some);
+  if (kind == Idiom::Kind::PartOfUnitVector) return clipTo(plain, -1 - some, 1 + some);
   const bool rises = x.low >= 0 && x.high <= 1;
   if (kind == Idiom::Kind::Smoothstep && rises)
-    return limited(plain, smooth(x.low) * (1 - some), smooth(x.high) * (1 + some));
+    return clipTo(plain, smooth(x.low) * (1 - some), smooth(x.high) * (1 + some));
   return plain;
 }
 

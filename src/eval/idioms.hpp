@@ -1,5 +1,5 @@
-// Instructions of a program that interval arithmetic takes for much wider than they are, since a
-// value occurs in them twice, and whose range is known: found by their form.
+// Idioms: instructions whose range is known, but which interval arithmetic overestimates, since a
+// value occurs twice in them.
 #pragma once
 
 #include "eval/words.hpp"
@@ -10,10 +10,10 @@ namespace warpjet {
 struct Idiom {
   enum class Kind : std::uint8_t {
     None,
-    // x / sqrt(x * x + ...), or x times its inverse: from -1 to 1, where plain arithmetic has
+    // x / sqrt(x * x + ...), or x times the inverse: from -1 to 1, where plain arithmetic gives
     // infinity near zero.
     PartOfUnitVector,
-    // x * x * (3 - 2 x), which rises from 0 to 1: flat at its ends, where plain arithmetic is
+    // x * x * (3 - 2 x), which increases from 0 to 1: flat at its ends, where plain arithmetic is
     // steep.
     Smoothstep,
   };
@@ -22,10 +22,10 @@ struct Idiom {
   std::uint32_t operand = 0;  // x
 };
 
-// What this instruction is, where the instructions have these ranges.
+// The idiom that this instruction is, for instructions with these ranges.
 Idiom idiomOf(const Words& words, std::span<const Interval> ranges, std::uint32_t instruction);
 
-// The range of the idiom, for these of x and of plain arithmetic.
+// The range of the idiom, given the range of x and the result of plain arithmetic.
 Interval rangeOf(Idiom::Kind kind, const Interval& x, const Interval& plain);
 
 }  // namespace warpjet

@@ -8,7 +8,7 @@ namespace warpjet {
 
 namespace {
 
-// A number and what float32 makes of it.
+// The range from a number to its float32 value.
 Interval withFloat(double x) {
   const double rounded = static_cast<float>(x);
   return withFloat32({std::fmin(x, rounded), std::fmax(x, rounded), x != x});
@@ -23,7 +23,7 @@ IntervalProgram::IntervalProgram(const Words& words, std::span<const Interval> i
   schedule(inputs);
 }
 
-// Hands the factor of each sum and multiple on to its operands, from the result down.
+// Propagates the factor of each sum and multiple to its operands, from the result down.
 void IntervalProgram::findTerms(std::uint32_t root) {
   struct Factor {
     double signedSum = 0, size = 0;
@@ -56,7 +56,7 @@ void IntervalProgram::findTerms(std::uint32_t root) {
   }
 }
 
-// Finds what is needed, computes it on the whole box, and keeps a list of what varies.
+// Finds the needed instructions, computes them on the whole box, and lists those that vary.
 void IntervalProgram::schedule(std::span<const Interval> inputs) {
   std::vector<bool> isNeeded(words_.count()), varies(words_.count());
   for (const Term& term : terms_) isNeeded[term.instruction] = true;
@@ -117,7 +117,7 @@ Interval IntervalProgram::total() const {
   for (const Term& term : terms_) {
     const Interval& x = ranges_[term.instruction];
     if (x.isEmpty() || x.canBeInfinite()) {
-      // What is infinite does not cancel.
+      // Infinite terms don't cancel.
       sum = sum + x * term.size;
       if (term.factor != term.size) sum = sum - x * term.size;
     } else {
@@ -126,7 +126,7 @@ Interval IntervalProgram::total() const {
     }
   }
   if (sum.isEmpty()) return sum;
-  // Some sum on the way may overflow.
+  // An intermediate sum may overflow.
   if (size > std::numeric_limits<float>::max()) return Interval::anything(true);
   const double error = roundings_ * rounding * size;
   return withFloat32({sum.low - error, sum.high + error, sum.canBeNaN});

@@ -1,5 +1,5 @@
-// One result of a program as a function of the inputs that vary: of a box of them an interval, of a
-// point a number. What does not depend on them is computed once.
+// One result of a program as a function of the inputs that vary: maps a box to an interval, and a
+// point to a number. Instructions that don't depend on these inputs are computed once.
 #pragma once
 
 #include <vector>
@@ -12,25 +12,25 @@ namespace warpjet {
 
 class IntervalProgram {
  public:
-  // Inputs that are points are constant.
+  // Inputs whose range is a point are constant.
   IntervalProgram(const Words& words, std::span<const Interval> inputs, std::size_t result);
 
-  // The places of the inputs that vary and matter.
+  // The indices of the inputs that vary and are used.
   std::span<const std::uint32_t> variables() const { return variables_; }
-  // How many instructions one evaluation runs.
+  // The number of instructions that one evaluation runs.
   std::size_t cost() const { return varying_.size() + 1; }
 
-  // One interval or number for each variable.
+  // Takes one interval or number per variable.
   Interval range(std::span<const Interval> box);
   double value(std::span<const double> point);
 
  private:
-  // The result is a sum of these and of constants; what cancels in it, as in p + (q - p), does not
-  // widen it then.
+  // The result is a sum of these terms and of constants. Terms that cancel, as in p + (q - p), thus
+  // don't widen it.
   struct Term {
     std::uint32_t instruction;
     double factor;
-    double size;  // the sum of the absolute factors that it has in the program
+    double size;  // sum of the absolute factors of its occurrences
   };
 
   void findTerms(std::uint32_t root);
@@ -41,9 +41,9 @@ class IntervalProgram {
 
   Words words_;
   std::vector<Term> terms_;
-  double roundings_ = 1;  // how often the sum of the terms is rounded
+  double roundings_ = 1;  // number of roundings of the sum
   std::vector<std::uint32_t> variables_;
-  std::vector<std::uint32_t> variableInstructions_;  // the reading of each
+  std::vector<std::uint32_t> variableInstructions_;  // the instruction that reads each variable
   std::vector<std::uint32_t> varying_;               // instructions that depend on variables
   std::vector<Idiom> idioms_;                        // by instruction
   std::vector<Interval> ranges_;                     // by instruction

@@ -1,5 +1,6 @@
-// Four floats in one SIMD register, as a scalar that the rows of the table can be computed in: by
-// the vector extension of GCC and Clang, which is SSE on a PC and SIMD128 in WebAssembly.
+// Four floats in one SIMD register, as a scalar type in which the rows of the table can be
+// evaluated: the vector extension of GCC and Clang, which is SSE on a PC and SIMD128 in
+// WebAssembly.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 
 namespace warpjet {
 
-// Four truths: all bits of a lane are set where it is true.
+// Four booleans: all bits of a lane are set if it is true.
 struct Mask {
   using Bits = simd::FloatBits;
 
@@ -25,14 +26,14 @@ struct Lanes {
   Lanes() = default;
   Lanes(Floats all) : floats(all) {}
   Lanes(float x) : floats{x, x, x, x} {}
-  // The rows of the table have their constants in double.
+  // Constants in the rows of the table are doubles.
   Lanes(double x) : Lanes(static_cast<float>(x)) {}
 
   float operator[](std::size_t i) const { return floats[i]; }
   void set(std::size_t i, float x) { floats[i] = x; }
 };
 
-// These, and what staged.hpp has in their place: what is generic in it runs in both.
+// Lanes, or their counterpart in staged.hpp: generic code runs in both.
 template <class X>
 concept FourLanes = requires {
   typename X::Mask;
@@ -40,7 +41,7 @@ concept FourLanes = requires {
 
 inline constexpr double infinity = __builtin_inf(), notANumber = __builtin_nan("");
 
-// The bits of one as the other.
+// Reinterprets the bits.
 inline Mask asMask(Lanes x) { return {simd::bitsOf(x.floats)}; }
 inline Lanes asLanes(Mask x) { return simd::floatsOf(x.bits); }
 
@@ -67,10 +68,10 @@ inline Lanes ifElse(Mask condition, Lanes yes, Lanes no) {
   return simd::select(condition.bits, yes.floats, no.floats);
 }
 
-// The sign bits, all others zero.
+// The sign bits; all other bits are zero.
 inline Mask signOf(Lanes x) { return {asMask(x).bits & simd::signBit}; }
-// With its sign turned where the bit is set.
-inline Lanes turned(Lanes x, Mask signs) { return asLanes({asMask(x).bits ^ signs.bits}); }
+// Flips the sign where the bit is set.
+inline Lanes flipSign(Lanes x, Mask signs) { return asLanes({asMask(x).bits ^ signs.bits}); }
 
 // c[0] + c[1] t + c[2] t² …
 template <class Scalar, std::size_t Size>

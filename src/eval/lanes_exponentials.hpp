@@ -1,5 +1,5 @@
 // Powers, exponentials and logarithms for four floats at a time. Denormal operands and results are
-// kept.
+// preserved.
 #pragma once
 
 #include "eval/lanes_rounding.hpp"
@@ -7,9 +7,9 @@
 
 namespace warpjet {
 
-// 2^n e^r for whole n from -252 to 254 and |r| <= ln(2)/2. The factor 2^n is two, so that one of
-// them may be beyond the range of floats and what underflows is rounded once.
-inline Lanes scaledExp(Lanes r, Mask::Bits n) {
+// 2^n e^r for an integer n from -252 to 254 and |r| <= ln(2)/2. 2^n is split into two factors, so
+// that one of them may exceed the range of floats and an underflow is rounded once.
+inline Lanes expTimesPower(Lanes r, Mask::Bits n) {
   // Minimax: e^r = 1 + r + r² p(r), with a relative error below 2^-27.8.
   const Lanes p =
       polynomial(r, {0x1.fffffcp-2, 0x1.55549p-3, 0x1.5558f8p-5, 0x1.123b04p-7, 0x1.6a22a2p-10});
@@ -19,43 +19,43 @@ inline Lanes scaledExp(Lanes r, Mask::Bits n) {
   return (1.0 + (r + r * r * p)) * scale * rest;
 }
 
-// Adding it leaves the nearest whole number in the lowest bits, as a signed integer above these.
-inline constexpr double wholeAsInteger = 0x1.8p23;
+// Adding this constant puts the nearest integer into the lowest bits, as a signed integer.
+inline constexpr double roundToInt = 0x1.8p23;
 inline Mask::Bits integerOf(Lanes shifted) { return asMask(shifted).bits - 0x4b400000; }
 
-// The number itself, or the nearest limit; NaN stays.
-inline Lanes within(Lanes x, double low, double high) { return min(max(x, low), high); }
+// Clamps x; NaN is preserved.
+inline Lanes clampTo(Lanes x, double low, double high) { return min(max(x, low), high); }
 
-// e^x 2^power, for a power of at most 20 or so.
+// e^x 2^power, for powers up to about 20.
 inline Lanes expTimesPowerOf2(Lanes x, std::int32_t power) {
-  const Lanes near = within(x, -104.0, 90.0);  // beyond, it is 0 or infinite
-  const Lanes shifted = near * 0x1.71547652b82fep0 + wholeAsInteger;
-  const Lanes n = shifted - wholeAsInteger;
-  // ln(2) in two parts, the first of 15 bits, so that its product with n is exact.
+  const Lanes near = clampTo(x, -104.0, 90.0);  // beyond these limits, the result is 0 or infinite
+  const Lanes shifted = near * 0x1.71547652b82fep0 + roundToInt;
+  const Lanes n = shifted - roundToInt;
+  // ln(2) in two parts; the first has 15 bits, so its product with n is exact.
   const Lanes r = near - n * 0x1.62e4p-1 - n * 0x1.7f7d1cf79abcap-20;
-  return scaledExp(r, integerOf(shifted) + power);
+  return expTimesPower(r, integerOf(shifted) + power);
 }
 
 [[gnu::noinline]] inline Lanes exp(Lanes x) { return expTimesPowerOf2(x, 0); }
 
 [[gnu::noinline]] inline Lanes exp2(Lanes x) {
-  const Lanes near = within(x, -152.0, 129.0);
-  const Lanes shifted = near + wholeAsInteger;
-  return scaledExp((near - (shifted - wholeAsInteger)) * 0x1.62e42fefa39efp-1, integerOf(shifted));
+  const Lanes near = clampTo(x, -152.0, 129.0);
+  const Lanes shifted = near + roundToInt;
+  return expTimesPower((near - (shifted - roundToInt)) * 0x1.62e42fefa39efp-1, integerOf(shifted));
 }
 
-// The logarithm to base 2 of numbers above 0 and below infinity that are no denormal doubles, with
-// a relative error below 2^-37. x = 2^e m with m from √½ to √2, and log2(m) = s p(s²) for s = (m -
-// 1) / (m + 1).
+// The logarithm to base 2 of finite positive numbers that aren't denormal doubles, with a relative
+// error below 2^-37. x = 2^e m with m from √½ to √2, and log2(m) = s p(s²) for s = (m - 1) / (m +
+// 1).
 inline WideLanes log2OfPositive(WideLanes x) {
   constexpr std::int64_t rootOfHalf = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;
   const WideMask above = asMask(x) + wideMask(one - rootOfHalf);
   const WideLanes m = asLanes((above & wideMask(0x000fffffffffffff)) + wideMask(rootOfHalf));
-  // The exponent's bits as the last of 2^52 + exponent.
+  // Puts the exponent's bits into the last bits of 2^52 + exponent.
   const WideMask biased = WideMask{above.low >> 52, above.high >> 52} & wideMask(0x7ff);
   const WideLanes e = asLanes(biased | wideMask(0x4330000000000000)) - (0x1p52 + 1023);
   const WideLanes s = (m - 1.0) / (m + 1.0);
-  // Minimax, with a relative error of 2^-37.8.
+  // Minimax polynomial with a relative error of 2^-37.8.
   const WideLanes p = polynomial(s * s, {2.8853900801907437, 0.9617966732654927, 0.5770836004351603,
                                          0.4116717406711723, 0.3407490634424501});
   return e + s * p;
@@ -63,7 +63,7 @@ inline WideLanes log2OfPositive(WideLanes x) {
 
 inline WideLanes logOfPositive(WideLanes x) { return log2OfPositive(x) * 0x1.62e42fefa39efp-1; }
 
-// Any logarithm of x, from what it is above 0 and below infinity.
+// The logarithm of any x, given its value for finite positive x.
 inline Lanes logarithmOf(Lanes x, Lanes ofPositive) {
   const Lanes ofOthers = ifElse(eq(x, 0.0), -infinity, ifElse(gt(x, 0.0), x, notANumber));
   return ifElse(logicalAnd(gt(x, 0.0), lt(x, infinity)), ofPositive, ofOthers);
@@ -76,27 +76,27 @@ inline Lanes logarithmOf(Lanes x, Lanes ofPositive) {
   return logarithmOf(x, narrow(logOfPositive(WideLanes(x))));
 }
 
-// |x|^y, where neither is NaN: 2^(y log2|x|), and what is beyond the floats by a power that is
-// further beyond.
+// |x|^y if neither is NaN: 2^(y log2|x|). Results outside the range of floats are represented by an
+// exponent far outside.
 inline Lanes powOfMagnitude(Lanes x, Lanes y) {
-  const Lanes magnitude = abs(x), beyond = turned(200.0, signOf(y));
+  const Lanes magnitude = abs(x), beyond = flipSign(200.0, signOf(y));
   const WideLanes exponent = log2OfPositive(WideLanes(magnitude)) * WideLanes(y);
   Lanes rounded = ifElse(eq(magnitude, 1.0), 0.0, narrow(exponent));
   rounded = ifElse(eq(magnitude, infinity), beyond, ifElse(eq(magnitude, 0.0), -beyond, rounded));
   const Mask isFar = logicalNot(lt(abs(rounded), 160.0));
-  const Lanes shifted = within(rounded, -160.0, 160.0) + wholeAsInteger;
-  const WideLanes rest = exponent - WideLanes(shifted - wholeAsInteger);
+  const Lanes shifted = clampTo(rounded, -160.0, 160.0) + roundToInt;
+  const WideLanes rest = exponent - WideLanes(shifted - roundToInt);
   const Lanes r = narrow(rest * 0x1.62e42fefa39efp-1);
-  return scaledExp(ifElse(logicalOr(isFar, eq(magnitude, 1.0)), 0.0, r), integerOf(shifted));
+  return expTimesPower(ifElse(logicalOr(isFar, eq(magnitude, 1.0)), 0.0, r), integerOf(shifted));
 }
 
-// As std::pow, at zeros, infinities and NaN too: whole powers of negative numbers are real, others
-// NaN.
+// Agrees with std::pow, also for zeros, infinities and NaN: integer powers of negative numbers are
+// real, others are NaN.
 [[gnu::noinline]] inline Lanes pow(Lanes x, Lanes y) {
   const Mask whole = eq(floor(y), y), even = eq(floor(y * 0.5), y * 0.5);
   const Mask odd = {whole.bits & ~even.bits};
   const Lanes magnitude = powOfMagnitude(x, y);
-  const Lanes power = turned(magnitude, {signOf(x).bits & odd.bits});
+  const Lanes power = flipSign(magnitude, {signOf(x).bits & odd.bits});
   const Mask isUnreal = logicalAnd(logicalAnd(lt(x, 0.0), gt(x, -infinity)), logicalNot(whole));
   const Mask isNan = logicalOr(ne(x, x), ne(y, y));
   const Lanes result = ifElse(logicalOr(isUnreal, isNan), notANumber, power);

@@ -1,6 +1,6 @@
 // Every function that a row of the table calls, for four floats at a time: the rows find them by
-// argument-dependent lookup. Each agrees with the double value of ops/scalar.hpp within a few units
-// in the last place of a float, which tests/cpp/lanes_test.cpp states for each.
+// argument-dependent lookup. Each agrees with the double value of ops/scalar.hpp to within a few
+// units in the last place of a float; tests/cpp/lanes_test.cpp states the bounds.
 #pragma once
 
 #include "eval/lanes_exponentials.hpp"

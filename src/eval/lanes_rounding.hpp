@@ -1,5 +1,5 @@
-// Signs, whole numbers and choices, for four floats at a time: as ops/scalar.hpp has them, with the
-// same zeros and the same NaNs.
+// Signs, rounding and choices for four floats at a time. They agree with ops/scalar.hpp, including
+// signed zeros and NaN.
 #pragma once
 
 #include "eval/lanes.hpp"
@@ -7,10 +7,10 @@
 
 namespace warpjet {
 
-inline Lanes abs(Lanes x) { return turned(x, signOf(x)); }
+inline Lanes abs(Lanes x) { return flipSign(x, signOf(x)); }
 inline Lanes floor(Lanes x) { return simd::floor(x.floats); }
 inline Lanes ceil(Lanes x) { return simd::ceil(x.floats); }
-// A half goes to the even neighbour.
+// Rounds half to even.
 inline Lanes round(Lanes x) { return simd::nearest(x.floats); }
 inline Lanes trunc(Lanes x) { return simd::trunc(x.floats); }
 inline Lanes sqrt(Lanes x) { return simd::sqrt(x.floats); }

@@ -1,11 +1,12 @@
-// Sine, cosine and tangent for four floats at a time: at most 2 units in the last place from the
-// exact value, for every finite float; of an infinity NaN.
+// Sine, cosine and tangent for four floats at a time, accurate to 2 units in the last place for
+// every finite float; NaN for infinities.
 //
-// x = hπ + r with |r| <= π/2, where h is whole for the sine and half a whole number for the cosine,
-// so that either is ± sin(r): one polynomial, no branch. π has four parts, the first three of so
-// few bits that their products with h are exact (W. J. Cody and W. Waite, Software Manual for the
-// Elementary Functions, 1980, chapter 8): r keeps its digits next to a multiple of π too. Beyond
-// `sineLimit` h has too many bits, and each lane is done by itself in double.
+// x = hπ + r with |r| <= π/2, where h is an integer for the sine and half an odd integer for the
+// cosine, so that either is ± sin(r): one polynomial, no branch. π is split into four parts, and
+// the first three have so few bits that their products with h are exact (W. J. Cody and W. Waite,
+// Software Manual for the Elementary Functions, 1980, chapter 8): r remains accurate close to
+// multiples of π. Beyond `sineLimit`, h has too many bits, and each lane is computed separately in
+// double.
 #pragma once
 
 #include <cmath>
@@ -15,14 +16,14 @@
 
 namespace warpjet {
 
-// 2h is below 2^13 up to here, and a part of π has 11 bits.
+// Up to this limit, 2h is below 2^13, and a part of π has 11 bits.
 inline constexpr double sineLimit = 12800;
 
-// Adding it leaves the nearest whole number in the lowest bits.
-inline constexpr double wholeInLowBits = 0x1.8p23;
+// Adding this constant puts the nearest integer into the lowest bits.
+inline constexpr double roundToLowBits = 0x1.8p23;
 
-// x - hπ. The last two products are summed first, with what that sum lacks: so only one rounding
-// weighs, where one after the other would.
+// x - hπ. The last two products are added first, with the error of that sum. So only one rounding
+// matters; in sequence, two would.
 template <FourLanes X>
 X minusMultipleOfPi(X x, X h) {
   const X near = x - h * 0x1.92p1 - h * 0x1.fb4p-11;
@@ -32,8 +33,8 @@ X minusMultipleOfPi(X x, X h) {
 }
 
 // sin(r) for |r| <= π/2. The relative error is below 2^-26: the coefficients are those of the
-// minimax polynomial (2^-27.2), moved by a search for the least error with the roundings of floats,
-// which otherwise is above 2 units next to π/2.
+// minimax polynomial (2^-27.2), adjusted by a search for the min error with float rounding, which
+// would otherwise exceed 2 units close to π/2.
 template <FourLanes X>
 X sineOfReduced(X r) {
   const X t = r * r;
@@ -41,32 +42,33 @@ X sineOfReduced(X r) {
   return r + r * t * p;
 }
 
-// All bits but the lowest shifted out: the sign that an odd multiple of π turns.
+// Shifts out all bits but the lowest: the sign that an odd multiple of π flips.
 template <FourLanes X>
 typename X::Mask signOfOdd(X multiple) {
   return {asMask(multiple).bits << 31};
 }
 
-// For magnitudes up to sineLimit; the sine of the magnitude.
+// The sine of a magnitude up to sineLimit.
 template <FourLanes X>
 X sineUpToLimit(X magnitude) {
-  const X shifted = magnitude * 0x1.45f306dc9c883p-2 + wholeInLowBits;
-  const X r = minusMultipleOfPi(magnitude, X(shifted - wholeInLowBits));
-  return turned(sineOfReduced(r), signOfOdd(shifted));
+  const X shifted = magnitude * 0x1.45f306dc9c883p-2 + roundToLowBits;
+  const X r = minusMultipleOfPi(magnitude, X(shifted - roundToLowBits));
+  return flipSign(sineOfReduced(r), signOfOdd(shifted));
 }
 
 // cos(r + (k - 1/2)π) = (-1)^k sin(r)
 template <FourLanes X>
 X cosineUpToLimit(X magnitude) {
-  const X shifted = magnitude * 0x1.45f306dc9c883p-2 + 0.5 + wholeInLowBits;
-  const X r = minusMultipleOfPi(magnitude, X(shifted - wholeInLowBits - 0.5));
-  return turned(sineOfReduced(r), signOfOdd(shifted));
+  const X shifted = magnitude * 0x1.45f306dc9c883p-2 + 0.5 + roundToLowBits;
+  const X r = minusMultipleOfPi(magnitude, X(shifted - roundToLowBits - 0.5));
+  return flipSign(sineOfReduced(r), signOfOdd(shifted));
 }
 
-// `near` with f of those lanes of x that are beyond the limit. The others stay, so that no lane
-// depends on its neighbours.
+// Replaces lanes beyond the limit by f of the lane. The others are unchanged, so that no lane
+// depends on its neighbors.
 template <class Function>
-[[gnu::noinline, gnu::cold]] Lanes laneByLane(Mask beyond, Lanes near, Lanes x, Function f) {
+[[gnu::noinline, gnu::cold]] Lanes replaceLanesBeyond(Mask beyond, Lanes near, Lanes x,
+                                                      Function f) {
   for (std::size_t i = 0; i < Lanes::count; ++i) {
     if (beyond.bits[i]) near.set(i, static_cast<float>(f(static_cast<double>(x[i]))));
   }
@@ -74,17 +76,17 @@ template <class Function>
 }
 
 inline Lanes sin(Lanes x) {
-  const Lanes magnitude = abs(x), near = turned(sineUpToLimit(magnitude), signOf(x));
+  const Lanes magnitude = abs(x), near = flipSign(sineUpToLimit(magnitude), signOf(x));
   const Mask beyond = logicalNot(le(magnitude, sineLimit));
   if (!any(beyond)) return near;
-  return laneByLane(beyond, near, x, [](double angle) { return std::sin(angle); });
+  return replaceLanesBeyond(beyond, near, x, [](double angle) { return std::sin(angle); });
 }
 
 inline Lanes cos(Lanes x) {
   const Lanes magnitude = abs(x), near = cosineUpToLimit(magnitude);
   const Mask beyond = logicalNot(le(magnitude, sineLimit));
   if (!any(beyond)) return near;
-  return laneByLane(beyond, near, x, [](double angle) { return std::cos(angle); });
+  return replaceLanesBeyond(beyond, near, x, [](double angle) { return std::cos(angle); });
 }
 
 inline constexpr double tangentLimit = 0x1p20;
@@ -93,7 +95,7 @@ inline constexpr double tangentLimit = 0x1p20;
   constexpr double whole = 0x1.8p52;
   const WideLanes wide(x), shifted = wide * 0x1.45f306dc9c883p-1 + whole, k = shifted - whole;
   const WideLanes r = wide - k * 0x1.921fb544p0 - k * 0x1.0b4611a626331p-34, t = r * r;
-  // Minimax up to π/4: relative errors below 2^-27.2 and 2^-33.
+  // Minimax polynomials up to π/4 with relative errors below 2^-27.2 and 2^-33.
   const WideLanes sine =
       r * (t * polynomial(t, {-0.16666654670686726, 0.00833210070875799, -0.0001950392976145408}) +
            1.0);
@@ -104,7 +106,7 @@ inline constexpr double tangentLimit = 0x1p20;
   const Lanes near = narrow(ifElse(odd, -cosine, sine) / ifElse(odd, sine, cosine));
   const Mask beyond = logicalNot(le(abs(x), tangentLimit));
   if (!any(beyond)) return near;
-  return laneByLane(beyond, near, x, [](double angle) { return std::tan(angle); });
+  return replaceLanesBeyond(beyond, near, x, [](double angle) { return std::tan(angle); });
 }
 
 }  // namespace warpjet

@@ -10,12 +10,12 @@ namespace warpjet {
 
 namespace {
 
-// A function of so many takes an engine's best compiler some milliseconds.
+// Optimizing compilers of engines take a few milliseconds for a function of this size.
 constexpr std::size_t instructionsPerFunction = 500;
 
-// So many sines and the like stand where they are needed, which saves calls; from more the module
-// would grow long, and so each is a function.
-constexpr std::size_t mostInline = 16;
+// Up to this number of sines and the like are inlined, which saves calls; with more, the module
+// would become long, so each operation becomes a function.
+constexpr std::size_t maxInline = 16;
 
 bool isRoutine(Op op) {
   return op == ops::find("sin") || op == ops::find("cos") || op == ops::find("hash");
@@ -56,7 +56,7 @@ class Generator {
 
   bool hasPieces() const { return program_.body.size() > instructionsPerFunction; }
 
-  // What the program needs of the interpreter.
+  // Imports the functions of the interpreter that the program needs.
   void importKernels() {
     module_.kernels.fill(noFunction);
     module_.routines.fill(noFunction);
@@ -73,7 +73,7 @@ class Generator {
         ++uses;
       }
     }
-    if (uses <= mostInline) routines_.clear();
+    if (uses <= maxInline) routines_.clear();
   }
 
   static bool isKernel(Op op) {
@@ -91,13 +91,15 @@ class Generator {
       const std::uint32_t number = wasm_.functionCount();
       const bool isUnary = arities[index(op)] == 1;
       CodeWriter writer(module_, 1, isUnary ? 1 : 2);
-      writer.give(routineFormula(op, writer.parameter(0), writer.parameter(isUnary ? 0 : 1)));
+      writer.returnValue(
+          routineFormula(op, writer.parameter(0), writer.parameter(isUnary ? 0 : 1)));
       wasm_.add(isUnary ? Routine : Routine2, writer.function());
       module_.routines[index(op)] = number;
     }
   }
 
-  // One function for each so many instructions; the last also writes the results.
+  // Writes one function per `instructionsPerFunction` instructions; the last one also writes the
+  // results.
   void writePieces(const std::vector<RegisterInstruction>& instructions, bool isBody) {
     for (std::size_t first = 0; first < instructions.size() || (isBody && first == 0);
          first += instructionsPerFunction) {
@@ -113,7 +115,7 @@ class Generator {
     }
   }
 
-  // Where a register of the block is now: a local, unless it was only written by another piece.
+  // The current location of a block register: a local, unless only another piece has written it.
   struct Home {
     Staged value{};
     bool isKnown = false, isChanged = false;
@@ -152,7 +154,8 @@ class Generator {
     Operands<Staged> x;
     for (int k = 0; k < arities[index(op)]; ++k) x[k] = get(writer, instruction.operands[k]);
     const Stage stage = stageOf(op);
-    set(writer, instruction.result, stage ? writer.owned(stage(x)) : writer.callEachLane(op, x));
+    set(writer, instruction.result,
+        stage ? writer.copyToOwnLocal(stage(x)) : writer.callEachLane(op, x));
   }
 
   void spill(CodeWriter& writer) {

@@ -1,11 +1,11 @@
-// A register program as WebAssembly of its own: what the interpreter of blocks.hpp does operation
-// by operation, an engine makes machine code of, with values in registers. The bits are the same,
-// since the same formulas are run; only what a NaN has in it WebAssembly leaves open.
+// Compiles a register program to WebAssembly: the interpreter of blocks.hpp runs it operation by
+// operation, and an engine compiles this to machine code with values in registers. The bits are the
+// same, since the same formulas are evaluated; WebAssembly only leaves the payload of NaN open.
 //
-// The module imports the memory, and the interpreter's own functions for what is longer than some
-// instructions. Its functions have some hundred instructions each, with registers in memory between
-// them: engines compile a long function slowly, and take their best compiler for what is called
-// often.
+// The module imports the memory, and the interpreter's own functions for operations that are longer
+// than a few instructions. Its functions have a few hundred instructions each, with registers in
+// memory between them: engines compile long functions slowly, and use their optimizing compiler for
+// functions that are called often.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +16,27 @@
 
 namespace warpjet {
 
-// Where an array is, at an offset in the memory that a call is given: `size` floats a vertex, or,
-// if it is uniform, for all. It has room for whole fours of vertices.
+// The location of an array, at an offset in the memory passed to a call: `size` floats per vertex,
+// or in total if it is uniform. It is padded to a multiple of four vertices.
 struct Placement {
   std::uint32_t offset, size;
   bool isUniform = false;
 };
 
 struct MachineCode {
-  // Exports `start(memory, 0)`, which reads the uniform inputs, and `run(memory, end)`, for a
-  // fourth of `end` vertices, a multiple of 16.
+  // Exports `start(memory, 0)`, which reads the uniform inputs, and `run(memory, end)` for `end` /
+  // 4 vertices, where `end` is a multiple of 16.
   std::vector<std::uint8_t> module;
-  // Bits of floats that must be at this offset before `start`: the last that the memory must have.
+  // The bits of floats that must be stored at this offset before `start`. They are the last part of
+  // the memory.
   std::uint32_t sharedAt;
   std::vector<std::uint32_t> shared;
 };
 
-// What is above this, an engine would compile too long: then there is none.
-inline constexpr std::size_t mostInstructions = 100'000;
+// Larger programs would take an engine too long to compile, so there is no machine code for them.
+inline constexpr std::size_t maxInstructions = 100'000;
 
-// The inputs of a program in order, and its results, all of them before `end`.
+// Takes the program's inputs in order, and its results, all of them before `end`.
 MachineCode machineCode(const RegisterProgram& program, std::span<const Placement> inputs,
                         std::span<const Placement> results, std::uint32_t end);
 

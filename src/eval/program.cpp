@@ -2,7 +2,7 @@
 
 #include "eval/words.hpp"
 #include "graph/reachable.hpp"
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 
 namespace warpjet {
 
@@ -15,7 +15,7 @@ bool isImage(const Graph& graph, NodeId id) {
 }  // namespace
 
 std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots) {
-  // Of each input, its first number.
+  // The index of each input's first number.
   std::vector<std::uint32_t> places;
   std::uint32_t place = 0;
   for (std::uint32_t input = 0; input < graph.inputCount(); ++input) {
@@ -52,9 +52,9 @@ ModuleProgram program(const Module& module, std::span<const std::uint32_t> resul
   }
   if (!hasBodies) return {program(module.graph, roots)};
   Graph graph = module.graph.copy();
-  Library library = module.library.fresh();
+  Library library = module.library.withEmptyCaches();
   const std::vector<NodeId> inlined = inlineCalls(graph, library, roots);
-  if (graph.full() || library.isFull()) return {{}, "A result: " + std::string(tooLarge)};
+  if (graph.isFull() || library.isFull()) return {{}, "A result: " + std::string(tooLarge)};
   return {program(graph, inlined)};
 }
 

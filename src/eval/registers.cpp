@@ -9,12 +9,13 @@ namespace warpjet {
 
 namespace {
 
-// What becomes of an instruction.
-struct Fate {
+// The allocation of an instruction.
+struct Allocation {
   bool isNeeded = false;
   bool isUniform = true;
-  std::uint32_t task = none;      // unless it is uniform
-  std::uint32_t readersLeft = 0;  // of those, and one more for a result, which is never free
+  std::uint32_t task = none;  // `none` if it is uniform
+  std::uint32_t readersLeft =
+      0;  // remaining readers, plus one for a result, whose register is never freed
   Register result;
 };
 
@@ -22,20 +23,20 @@ class Allocator {
  public:
   Allocator(const Words& program, std::span<const std::uint32_t> wanted,
             const std::vector<bool>& isUniform)
-      : program_(program), wanted_(wanted), isUniform_(isUniform), fates_(program.count()) {}
+      : program_(program), wanted_(wanted), isUniform_(isUniform), allocations_(program.count()) {}
 
   RegisterProgram run() {
     findNeeded();
     for (std::uint32_t i = 0; i < program_.count(); ++i) {
-      if (fates_[i].isNeeded && isConstant(i)) {
+      if (allocations_[i].isNeeded && isConstant(i)) {
         made_.constants.push_back(constant(i));
-        fates_[i].result = {made_.uniformRegisters++, true};
+        allocations_[i].result = {made_.uniformRegisters++, true};
       }
     }
     for (std::uint32_t i = 0; i < program_.count(); ++i) {
-      if (!fates_[i].isNeeded || isConstant(i)) continue;
-      fates_[i].isUniform = isUniform(i);
-      if (fates_[i].isUniform) {
+      if (!allocations_[i].isNeeded || isConstant(i)) continue;
+      allocations_[i].isUniform = isUniform(i);
+      if (allocations_[i].isUniform) {
         made_.prologue.push_back(translate(i, {made_.uniformRegisters++, true}));
       } else {
         addTask(i);
@@ -43,18 +44,18 @@ class Allocator {
     }
     for (const std::uint32_t task : schedule(work_)) {
       const std::uint32_t i = instructions_[task];
-      // Taken before the result's register: an instruction may write what it reads, since it reads
-      // the operands of four vertices before it writes their result.
+      // Released before the result's register is taken: an instruction may overwrite its operands,
+      // since it reads the operands of four vertices before it writes their result.
       for (const std::uint32_t read : work_.readsOf(task)) release(instructions_[read]);
       made_.body.push_back(translate(i, {takeRegister(), false}));
     }
     for (const std::uint32_t i : wanted_)
-      made_.results.push_back(fates_[program_.result(i)].result);
+      made_.results.push_back(allocations_[program_.result(i)].result);
     return std::move(made_);
   }
 
  private:
-  // A float has not all of the known whole numbers: `int(constant)` is kept by its bits.
+  // A float can't represent all known integers, so `int(constant)` is stored as its bits.
   bool isKnownInt(std::uint32_t i) const {
     return program_.op(i) == ops::find("int") && program_.op(program_.operands(i)[0]) == constantOp;
   }
@@ -67,12 +68,13 @@ class Allocator {
 
   void findNeeded() {
     for (const std::uint32_t i : wanted_) {
-      fates_[program_.result(i)].isNeeded = true;
-      fates_[program_.result(i)].readersLeft = 1;
+      allocations_[program_.result(i)].isNeeded = true;
+      allocations_[program_.result(i)].readersLeft = 1;
     }
     for (std::uint32_t i = program_.count(); i-- > 0;) {
-      if (!fates_[i].isNeeded) continue;
-      for (const std::uint32_t operand : program_.operands(i)) fates_[operand].isNeeded = true;
+      if (!allocations_[i].isNeeded) continue;
+      for (const std::uint32_t operand : program_.operands(i))
+        allocations_[operand].isNeeded = true;
     }
   }
 
@@ -80,20 +82,20 @@ class Allocator {
     if (program_.op(i) == inputOp) return isUniform_[program_.input(i)];
     const auto operands = program_.operands(i);
     return std::all_of(operands.begin(), operands.end(),
-                       [&](std::uint32_t operand) { return fates_[operand].isUniform; });
+                       [&](std::uint32_t operand) { return allocations_[operand].isUniform; });
   }
 
   void addTask(std::uint32_t i) {
-    Task task{static_cast<std::uint32_t>(work_.reads.size()), 0, fates_[i].readersLeft > 0};
+    Task task{static_cast<std::uint32_t>(work_.reads.size()), 0, allocations_[i].readersLeft > 0};
     for (const std::uint32_t operand : program_.operands(i)) {
       const auto begin = work_.reads.begin() + task.firstRead;
-      const std::uint32_t read = fates_[operand].task;
+      const std::uint32_t read = allocations_[operand].task;
       if (read == none || std::find(begin, work_.reads.end(), read) != work_.reads.end()) continue;
       work_.reads.push_back(read);
       ++task.readCount;
-      ++fates_[operand].readersLeft;
+      ++allocations_[operand].readersLeft;
     }
-    fates_[i].task = static_cast<std::uint32_t>(work_.tasks.size());
+    allocations_[i].task = static_cast<std::uint32_t>(work_.tasks.size());
     work_.tasks.push_back(task);
     instructions_.push_back(i);
   }
@@ -101,15 +103,16 @@ class Allocator {
   RegisterInstruction translate(std::uint32_t i, Register result) {
     RegisterInstruction instruction;
     instruction.op = program_.op(i);
-    instruction.result = fates_[i].result = result;
+    instruction.result = allocations_[i].result = result;
     if (instruction.op == inputOp) instruction.input = program_.input(i);
     auto place = instruction.operands.begin();
-    for (const std::uint32_t operand : program_.operands(i)) *place++ = fates_[operand].result;
+    for (const std::uint32_t operand : program_.operands(i))
+      *place++ = allocations_[operand].result;
     return instruction;
   }
 
   void release(std::uint32_t i) {
-    if (--fates_[i].readersLeft == 0) free_.push_back(fates_[i].result.number);
+    if (--allocations_[i].readersLeft == 0) free_.push_back(allocations_[i].result.number);
   }
 
   std::uint32_t takeRegister() {
@@ -122,7 +125,7 @@ class Allocator {
   const Words program_;
   std::span<const std::uint32_t> wanted_;
   const std::vector<bool>& isUniform_;
-  std::vector<Fate> fates_;  // by instruction
+  std::vector<Allocation> allocations_;  // by instruction
   Work work_;
   std::vector<std::uint32_t> instructions_;  // by task
   std::vector<std::uint32_t> free_;

@@ -1,6 +1,6 @@
-// From a program to one in registers, for evaluation by blocks: only what the wanted results need,
-// in an order that keeps few values alive, each value in a register that is free again after its
-// last use.
+// Allocates registers for evaluation in blocks: takes a program, returns the instructions that the
+// wanted results need, in an order that keeps few values alive. Registers are reused after the last
+// use of their value. last use.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace warpjet {
 
-// A register: one value for each vertex of a block, or one for all.
+// A register: one value per vertex of a block, or one for all.
 struct Register {
   std::uint32_t number = 0;
   bool isUniform = true;
 };
 
-// An operation on registers; or, if it is `inputOp`, the input of that place, read into a register.
+// An operation on registers; or, if it is `inputOp`, the input number to load into a register.
 struct RegisterInstruction {
   Op op{};
   Register result;
@@ -27,16 +27,16 @@ struct RegisterInstruction {
 };
 
 struct RegisterProgram {
-  // The first uniform registers hold these, the others what `prologue` makes once, before all
-  // blocks.
+  // Constants are stored in the first uniform registers; `prologue` computes the others once,
+  // before all blocks.
   std::vector<float> constants;
   std::vector<RegisterInstruction> prologue, body;
   std::vector<Register> results;
   std::uint32_t uniformRegisters = 0, blockRegisters = 0;
 };
 
-// For the words and instructions of a `Program`: those of its results that are `wanted`, by number.
-// `isUniform` says of each place of an input whether it is the same for all vertices.
+// Takes the words and instruction count of a `Program`, and the numbers of its `wanted` results.
+// `isUniform` says for each input number whether it is the same for all vertices.
 RegisterProgram allocateRegisters(std::span<const std::uint32_t> words, std::uint32_t instructions,
                                   std::span<const std::uint32_t> wanted,
                                   const std::vector<bool>& isUniform);

@@ -1,6 +1,7 @@
-// The few things that differ between instruction sets, for registers of four floats and of two
-// doubles: WebAssembly's SIMD128, SSE2, and plain code for any other. All arithmetic, comparisons
-// and bits are the vector extension of GCC and Clang, the same everywhere, and stand in lanes.hpp.
+// The few operations that differ between instruction sets, for registers of four floats and of two
+// doubles: WebAssembly's SIMD128, SSE2, and plain code for all others. Arithmetic, comparisons and
+// bitwise operations use the vector extension of GCC and Clang, which is the same everywhere; they
+// are in lanes.hpp.
 #pragma once
 
 #include <cmath>
@@ -59,7 +60,7 @@ inline Doubles sqrt(Doubles x) {
   return __builtin_bit_cast(Doubles, wasm_f64x2_sqrt(__builtin_bit_cast(v128_t, x)));
 }
 
-// The first two of four as doubles, the last two, and back.
+// Converts the first two or the last two of four floats to doubles, and back.
 inline Doubles widenLow(Floats x) {
   return __builtin_bit_cast(Doubles, wasm_f64x2_promote_low_f32x4(__builtin_bit_cast(v128_t, x)));
 }
@@ -79,7 +80,7 @@ inline Doubles select(DoubleBits where, Doubles yes, Doubles no) {
   return doublesOf((where & bitsOf(yes)) | (~where & bitsOf(no)));
 }
 
-// From 2^23 up every float is whole; below, adding 2^23 leaves no room for what follows the point.
+// Every float from 2^23 up is an integer; below, adding 2^23 rounds the fraction away.
 inline Floats nearest(Floats x) {
   const Floats big = {0x1p23f, 0x1p23f, 0x1p23f, 0x1p23f};
   const FloatBits sign = bitsOf(x) & signBit;

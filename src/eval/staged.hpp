@@ -1,7 +1,6 @@
-// Four floats that machine code will compute: a scalar whose operations write instructions instead
-// of doing them. The rows of the table and the functions of lanes_*.hpp that are generic run in it,
-// and so come out in the very order in which the lanes of the interpreter have them: both round
-// alike.
+// Four floats that machine code will compute: a scalar type whose operations write instructions
+// instead of executing them. The rows of the table and the generic functions of lanes_*.hpp run in
+// it, so their operations have the same order as in the interpreter, and both round alike.
 #pragma once
 
 #include <array>
@@ -16,8 +15,8 @@ namespace warpjet {
 
 struct StagedMask;
 
-// Where a value will be: in a local of the function that is being written, or among the numbers
-// that all vertices share.
+// The location of a value: a local of the function being written, or one of the numbers shared by
+// all vertices.
 struct Staged {
   using Mask = StagedMask;
   static constexpr std::uint32_t isShared = 1u << 31;
@@ -32,21 +31,21 @@ struct Staged {
 Staged staged(wasm::Simd instruction, Staged x);
 Staged staged(wasm::Simd instruction, Staged x, Staged y);
 Staged staged(wasm::Simd instruction, Staged x, Staged y, Staged z);
-// Each lane shifted by so many bits.
-Staged shifted(wasm::Simd instruction, Staged x, int count);
-// What a function of this module, or one from outside, makes of them.
+// Shifts each lane by `count` bits.
+Staged shiftBits(wasm::Simd instruction, Staged x, int count);
+// Calls a function of this module, or an imported one.
 Staged routine(Op op, Staged x);
 Staged routine(Op op, Staged x, Staged y);
 Staged kernel(Op op, Staged x);
 Staged kernel(Op op, Staged x, Staged y);
 
-// As whole numbers, lane by lane.
+// Lanes as integers.
 struct StagedBits {
   Staged lanes;
 };
 
 inline StagedBits operator<<(StagedBits x, int count) {
-  return {shifted(wasm::ShiftLeft, x.lanes, count)};
+  return {shiftBits(wasm::ShiftLeft, x.lanes, count)};
 }
 
 struct StagedMask {
@@ -63,9 +62,9 @@ inline Staged operator/(Staged x, Staged y) { return staged(wasm::Quotient, x, y
 inline Staged operator-(Staged x) { return staged(wasm::Negate, x); }
 
 inline StagedMask lt(Staged x, Staged y) { return asMask(staged(wasm::LessThan, x, y)); }
-inline StagedMask le(Staged x, Staged y) { return asMask(staged(wasm::AtMost, x, y)); }
+inline StagedMask le(Staged x, Staged y) { return asMask(staged(wasm::LessOrEqual, x, y)); }
 inline StagedMask gt(Staged x, Staged y) { return asMask(staged(wasm::GreaterThan, x, y)); }
-inline StagedMask ge(Staged x, Staged y) { return asMask(staged(wasm::AtLeast, x, y)); }
+inline StagedMask ge(Staged x, Staged y) { return asMask(staged(wasm::GreaterOrEqual, x, y)); }
 inline StagedMask eq(Staged x, Staged y) { return asMask(staged(wasm::Equal, x, y)); }
 inline StagedMask ne(Staged x, Staged y) { return asMask(staged(wasm::NotEqual, x, y)); }
 
@@ -82,7 +81,7 @@ inline Staged ifElse(StagedMask condition, Staged yes, Staged no) {
 }
 
 inline StagedMask signOf(Staged x) { return asMask(staged(wasm::And, x, -0.0)); }
-inline Staged turned(Staged x, StagedMask signs) { return staged(wasm::Xor, x, asLanes(signs)); }
+inline Staged flipSign(Staged x, StagedMask signs) { return staged(wasm::Xor, x, asLanes(signs)); }
 
 inline Staged abs(Staged x) { return staged(wasm::Absolute, x); }
 inline Staged floor(Staged x) { return staged(wasm::Floor, x); }
@@ -90,15 +89,15 @@ inline Staged ceil(Staged x) { return staged(wasm::Ceil, x); }
 inline Staged round(Staged x) { return staged(wasm::Nearest, x); }
 inline Staged trunc(Staged x) { return staged(wasm::Truncate, x); }
 inline Staged sqrt(Staged x) { return staged(wasm::SquareRoot, x); }
-inline Staged min(Staged x, Staged y) { return staged(wasm::Least, x, y); }
-inline Staged max(Staged x, Staged y) { return staged(wasm::Greatest, x, y); }
+inline Staged min(Staged x, Staged y) { return staged(wasm::Min, x, y); }
+inline Staged max(Staged x, Staged y) { return staged(wasm::Max, x, y); }
 
-// Written once into a module, and called.
+// Written once per module, and called.
 inline Staged sin(Staged x) { return routine(ops::find("sin"), x); }
 inline Staged cos(Staged x) { return routine(ops::find("cos"), x); }
 inline Staged hash(Staged h, Staged i) { return routine(ops::find("hash"), h, i); }
 
-// The interpreter's own, which machine_code.cpp imports.
+// Functions of the interpreter, which machine_code.cpp imports.
 inline constexpr std::array kernelOps{
     ops::find("tan"),   ops::find("asin"),  ops::find("acos"),  ops::find("atan"),
     ops::find("atan2"), ops::find("exp"),   ops::find("exp2"),  ops::find("log"),

@@ -20,17 +20,17 @@ Staged untyped(StagedMask value) { return asLanes(value); }
 template <std::size_t Row>
 constexpr Stage stageOfRow() {
   constexpr auto& signature = ops::declarations[Row].signature;
-  if constexpr (signature.hasWhole()) {
+  if constexpr (signature.hasInt()) {
     return nullptr;
   } else {
-    return ops::numbered<ops::declarations[Row].arity>([](auto... k) -> Stage {
+    return ops::withIndices<ops::declarations[Row].arity>([](auto... k) -> Stage {
       constexpr const auto& row = std::get<Row>(ops::table);
       using Value = decltype(row.value);
       if constexpr (std::is_invocable_v<
                         Value,
                         decltype(typed<ops::declarations[Row].signature.operands[k]>(Staged()))...>)
         return [](const Operands<Staged>& x) {
-          return ops::numbered<ops::declarations[Row].arity>([&](auto... i) {
+          return ops::withIndices<ops::declarations[Row].arity>([&](auto... i) {
             return untyped(
                 std::get<Row>(ops::table)
                     .value(typed<ops::declarations[Row].signature.operands[i]>(x[i])...));
@@ -43,7 +43,7 @@ constexpr Stage stageOfRow() {
 }
 
 constexpr auto stages =
-    ops::numbered<ops::count>([](auto... row) { return std::array{stageOfRow<row>()...}; });
+    ops::withIndices<ops::count>([](auto... row) { return std::array{stageOfRow<row>()...}; });
 
 }  // namespace
 

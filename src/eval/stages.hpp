@@ -1,4 +1,4 @@
-// What the rows of the table compute, as functions that write instructions.
+// The formulas of the table's rows, as functions that write instructions.
 #pragma once
 
 #include "eval/staged.hpp"
@@ -7,7 +7,7 @@ namespace warpjet {
 
 using Stage = Staged (*)(const Operands<Staged>&);
 
-// Null for what is done on each lane.
+// Null for operations that are computed lane by lane.
 Stage stageOf(Op op);
 
 }  // namespace warpjet

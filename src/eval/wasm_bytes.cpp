@@ -8,7 +8,7 @@ void WasmBytes::number(std::uint32_t x) {
 }
 
 void WasmBytes::signedNumber(std::int32_t x) {
-  // The last of the groups of seven bits holds the sign.
+  // The last group of seven bits contains the sign.
   for (; x < -64 || x > 63; x >>= 7) byte(static_cast<std::uint8_t>(x | 0x80));
   byte(static_cast<std::uint8_t>(x & 0x7f));
 }

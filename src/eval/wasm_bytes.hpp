@@ -15,7 +15,7 @@ class WasmBytes {
   void signedNumber(std::int32_t x);
   void text(std::string_view characters, std::string_view more = {});
   void append(const WasmBytes& other);
-  // With how many they are before them, as functions and sections have it.
+  // Appends the size first, as required for functions and sections.
   void appendCounted(const WasmBytes& other);
   void section(std::uint8_t kind, const WasmBytes& contents);
 
@@ -42,12 +42,12 @@ enum Plain : std::uint8_t {
   LocalSet = 0x21,
   LocalTee = 0x22,
   Number = 0x41,
-  Less = 0x49,  // of unsigned numbers
+  Less = 0x49,  // unsigned
   Add = 0x6a,
   Multiply = 0x6c,
 };
 
-// Those after the prefix 0xfd, of four lanes of 32 bits.
+// Instructions on four 32-bit lanes, which follow the prefix 0xfd.
 enum Simd : std::uint32_t {
   Load = 0x00,
   LoadSplat = 0x09,
@@ -56,8 +56,8 @@ enum Simd : std::uint32_t {
   NotEqual,
   LessThan,
   GreaterThan,
-  AtMost,
-  AtLeast,
+  LessOrEqual,
+  GreaterOrEqual,
   Not = 0x4d,
   And = 0x4e,
   Or = 0x50,
@@ -72,9 +72,9 @@ enum Simd : std::uint32_t {
   Truncate,
   Nearest,
   ShiftLeft = 0xab,
-  ShiftRight,  // the sign comes in
-  AddWholes = 0xae,
-  SubtractWholes = 0xb1,
+  ShiftRight,  // arithmetic shift
+  AddInts = 0xae,
+  SubtractInts = 0xb1,
   Absolute = 0xe0,
   Negate,
   SquareRoot = 0xe3,
@@ -82,8 +82,8 @@ enum Simd : std::uint32_t {
   Difference,
   Product,
   Quotient,
-  Least = 0xea,  // the second where it is below the first, as ours
-  Greatest,
+  Min = 0xea,  // the second operand if it is below the first, like our min
+  Max,
 };
 
 }  // namespace wasm

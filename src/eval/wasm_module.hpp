@@ -1,4 +1,4 @@
-// A WebAssembly module in the making: functions enter, its bytes leave.
+// Builds a WebAssembly module: takes functions, returns its bytes.
 #pragma once
 
 #include <string_view>
@@ -7,12 +7,12 @@
 
 namespace warpjet {
 
-// The types of functions, in the order of the section. The first number is the memory's address.
+// The function types, in the order of the section. Their first parameter is the memory address.
 enum FunctionType : std::uint32_t {
-  Piece,     // of the program: that, and 16 times the number of the four vertices
-  Kernel,    // of so many operands
+  Piece,     // a piece of the program: address, and 16 times the index of the four vertices
+  Kernel,    // with one operand
   Kernel2,   //
-  EachLane,  // the operation and its operands
+  EachLane,  // operation and operands
   Routine,   //
   Routine2,  //
 };
@@ -22,11 +22,11 @@ class WasmModule {
   // The number of the next function.
   std::uint32_t functionCount() const { return functionCount_; }
 
-  // All imports come before the first function. Returns the number.
+  // Imports must be added before the first function. Returns the number.
   std::uint32_t import(std::string_view name, FunctionType type);
   void add(FunctionType type, const WasmBytes& body);
 
-  // Exported as `start`; the function after it as `run`.
+  // Exports this function as `start`, and the following one as `run`.
   WasmBytes bytes(std::uint32_t start) const;
 
  private:

@@ -1,5 +1,5 @@
-// Four doubles, for the functions that would lose digits in float: two registers, each operation
-// done on both.
+// Four doubles, for functions that would lose precision in float: two registers; each operation is
+// applied to both.
 #pragma once
 
 #include "eval/lanes.hpp"
@@ -19,7 +19,7 @@ struct WideLanes {
   explicit WideLanes(Lanes x) : low(simd::widenLow(x.floats)), high(simd::widenHigh(x.floats)) {}
 };
 
-// To the nearest floats.
+// Rounds to the nearest floats.
 inline Lanes narrow(WideLanes x) { return simd::narrow(x.low, x.high); }
 
 inline WideMask asMask(WideLanes x) { return {simd::bitsOf(x.low), simd::bitsOf(x.high)}; }
@@ -34,7 +34,7 @@ inline WideLanes sqrt(WideLanes x) { return {simd::sqrt(x.low), simd::sqrt(x.hig
 
 inline WideMask operator&(WideMask x, WideMask y) { return {x.low & y.low, x.high & y.high}; }
 inline WideMask operator|(WideMask x, WideMask y) { return {x.low | y.low, x.high | y.high}; }
-// As unsigned integers, which may wrap.
+// Adds unsigned integers, which may wrap.
 inline WideMask operator+(WideMask x, WideMask y) {
   using Unsigned = std::uint64_t __attribute__((vector_size(16)));
   const auto sum = [](simd::DoubleBits a, simd::DoubleBits b) {
@@ -44,7 +44,7 @@ inline WideMask operator+(WideMask x, WideMask y) {
   return {sum(x.low, y.low), sum(x.high, y.high)};
 }
 inline WideMask operator-(WideMask x) { return {-x.low, -x.high}; }
-// Four times the same integer.
+// Repeats an integer four times.
 inline WideMask wideMask(std::int64_t x) {
   const simd::DoubleBits two = {x, x};
   return {two, two};

@@ -1,4 +1,4 @@
-// How the words of a program are read.
+// Reads the words of a program.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// Four words an instruction (its operation, then its operands), then one a result.
+// Four words per instruction (its operation, then its operands), then one per result.
 class Words {
  public:
   static constexpr std::size_t perInstruction = 4;
@@ -24,17 +24,17 @@ class Words {
     return instruction(i).subspan(1, arities[index(op(i))]);
   }
 
-  // Of a constant.
+  // The value of a constant.
   double constant(std::uint32_t i) const {
     double value;
     std::memcpy(&value, &instruction(i)[1], sizeof value);
     return value;
   }
 
-  // The place of an input among the numbers that the program is given.
+  // The index of an input number.
   std::uint32_t input(std::uint32_t i) const { return instruction(i)[1]; }
 
-  // The instruction that gives this result.
+  // The instruction of this result.
   std::uint32_t result(std::size_t i) const { return words_[instructions_ * perInstruction + i]; }
 
   std::uint32_t count() const { return instructions_; }

@@ -1,5 +1,5 @@
-// What is the same for a whole frame, such as sin(millis / 900), leaves a module's results: a host
-// computes it in double once a frame, and hands it to the shader as inputs.
+// Moves frame constants, such as sin(millis / 900), out of a module's results: the host computes
+// them in double precision once per frame and passes them to the shader as inputs.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace warpjet {
 
-// The inputs that take it are vec4s of these names, with a number.
+// The frame inputs are vec4s with this name and a number.
 inline constexpr const char* frameLabel = "warpjetFrame";
 
-// More stay in the text: a shader has room for 256 vec4s, and the host's own are among them.
-inline constexpr std::size_t mostFrameValues = 128;
+// Further values remain in the shader: it has space for 256 vec4s, shared with the host's own.
+inline constexpr std::size_t maxFrameValues = 128;
 
-// Loops stay in the text that would be more nodes without.
-inline constexpr std::size_t mostUnrolled = 20'000;
+// Loops remain loops if unrolling them gives more nodes than this.
+inline constexpr std::size_t maxUnrolledNodes = 20'000;
 
-// In place: results read inputs of the frame where they read what depends on inputs `known` alone,
-// which are told by number, and one more result in the end is what those inputs are to be. What is
-// added inside of something periodic is less by whole periods there, so that float32 keeps its
-// digits however long a sketch runs; so loops are written out whose steps add something else each.
-// Gives how many vec4s there are.
+// Modifies the module: results read frame inputs in place of expressions that depend only on the
+// inputs `known` (by number), and one more result, the last, has the values of those frame inputs.
+// Terms inside of periodic functions are reduced by whole periods, so that float32 keeps its
+// precision however long a sketch runs; for that, loops whose steps add different terms are
+// unrolled. Returns the number of vec4s.
 std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known);
 
 }  // namespace warpjet

@@ -1,6 +1,6 @@
-// Functions of ours that a text defines once, however often they are called, so that a value and
-// its derivatives share their work. Each is written once, as nodes: text, derivatives of every
-// order and evaluation on the CPU follow from those.
+// Our own functions, which shader code defines once, however often they are called, so that a value
+// and its derivatives share their work. Each is defined once, as nodes: its shader source,
+// derivatives of every order and evaluation on the CPU follow from those.
 #pragma once
 
 #include <array>
@@ -17,10 +17,11 @@ namespace warpjet {
 
 class Library;
 
-// A few numbers: the arguments of a function, or its values. No vector, which would be more code.
+// A few numbers: the arguments of a function, or its values. Not a std::vector, which would
+// generate more code.
 class Numbers {
  public:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t maxArguments = 16;
 
   Numbers() = default;
   Numbers(std::initializer_list<Expression> all) {
@@ -37,50 +38,51 @@ class Numbers {
   const Expression* end() const { return begin() + size_; }
 
  private:
-  std::array<Expression, most> items_{};
+  std::array<Expression, maxArguments> items_{};
   std::size_t size_ = 0;
 };
 
 // For names such as warpjetNoise3.
-inline std::string capitalized(std::string_view text) {
+inline std::string capitalize(std::string_view text) {
   std::string name(text);
   name[0] = static_cast<char>(name[0] - 'a' + 'A');
   return name;
 }
 
 struct Definition {
-  // The values from the arguments. May call other functions of the library.
+  // Computes the values from the arguments. May call other functions of the library.
   using Body = Numbers (*)(Library&, std::uint32_t settings, const Numbers& arguments);
-  // Gives the graph of recorded words, and their results.
+  // Returns the graph of a recorded word stream, and sets its results.
   using Reader = Graph (*)(const std::vector<std::uint32_t>& words, std::vector<NodeId>& results);
-  // Makes it again from its settings.
+  // Recreates the definition from its settings.
   using Maker = Definition (*)(std::uint32_t settings);
 
-  // Equal names are equal functions.
+  // Functions are identified by name.
   Function function;
-  // None if nodes cannot say it, so that each language has a text, and there are no derivatives.
+  // Null if nodes can't express it: then each language has its own source, and there are no
+  // derivatives.
   Body body = nullptr;
-  // What `body` is told.
+  // passed to `body`
   std::uint32_t settings = 0;
-  // What each value is known to lie between.
+  // Bounds that each value is known to be within.
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  // What the size of each first derivative is known not to exceed.
-  double steepest = std::numeric_limits<double>::infinity();
+  // A bound on the magnitude of each first derivative.
+  double maxSlope = std::numeric_limits<double>::infinity();
 
-  // The variables, then the other arguments, as far as there are any.
+  // The names of arguments: variables first, then the other arguments.
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};
   static constexpr std::string_view noiseParameters[] = {"seed",  "lacunarity", "gain", "cellX",
                                                          "cellY", "cellZ",      "cellW"};
   static constexpr std::string_view imageParameters[] = {"image", "width", "height",
                                                          "wrapX", "wrapY", "isNearest"};
-  static constexpr std::string_view recordedNames[Numbers::most] = {
+  static constexpr std::string_view recordedNames[Numbers::maxArguments] = {
       "x0", "x1", "x2",  "x3",  "x4",  "x5",  "x6",  "x7",
       "x8", "x9", "x10", "x11", "x12", "x13", "x14", "x15"};
   const std::string_view* parameters = noiseParameters;
   Maker maker = nullptr;
-  // In the place of a body that is written in C++: the words of a module whose inputs are the
-  // arguments, and who reads them.
+  // Used instead of a body written in C++: the word stream of a module whose inputs are the
+  // arguments, and the function that reads it.
   std::vector<std::uint32_t> words = {};
   Reader reader = nullptr;
 

@@ -14,13 +14,13 @@ OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> sta
 
 namespace {
 
-// By state, whether an outcome of `root` needs it.
+// True for the states that the outcome of state `root` depends on.
 Flags neededFor(const Graph& graph, const OpenFold& open, std::span<const NodeId> next,
                 std::size_t root) {
   Flags isNeeded(next.size());
   isNeeded[root] = true;
   std::vector<std::size_t> pending{root};
-  // What is older than the loop reads none of its variables.
+  // Nodes older than the loop can't read its variables.
   const auto isOlder = [&](NodeId id) { return index(id) < index(open.step.id); };
   while (!pending.empty()) {
     const NodeId from = next[pending.back()];

@@ -1,5 +1,5 @@
-// How a fold is written: its body is built from the variables of a loop that is open, and closed
-// when it is known what each of them becomes.
+// Constructs folds: open a loop, build its body from the loop's variables, then close it with the
+// new value of each variable.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace warpjet {
 
-// Whole numbers up to here are exact in an integer of any precision that a shader counts with.
-inline constexpr std::uint32_t mostSteps = 10'000;
+// Integers up to this limit are exact in every precision that a shader may use for the counter.
+inline constexpr std::uint32_t maxSteps = 10'000;
 
-// A loop whose body is being made: the number of its step, from 0 on, and a state for each number
-// that it starts with.
+// A loop whose body is being built: its step number, counted from 0, and a state for each initial
+// value.
 struct OpenFold {
   std::uint32_t loop = none;
   Expression step{};
@@ -23,16 +23,16 @@ struct OpenFold {
 
 OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> start);
 
-// What the states are after all steps, if each step makes `next` of them. Of each outcome only the
-// states that it needs are in its fold.
+// Returns the values of the states after the last step, given the value of each state after one
+// step. The fold of each outcome only includes the states that it depends on.
 std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<const NodeId> next);
 
-// With numbers in the place of nodes, for what follows.
+// Variants that take Numbers in place of nodes.
 OpenFold openFold(std::uint32_t steps, const Numbers& start);
 Numbers statesOf(const OpenFold& open);
 Numbers closeFold(const OpenFold& open, const Numbers& next);
 
-// A whole fold: `body(states, step)` gives what each step makes of them.
+// A complete fold: `body(states, step)` returns the states after a step.
 template <class Body>
 Numbers fold(std::uint32_t steps, const Numbers& start, Body body) {
   const OpenFold open = openFold(steps, start);

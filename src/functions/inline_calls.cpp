@@ -12,7 +12,7 @@ namespace {
 
 class Inliner {
  public:
-  // Without a library calls stay.
+  // Without a library, calls remain.
   Inliner(Graph& graph, Library* library)
       : graph_(graph), library_(library), inlined_(graph.size(), noNode) {}
 
@@ -37,7 +37,7 @@ class Inliner {
   NodeId inlined(NodeId id) const { return inlined_[index(id)]; }
 
  private:
-  // A call whose body is being copied: by node of the body, its copy.
+  // A call whose body is being copied: the copy of each node of the body.
   struct Copy {
     NodeId call;
     std::vector<NodeId> nodes = {};
@@ -54,7 +54,8 @@ class Inliner {
     inlined_[index(id)] = replacement(id);
   }
 
-  // Each variable of the loop is what it is in that step, and after it what it is in the end.
+  // In each step, a loop variable is replaced by its value in that step, and after the loop by its
+  // final value.
   void unroll(std::uint32_t loop) {
     const std::vector<State>& states = loops_->statesOf(loop);
     std::vector<NodeId> now;
@@ -65,7 +66,7 @@ class Inliner {
     assign();
     const NodeId number = graph_.stepOf(loop);
     inlined_.resize(std::max(inlined_.size(), std::size_t{index(number)} + 1), noNode);
-    for (std::uint32_t step = 0; step < graph_.loop(loop).steps && !graph_.full(); ++step) {
+    for (std::uint32_t step = 0; step < graph_.loop(loop).steps && !graph_.isFull(); ++step) {
       inlined_[index(number)] = graph_.constant(step);
       const std::size_t before = copies_.size();
       visitAll(bodies_[loop]);
@@ -84,7 +85,7 @@ class Inliner {
 
   NodeId replacement(NodeId id) {
     if (graph_.isLeaf(id)) return id;
-    if (graph_.isResult(id)) return library_ ? result(id) : resultAsItIs(id);
+    if (graph_.isResult(id)) return library_ ? result(id) : keepResult(id);
     if (graph_.isOutcome(id)) return inlined(graph_.operand(id, 1));
     if (graph_.isCall(id)) return graph_.call(graph_.node(id).operands[1], argumentsOf(id));
     Operands<NodeId> operands{};
@@ -102,7 +103,7 @@ class Inliner {
     return arguments;
   }
 
-  NodeId resultAsItIs(NodeId id) {
+  NodeId keepResult(NodeId id) {
     return graph_.result(inlined(graph_.operand(id, 0)), graph_.resultNumber(id));
   }
 
@@ -122,23 +123,23 @@ class Inliner {
     const NodeId root = body.withoutCalls[number];
     const auto isCopied = [&](NodeId node) { return copy.nodes[index(node)] != noNode; };
     for (const NodeId node : reachable(body.graph, {&root, 1}, isCopied))
-      copy.nodes[index(node)] = copied(body.graph, node, copy.nodes);
+      copy.nodes[index(node)] = copyNode(body.graph, node, copy.nodes);
     const NodeId found = copy.nodes[index(root)];
     const Definition& definition = body.definition;
-    if (order == 0) return limited(found, definition.low, definition.high);
-    return order == 1 ? limited(found, -definition.steepest, definition.steepest) : found;
+    if (order == 0) return clipTo(found, definition.low, definition.high);
+    return order == 1 ? clipTo(found, -definition.maxSlope, definition.maxSlope) : found;
   }
 
-  NodeId copied(const Graph& from, NodeId node, const std::vector<NodeId>& nodes) {
+  NodeId copyNode(const Graph& from, NodeId node, const std::vector<NodeId>& nodes) {
     if (from.isConstant(node)) return graph_.constant(from.value(node));
-    if (from.isKnownInt(node)) return graph_.whole(*from.known(node));
+    if (from.isKnownInt(node)) return graph_.intConstant(*from.known(node));
     Operands<NodeId> operands{};
     for (int i = 0; i < from.arity(node); ++i) operands[i] = nodes[index(from.operand(node, i))];
     return graph_.apply(from.node(node).op, operands);
   }
 
-  // No value leaves these limits anyway; but interval arithmetic does not know that.
-  NodeId limited(NodeId value, double low, double high) {
+  // The value never exceeds these limits, but interval arithmetic can't derive them.
+  NodeId clipTo(NodeId value, double low, double high) {
     if (high == std::numeric_limits<double>::infinity()) return value;
     return min(max(Expression{&graph_, value}, low), high).id;
   }
@@ -148,7 +149,7 @@ class Inliner {
   std::vector<NodeId> inlined_;  // by node
   std::vector<Copy> copies_;
   const Loops* loops_ = nullptr;
-  std::vector<std::vector<NodeId>> bodies_;  // by loop, without those of loops within it
+  std::vector<std::vector<NodeId>> bodies_;  // by loop, without the bodies of nested loops
 };
 
 bool hasOurCalls(const Graph& graph) {
@@ -173,7 +174,7 @@ std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const 
   return inlined(graph, &library, roots);
 }
 
-std::vector<NodeId> unrolled(Graph& graph, std::span<const NodeId> roots) {
+std::vector<NodeId> unrollFolds(Graph& graph, std::span<const NodeId> roots) {
   return inlined(graph, nullptr, roots);
 }
 

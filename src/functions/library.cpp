@@ -6,8 +6,8 @@ namespace warpjet {
 
 namespace {
 
-std::uint32_t numberOf(Graph& graph, const Function& function) {
-  const auto known = graph.functionNamed(function.name);
+std::uint32_t findOrAddFunction(Graph& graph, const Function& function) {
+  const auto known = graph.findFunction(function.name);
   return known ? *known : graph.addFunction(function);
 }
 
@@ -20,7 +20,7 @@ Body* Library::find(std::string_view name) const {
   return nullptr;
 }
 
-Library Library::fresh() const {
+Library Library::withEmptyCaches() const {
   Library made;
   made.addAll(*this);
   return made;
@@ -36,7 +36,7 @@ const Definition& Library::definition(std::string_view name) const {
 
 bool Library::isFull() const {
   for (const auto& body : bodies_) {
-    if (body->graph.full()) return true;
+    if (body->graph.isFull()) return true;
   }
   return false;
 }
@@ -47,7 +47,7 @@ Numbers Library::call(const Definition& definition, const Numbers& arguments) {
   Graph& graph = *arguments[0].graph;
   std::vector<NodeId> nodes;
   for (const Expression& argument : arguments) nodes.push_back(argument.id);
-  const NodeId call = graph.call(numberOf(graph, function), nodes);
+  const NodeId call = graph.call(findOrAddFunction(graph, function), nodes);
   Numbers values;
   for (int i = 0; i < function.values; ++i) values.push_back({&graph, graph.result(call, i)});
   return values;

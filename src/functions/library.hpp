@@ -1,4 +1,4 @@
-// The functions of ours that a graph calls, and what is in them.
+// Our own functions that a graph calls, and their bodies.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace warpjet {
 
-// A function's own graph, whose inputs are its arguments.
+// A function's own graph. Its inputs are the function's arguments.
 struct Body {
   explicit Body(Definition given) : definition(std::move(given)) {}
   Body(const Body&) = delete;
@@ -21,14 +21,15 @@ struct Body {
   Graph graph;
   Differentiator differentiator{graph};
   Numbers arguments;
-  // As many as were asked for, numbered as Function says; and the same without calls.
+  // The results requested to date, numbered as Function describes; and the same results with all
+  // calls inlined.
   std::vector<NodeId> results, withoutCalls;
 };
 
 class Library {
  public:
-  // Another one that knows the same functions; what is derived there stays there.
-  Library fresh() const;
+  // A library of the same functions with empty caches.
+  Library withEmptyCaches() const;
 
   void add(const Definition& definition);
   void addAll(const Library& others) {
@@ -36,15 +37,16 @@ class Library {
   }
   const Definition& definition(std::string_view name) const;
 
-  // The values of a call, in the graph of the arguments.
+  // Calls a function in the graph of the arguments; returns its values.
   Numbers call(const Definition& definition, const Numbers& arguments);
 
-  // With all `results` up to that order of derivatives; with none if the function has no body.
+  // The body with all `results` up to that order of derivatives; without results if the function
+  // has no body.
   Body& withResults(std::string_view name, int order);
-  // The same, and as many in `withoutCalls`. Not of a function without a body.
+  // Also fills `withoutCalls` up to that order. Requires a function with a body.
   Body& withoutCalls(std::string_view name, int order);
 
-  // Whether the nodes of one of them are too many, and so without meaning.
+  // True if the graph of a body has reached its limit, which makes its nodes meaningless.
   bool isFull() const;
 
  private:
@@ -53,11 +55,10 @@ class Library {
   std::vector<std::unique_ptr<Body>> bodies_;
 };
 
-// The same nodes with the bodies of our functions in the place of calls, and those of folds as
-// often as they are run, in the same graph.
+// Replaces calls of our functions by their bodies, and unrolls folds, in the same graph.
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots);
 
-// The same without loops alone.
-std::vector<NodeId> unrolled(Graph& graph, std::span<const NodeId> roots);
+// Only unrolls folds.
+std::vector<NodeId> unrollFolds(Graph& graph, std::span<const NodeId> roots);
 
 }  // namespace warpjet

@@ -1,12 +1,14 @@
 #include "glsl/builtins.hpp"
 
+#include "glsl/signatures.hpp"
+
 namespace warpjet::glsl {
 
 namespace {
 
 using enum Way;
 
-// GLSL ES 3.00, section 8, and what only 1.00 has.
+// GLSL ES 3.00, section 8, and the functions that exist only in 1.00.
 constexpr std::array table{
     // angles
     BuiltIn{"radians", "GG", Each, Code::Radians},
@@ -34,7 +36,7 @@ constexpr std::array table{
     BuiltIn{"sqrt", "GG", Each, Code::Sqrt},
     BuiltIn{"inversesqrt", "GG", Each, Code::InverseSqrt},
 
-    // pieces
+    // piecewise functions
     BuiltIn{"abs", "GG", Each, Code::Abs},
     BuiltIn{"abs", "II", AbsInt},
     BuiltIn{"sign", "GG", Each, Code::Sign},
@@ -153,114 +155,11 @@ constexpr std::array table{
     BuiltIn{"texelFetch", "4Ski", TexelFetch},
     BuiltIn{"texelFetchOffset", "4Skik", TexelFetch},
 
-    // what a warp has no use for, or a vertex has none
-    BuiltIn{"dFdx", "GG", Refused},
-    BuiltIn{"dFdy", "GG", Refused},
-    BuiltIn{"fwidth", "GG", Refused},
+    // functions that are useless for a warp, or that vertex shaders lack
+    BuiltIn{"dFdx", "GG", Unsupported},
+    BuiltIn{"dFdy", "GG", Unsupported},
+    BuiltIn{"fwidth", "GG", Unsupported},
 };
-
-// Whether an operand fits a letter. What a generic letter stands for is settled by the first.
-struct Match {
-  int size = 0;
-  Type matrix;
-  int columns = 0, rows = 0;
-
-  bool generic(Base base, Type type, int least) {
-    if (type.isArray() || type.base != base || type.columns != 1 || type.rows < least) return false;
-    if (size == 0) size = type.rows;
-    return size == type.rows;
-  }
-
-  bool fits(char letter, Type type) {
-    switch (letter) {
-      case 'G':
-        return generic(Base::Float, type, 1);
-      case 'I':
-        return generic(Base::Int, type, 1);
-      case 'U':
-        return generic(Base::Uint, type, 1);
-      case 'B':
-        return generic(Base::Bool, type, 1);
-      case 'V':
-        return generic(Base::Float, type, 2);
-      case 'W':
-        return generic(Base::Int, type, 2);
-      case 'X':
-        return generic(Base::Uint, type, 2);
-      case 'Y':
-        return generic(Base::Bool, type, 2);
-      case 'M':
-      case 'Q':
-        if (!type.isMatrix() || (letter == 'Q' && type.columns != type.rows)) return false;
-        if (matrix.base == Base::Void) matrix = type;
-        return matrix == type;
-      default:
-        return type == fixed(letter);
-    }
-  }
-
-  static Type fixed(char letter) {
-    switch (letter) {
-      case 'F':
-        return floatType;
-      case 'i':
-        return intType;
-      case 'u':
-        return uintType;
-      case 'b':
-        return boolType;
-      case 'S':
-        return samplerType;
-      case 'k':
-        return vectorType(Base::Int, 2);
-      default:
-        return vectorType(Base::Float, letter - '0');
-    }
-  }
-
-  Type result(char letter) const {
-    switch (letter) {
-      case 'G':
-      case 'V':
-        return vectorType(Base::Float, size);
-      case 'I':
-        return vectorType(Base::Int, size);
-      case 'U':
-        return vectorType(Base::Uint, size);
-      case 'B':
-      case 'Y':
-        return vectorType(Base::Bool, size);
-      case 'M':
-      case 'Q':
-        return matrix;
-      case 'T':
-        return matrixType(matrix.rows, matrix.columns);
-      case 'O':
-        return matrixType(columns, rows);
-      default:
-        return fixed(letter);
-    }
-  }
-};
-
-std::optional<Type> match(std::string_view signature, std::span<const Type> operands) {
-  Match match;
-  std::size_t i = 0;
-  for (const char letter : signature.substr(1)) {
-    if (letter == '>') continue;
-    if (i >= operands.size()) return std::nullopt;
-    // The sizes of its operands have nothing to do with each other.
-    if (signature[0] == 'O') {
-      if (!operands[i].isVector() || operands[i].base != Base::Float) return std::nullopt;
-      (i == 0 ? match.rows : match.columns) = operands[i].rows;
-    } else if (!match.fits(letter, operands[i])) {
-      return std::nullopt;
-    }
-    ++i;
-  }
-  if (i != operands.size()) return std::nullopt;
-  return match.result(signature[0]);
-}
 
 }  // namespace
 
@@ -275,24 +174,14 @@ bool isBuiltIn(std::string_view name) {
 std::optional<Found> findBuiltIn(std::string_view name, std::span<const Type> operands) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table[i].name != name) continue;
-    if (const auto result = match(table[i].signature, operands))
+    if (const auto result = matchSignature(table[i].signature, operands))
       return Found{static_cast<int>(i), *result};
   }
   return std::nullopt;
 }
 
 bool isOut(const BuiltIn& row, std::size_t parameter) {
-  std::size_t i = 0;
-  bool isNext = false;
-  for (const char letter : row.signature.substr(1)) {
-    if (letter == '>') {
-      isNext = true;
-      continue;
-    }
-    if (i++ == parameter) return isNext;
-    isNext = false;
-  }
-  return false;
+  return isOutParameter(row.signature, parameter);
 }
 
 std::string_view builtInFeature(const BuiltIn& row) {

@@ -12,11 +12,11 @@
 
 namespace warpjet::glsl {
 
-// How a call becomes operations.
+// Determines how a call becomes operations.
 enum class Way : std::uint8_t {
-  Each,     // the code of the row, component by component
-  Grouped,  // the code of the row, on whole vectors
-  AbsInt,   // and so on: see lower_builtins.cpp
+  Each,     // the row's code, component by component
+  Grouped,  // the row's code, on whole vectors
+  AbsInt,   // like all below: see lower_builtins.cpp
   SignInt,
   MinInt,
   MaxInt,
@@ -44,14 +44,10 @@ enum class Way : std::uint8_t {
   TexelFetch,
   IsNan,
   IsInf,
-  Refused,
+  Unsupported,
 };
 
-// A signature is the result and the parameters, a letter each; a parameter after `>` is out.
-//   G float or vec2 to vec4, all of one size; F float; I the same of int, i int; U and u of uint;
-//   B bool and bvec, b bool; V vec2 to vec4; W ivec; X uvec; Y bvec; 2 3 4 vec2 …; M any matrix;
-//   Q a square matrix; S sampler2D; k ivec2; T the transposed of M; O the matrix
-//   of an outer product, whose operands may differ in size
+// `signature` is described in signatures.hpp.
 struct BuiltIn {
   std::string_view name, signature;
   Way way;
@@ -69,11 +65,11 @@ struct Found {
 
 std::optional<Found> findBuiltIn(std::string_view name, std::span<const Type> operands);
 bool isOut(const BuiltIn& row, std::size_t parameter);
-// What the table of versions calls it where its name is in both languages, or an empty word.
+// Its name in the table of versions if both languages have a function of its name; empty otherwise.
 std::string_view builtInFeature(const BuiltIn& row);
-// Whether it reads an image, which no constant does.
+// True if it reads an image, which no constant expression does.
 bool readsImage(const BuiltIn& row);
-// Whether it takes an offset in texels, as its last parameter.
+// True if its last parameter is an offset in texels.
 bool hasOffset(const BuiltIn& row);
 
 }  // namespace warpjet::glsl

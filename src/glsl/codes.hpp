@@ -1,5 +1,5 @@
-// The operations that a lowered text is made of, with the names that they go by outside: those of
-// the builder, but for leaves and what stands between groups of numbers and these.
+// The operations of lowered code, with their external names: those of the builder, except leaves
+// and conversions between numbers and groups of numbers.
 #pragma once
 
 #include <array>

@@ -9,9 +9,9 @@ namespace {
 
 using Kind = Token::Kind;
 
-constexpr int deepestIf = 200;
+constexpr int maxIfDepth = 200;
 
-// Whole numbers of 32 bits that wrap around.
+// Wrapping arithmetic on 32-bit integers.
 std::int32_t compute(Operator op, std::int32_t a, std::int32_t b) {
   const auto x = static_cast<std::uint32_t>(a), y = static_cast<std::uint32_t>(b);
   const auto wrapped = [](std::uint32_t value) { return static_cast<std::int32_t>(value); };
@@ -74,8 +74,8 @@ class Condition {
 
   std::int32_t next() { return binary(1); }
   bool isAtEnd() const { return at_ >= tokens_.size(); }
-  std::int32_t fail(std::string sentence) {
-    problems_.add(peek().place, std::move(sentence));
+  std::int32_t fail(std::string message) {
+    problems_.add(peek().place, std::move(message));
     at_ = tokens_.size();
     return 0;
   }
@@ -88,9 +88,9 @@ class Condition {
     for (;;) {
       const OperatorRow* row = peek().kind == Kind::Symbol ? findOperator(peek().text) : nullptr;
       if (!row || row->level < level) return left;
-      if (row->op == Operator::Xor) return fail("^^ cannot stand in " + what_ + "; write !=");
+      if (row->op == Operator::Xor) return fail("^^ is not allowed in " + what_ + "; write !=");
       ++at_;
-      // The second operand of && and || counts only where the first does not decide.
+      // If the first operand of && or || decides, the second one doesn't count.
       const bool isLeft =
           row->op == Operator::And ? left == 0 : row->op == Operator::Or && left != 0;
       skipped_ += isLeft;
@@ -111,7 +111,7 @@ class Condition {
   }
 
   std::int32_t unary() {
-    if (++depth_ > deepestIf) return fail("this " + what_ + " is nested more than 200 deep");
+    if (++depth_ > maxIfDepth) return fail("this " + what_ + " is nested more than 200 deep");
     const std::int32_t value = primary();
     --depth_;
     return value;
@@ -131,16 +131,16 @@ class Condition {
     if (token.is("(")) {
       ++at_;
       const std::int32_t value = binary(1);
-      if (!peek().is(")")) return fail("a ) is missing in this " + what_);
+      if (!peek().is(")")) return fail("expected ) in this " + what_);
       ++at_;
       return value;
     }
     if (token.kind == Kind::Name && skipped_) return ++at_, 0;
     if (token.kind == Kind::Name && what_ == "#line")
-      return fail("#line needs the number of a line; " + quoted(token.text) + " stands here");
+      return fail("expected a line number after #line, got " + quoted(token.text));
     if (token.kind == Kind::Name) return fail(unknown(token.text));
-    return fail(at_ < tokens_.size() ? quoted(token.text) + " cannot stand in " + what_
-                                     : "this " + what_ + " ends before its condition does");
+    return fail(at_ < tokens_.size() ? quoted(token.text) + " is not allowed in " + what_
+                                     : "the condition of this " + what_ + " is incomplete");
   }
 
   std::string unknown(std::string_view name) const {
@@ -157,7 +157,7 @@ class Condition {
   Token end_;
   std::size_t at_ = 0;
   int depth_ = 0;
-  // Operands around this one that do not count.
+  // The number of enclosing operands that don't count.
   int skipped_ = 0;
 };
 
@@ -165,7 +165,7 @@ class Condition {
 
 bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros& macros,
                        Problems& problems) {
-  // `defined` is answered before macros are expanded.
+  // `defined` is evaluated before macros are expanded.
   std::vector<Token> answered;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (!tokens[i].is("defined")) {
@@ -192,16 +192,16 @@ LineNumbers evaluateLine(const Token& word, std::span<const Token> tokens, Macro
                          Problems& problems) {
   std::vector<Token> expanded;
   macros.expand(tokens, expanded);
-  if (expanded.empty()) problems.add(word.place, "#line needs the number of a line");
+  if (expanded.empty()) problems.add(word.place, "expected a line number after #line");
   for (const Token& token : expanded)
     if (token.kind == Kind::Int && intValue(token, problems) >= 0x7fffffff)
-      problems.add(token.place, "no line has so large a number");
+      problems.add(token.place, "this line number is too large");
   Condition reader(word, std::move(expanded), macros, problems);
   LineNumbers numbers;
   if (!problems.any()) numbers.line = reader.next();
   if (!problems.any() && !reader.isAtEnd()) numbers.file = reader.next();
   if (!problems.any() && !reader.isAtEnd())
-    reader.fail("#line takes the number of a line and that of a file, and no more");
+    reader.fail("#line takes a line number and a file number, and nothing else");
   return numbers;
 }
 

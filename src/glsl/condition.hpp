@@ -1,4 +1,4 @@
-// The condition of an `#if`, and the numbers of a `#line`.
+// Evaluates the condition of an `#if`, and the numbers of a `#line`.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace warpjet::glsl {
 bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros& macros,
                        Problems& problems);
 
-// The number of the next line and, if there is one, that of the file.
+// The number of the next line and, if present, that of the file.
 struct LineNumbers {
   std::int32_t line = 0;
   std::optional<std::int32_t> file{};

@@ -23,8 +23,8 @@ bool Constants::mayBeConstant(const Expression& node) const {
   }
 }
 
-std::vector<std::int32_t> Constants::wholes(ExpressionId expression) {
-  if (!tree_.expressions[expression].type.isWhole() || !isConstant(expression)) return {};
+std::vector<std::int32_t> Constants::integers(ExpressionId expression) {
+  if (!tree_.expressions[expression].type.isInteger() || !isConstant(expression)) return {};
   if (!lowering_) lowering_ = std::make_unique<Lowering>(tree_, problems_);
   std::vector<std::int32_t> bits;
   for (const double number : lowering_->constant(expression))
@@ -33,8 +33,8 @@ std::vector<std::int32_t> Constants::wholes(ExpressionId expression) {
   return bits;
 }
 
-std::optional<std::int32_t> Constants::whole(ExpressionId expression) {
-  const std::vector<std::int32_t> all = wholes(expression);
+std::optional<std::int32_t> Constants::integer(ExpressionId expression) {
+  const std::vector<std::int32_t> all = integers(expression);
   return all.size() == 1 ? std::optional(all[0]) : std::nullopt;
 }
 

@@ -1,5 +1,5 @@
-// Numbers that are known while a text is read, for lengths of arrays, labels of cases, heads of
-// loops and indices: constant expressions, section 4.3.3 of GLSL ES 3.00.
+// Constant expressions, evaluated while the source is parsed: lengths of arrays, case labels, loop
+// headers and indices; section 4.3.3 of GLSL ES 3.00.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,27 @@ namespace warpjet::glsl {
 
 class Lowering;
 
-// Of a tree that is still growing.
+// Works on a tree that is still growing.
 class Constants {
  public:
   Constants(const Tree& tree, int version);
   ~Constants();
 
-  // Variables of which `isKnown` holds count as constant too.
+  // Also treats variables as constant if `isKnown` holds for them.
   template <class IsKnown>
   bool isConstant(ExpressionId expression, const IsKnown& isKnown) const;
   bool isConstant(ExpressionId expression) const {
     return isConstant(expression, [](VariableId) { return false; });
   }
 
-  // Of a constant expression of ints or uints, the bits of each; empty where they are not known.
-  std::vector<std::int32_t> wholes(ExpressionId expression);
-  // Of one number.
-  std::optional<std::int32_t> whole(ExpressionId expression);
+  // The bits of each component of a constant expression of ints or uints; empty if they are
+  // unknown.
+  std::vector<std::int32_t> integers(ExpressionId expression);
+  // The same for a single number.
+  std::optional<std::int32_t> integer(ExpressionId expression);
 
  private:
-  // What an expression of operands consists of, unless it is none of constants whatever these are.
+  // False if the expression isn't constant whatever its operands are.
   bool mayBeConstant(const Expression& node) const;
 
   const Tree& tree_;
@@ -50,7 +51,7 @@ bool Constants::isConstant(ExpressionId expression, const IsKnown& isKnown) cons
     open.pop_back();
     if (!mayBeConstant(node)) return false;
     if (node.kind == Expression::Kind::Variable) {
-      // A parameter that is const has no value yet.
+      // A const parameter has no value yet.
       const Variable& variable = tree_.variables[node.index];
       const bool hasValue = variable.kind == Variable::Kind::Constant && variable.start != nothing;
       if (!hasValue && !isKnown(node.index)) return false;

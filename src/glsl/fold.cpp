@@ -9,7 +9,7 @@ namespace warpjet::glsl {
 namespace {
 
 std::uint32_t bits(double x) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(x)); }
-std::int32_t whole(double x) { return static_cast<std::int32_t>(bits(x)); }
+std::int32_t wrapInt(double x) { return static_cast<std::int32_t>(bits(x)); }
 
 std::optional<double> foldWhole(Code code, std::span<const double> x) {
   using enum Code;
@@ -40,11 +40,11 @@ std::optional<double> foldWhole(Code code, std::span<const double> x) {
     case ShiftLeft:
       return static_cast<double>(bits(x[0]) << (bits(x[1]) & 31));
     case ShiftRight:
-      return static_cast<double>(whole(x[0]) >> (bits(x[1]) & 31));
+      return static_cast<double>(wrapInt(x[0]) >> (bits(x[1]) & 31));
     case UintShiftRight:
       return static_cast<double>(bits(x[0]) >> (bits(x[1]) & 31));
     case IntLt:
-      return whole(x[0]) < whole(x[1]);
+      return wrapInt(x[0]) < wrapInt(x[1]);
     case UintLt:
       return bits(x[0]) < bits(x[1]);
     case IntEq:

@@ -1,4 +1,4 @@
-// The value of an operation whose operands are known.
+// Computes operations on known operands.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace warpjet::glsl {
 
-// Nothing where it has none, or is left to the compiler. Floats are float32; an int is from -2^31,
-// a uint from 0, and whoever asked wraps the result.
+// Returns nullopt if there is no value, or if it is left to the shader compiler. Floats are
+// float32; ints start at -2^31 and uints at 0; the caller wraps the result.
 std::optional<double> fold(Code code, std::span<const double> x);
 
-// The same of all functions, whose last bits shaders leave open.
+// Includes functions whose accuracy is left open by shaders.
 std::optional<double> foldFunction(Code code, std::span<const double> x);
 
 }  // namespace warpjet::glsl

@@ -1,5 +1,6 @@
-// The room's door: a text, its functions, and one of them as a list of operations in plain words,
-// that whoever has a builder makes again, from the first to the last. It is read once.
+// The public interface of this module: parses a source once, lists its functions, and lowers one of
+// them to a listing of operations in plain words, which is replayed to a builder from first to
+// last.
 #pragma once
 
 #include <array>
@@ -14,16 +15,16 @@
 
 namespace warpjet::glsl {
 
-// What the host gives: a uniform or an attribute of the text.
+// An input from the host: a uniform or an attribute of the source.
 struct HostName {
   std::string name, type;
   bool isAttribute;
-  bool isRead;                         // by the function
+  bool isRead;                         // true if the function reads it
   std::array<std::uint32_t, 2> shape;  // columns and rows
 };
 
 struct HeadParameter {
-  std::string type, name;  // "?" without a name
+  std::string type, name;  // "?" if unnamed
   bool isOut;
 };
 
@@ -34,45 +35,44 @@ struct FunctionHead {
   std::vector<HeadParameter> parameters;
 };
 
-// Each operation is its code, then:
-//   Constant     the number of its value; of an int or uint that is Whole
+// Each operation is its code, followed by:
+//   Constant     the number of its value; so has Whole, for an int or uint
 //   Argument     number, component, layout
-//   Uniform      number among the names, component, layout
-//                of both, what is whole has two halves: 128 in the layout says that it is the upper
-//   Component    operand, component, layout: columns and rows of what it is of, four bits each
-//   Texel        number of the image's name, operand; so has FetchedTexel
-//   ImageSize    number of the image's name
-//   Fold         how often it runs, how many states, and what these start as; the number of the
-//   step
-//                and the states are operations then, and those of its body follow, until
-//   Next         what each step makes of the states, which are as many operations after it
-//   Define       a function of the text, by the next of `routines`: how many arguments, and by how
-//                many of them, the first ones, it has derivatives. Its body follows, whose
-//                operations count from 0 on, until
-//   End          how many numbers it gives, and these
+//   Uniform      number of the name, component, layout
+//                for both: an integer has two halves; 128 in the layout marks the upper one
+//   Component    operand, component, layout: columns and rows of the operand's value, four bits
+//   each Texel        number of the image's name, operand; so has FetchedTexel ImageSize    number
+//   of the image's name Fold         number of iterations, number of states, and their initial
+//   values; the step number
+//                and the states are operations then, followed by those of the body, until
+//   Next         the new values of the states, whose outcomes are the next operations
+//   Define       a function of the source, the next of `routines`: the number of arguments, and of
+//                those that it has derivatives for, which come first. Its body follows, whose
+//                operations are numbered from 0, until
+//   End          the number of results, and the results
 //   Parameter    number of an argument, in such a body
-//   Call         number of a function, how many arguments, and these; what it gives are as many
-//                operations
-//   any other    how many operands there are, and these
-// An operand is the number of an operation before it.
+//   Call         number of a function, number of arguments, and the arguments; its results are the
+//                next operations
+//   any other    number of operands, and the operands
+// An operand is the number of an earlier operation.
 struct Listing {
   std::vector<std::uint32_t> words;
   std::vector<double> constants;
   std::vector<std::uint32_t> results;
   std::vector<HostName> names;
-  std::vector<std::string> routines;  // the names of functions that stay functions
+  std::vector<std::string> routines;  // names of the functions that stay functions
 };
 
 class Source {
  public:
   explicit Source(std::string_view text);
 
-  // The sentence with its place; empty where there is none.
+  // The message with its location; empty if there is none.
   std::string problem() const { return problems_.any() ? problems_.text(text_.separate) : ""; }
 
   std::vector<FunctionHead> functions() const;
 
-  // Nothing but a problem where the function cannot be lowered.
+  // Returns an empty listing and adds a problem if the function can't be lowered.
   Listing lower(int function, int maxIterations);
 
  private:

@@ -13,11 +13,11 @@ namespace {
 
 struct Word {
   std::string_view text;
-  // The only one that keeps it; 0 where both do.
+  // The only version that reserves it; 0 if both do.
   int version = 0;
 };
 
-// GLSL ES 3.00, section 3.8, and 1.00, section 3.7; types that are read are in their table.
+// GLSL ES 3.00, section 3.8, and 1.00, section 3.7; supported types are in a table of their own.
 // clang-format off
 constexpr Word words[]{
     {"const"}, {"uniform"}, {"layout", 300}, {"centroid", 300}, {"flat"}, {"smooth", 300}, {"break"},
@@ -28,7 +28,7 @@ constexpr Word words[]{
     {"isampler2D", 300}, {"usampler2D", 300},
 };
 
-// Those that have no use yet. A text without #version may have for a name what 3.00 alone keeps.
+// Words reserved for future use. Without #version, words reserved only in 3.00 are valid names.
 constexpr Word reserved[]{
     {"asm"}, {"class"}, {"union"}, {"enum"}, {"typedef"}, {"template"}, {"this"}, {"packed", 100},
     {"goto"}, {"inline"}, {"noinline"}, {"volatile"}, {"public"}, {"static"}, {"extern"},
@@ -77,15 +77,15 @@ bool isKeyword(std::string_view name, int version) {
 
 std::string nameProblem(std::string_view name, int version) {
   const std::string start = quoted(name) + " cannot be a name: ";
-  if (isReserved(name, version)) return start + "GLSL keeps this word for later; take another";
-  if (isKeyword(name, version)) return start + "it is a word of the language";
+  if (isReserved(name, version)) return start + "GLSL reserves this word; use another name";
+  if (isKeyword(name, version)) return start + "it is a keyword";
   for (const std::string_view of : {"gl_", "webgl_", "_webgl_"})
     if (name.starts_with(of))
-      return start + "those with " + std::string(of) + " are the language's";
+      return start + "names that start with " + std::string(of) + " are reserved";
   if (name.find("__") != name.npos)
-    return start + "those with two underscores in a row are the language's";
-  if (const std::size_t longest = version == 100 ? 256 : 1024; name.size() > longest)
-    return start + "it has more than " + std::to_string(longest) + " letters";
+    return start + "names with two consecutive underscores are reserved";
+  if (const std::size_t maxLength = version == 100 ? 256 : 1024; name.size() > maxLength)
+    return start + "it is longer than " + std::to_string(maxLength) + " characters";
   return {};
 }
 

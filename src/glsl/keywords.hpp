@@ -1,4 +1,4 @@
-// The words of a language, which nobody can take for a name.
+// The keywords of the language, which can't be used as names.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace warpjet::glsl {
 
-// In a text of that version; one without, 0, has those of both.
+// Checks the keywords of that version; 0, without #version, means those of both.
 bool isKeyword(std::string_view name, int version);
 
-// Whether the language keeps it for later.
+// True if the word is reserved for future use.
 bool isReserved(std::string_view name, int version);
 
-// Why nothing can be called so; empty where something can.
+// The reason why this isn't a valid name; empty if it is valid.
 std::string nameProblem(std::string_view name, int version);
 
 }  // namespace warpjet::glsl

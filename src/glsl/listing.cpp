@@ -1,4 +1,4 @@
-// From recorded operations to plain words: those that the results need, in their order.
+// Converts recorded operations to plain words: those that the results need, in order.
 #include <algorithm>
 
 #include "glsl/glsl.hpp"
@@ -15,7 +15,7 @@ Code codeOfConstant(Base base) {
   return base == Base::Int || base == Base::Uint ? Code::Whole : Code::Constant;
 }
 
-// What is infinite cannot be written in every language: the largest float takes its place.
+// Some languages have no literal for infinity: the largest float is used instead.
 double finite(double value) {
   constexpr double largest = 3.4028234663852886e38;
   return std::clamp(value, -largest, largest);
@@ -52,16 +52,16 @@ class Lister {
       uses_[i].number = defined++;
       define(routines_[i], uses_[i]);
     }
-    sayNeeded(needed);
+    writeNeeded(needed);
     for (const Id result : results) listing_.results.push_back(numbers_[index(result)]);
   }
 
-  // By external, whether it is read.
+  // True for externals that are read.
   std::vector<bool> isNamed;
 
  private:
-  // How a function is called. Of its arguments those come first that are not the same constant
-  // wherever it is: only by these it needs derivatives.
+  // The calls of a function. Arguments that differ between calls, or aren't constant, come first:
+  // derivatives are needed only with respect to these.
   struct Use {
     bool isCalled = false;
     std::vector<bool> varies{};
@@ -92,22 +92,22 @@ class Lister {
         if (use.varies[i] == varies) use.places[i] = place++;
       if (varies) use.variables = place;
     }
-    say(Code::Define);
-    say(place);
-    say(use.variables);
+    write(Code::Define);
+    write(place);
+    write(use.variables);
     listing_.routines.push_back(routine.name);
     routine_ = &routine;
     next_ = 0;
-    sayNeeded(use.needed);
+    writeNeeded(use.needed);
     routine_ = nullptr;
     next_ = 0;
-    say(Code::End);
-    say(static_cast<std::uint32_t>(routine.results.size()));
-    sayNumbers(routine.results);
+    write(Code::End);
+    write(static_cast<std::uint32_t>(routine.results.size()));
+    writeNumbers(routine.results);
   }
 
-  // Each in the innermost loop that it stands in.
-  void sayNeeded(std::span<const Id> needed) {
+  // Writes each operation in its innermost loop.
+  void writeNeeded(std::span<const Id> needed) {
     std::vector<std::uint32_t> used{0};
     for (const Id id : needed) {
       const Operation& operation = recorder_.at(id);
@@ -127,18 +127,18 @@ class Lister {
       bodies_[loop].push_back(id);
       used.push_back(loop);
     }
-    sayAll(0);
+    writeAll(0);
     for (const std::uint32_t loop : used) {
       bodies_[loop].clear();
       locals_[loop].clear();
     }
   }
 
-  void sayAll(std::uint32_t loop) {
-    for (const Id id : bodies_[loop]) sayOne(id);
+  void writeAll(std::uint32_t loop) {
+    for (const Id id : bodies_[loop]) writeOne(id);
   }
 
-  void sayOne(Id id) {
+  void writeOne(Id id) {
     const Operation& operation = recorder_.at(id);
     const auto operands = recorder_.operands(id);
     std::uint32_t& number = numbers_[index(id)];
@@ -146,23 +146,23 @@ class Lister {
       case Code::SameBits:
         number = numbers_[index(operands[0])];
         return;
-      // Names of images are no operations.
+      // Names of images are not operations.
       case Code::Image:
         number = leafOf(operation).number;
         isNamed[number] = true;
         return;
       case Code::Fold:
-        return sayFold(id);
+        return writeFold(id);
       case Code::Call:
-        return sayCall(id);
+        return writeCall(id);
       case Code::Uniform:
         if (!routine_) break;
         number = next_++;
-        return sayParameter(placeOutside(id));
+        return writeParameter(placeOutside(id));
       case Code::Parameter:
         number = next_++;
-        return sayParameter(leafOf(operation).part);
-      // It has its number with the others of its loop or call.
+        return writeParameter(leafOf(operation).part);
+      // Numbered together with the other results of its loop or call.
       case Code::Outcome:
       case Code::Result:
         number = numbers_[index(operands[0])] + leafOf(operation).part;
@@ -171,31 +171,31 @@ class Lister {
         break;
     }
     number = next_++;
-    say(operation.code);
+    write(operation.code);
     switch (operation.code) {
       case Code::Constant:
       case Code::Undefined:
         listing_.words.back() = static_cast<std::uint32_t>(codeOfConstant(operation.base));
-        say(static_cast<std::uint32_t>(listing_.constants.size()));
+        write(static_cast<std::uint32_t>(listing_.constants.size()));
         listing_.constants.push_back(finite(operation.value));
         break;
       case Code::Argument:
       case Code::Uniform: {
         const auto [place, part, layout] = leafOf(operation);
-        say(place);
-        say(part);
-        say(layout);
+        write(place);
+        write(part);
+        write(layout);
         if (operation.code == Code::Uniform) isNamed[place] = true;
         break;
       }
       case Code::Component:
-        say(numbers_[index(operands[0])]);
-        say(leafOf(operation).part);
-        say(leafOf(operation).layout);
+        write(numbers_[index(operands[0])]);
+        write(leafOf(operation).part);
+        write(leafOf(operation).layout);
         break;
       default:
-        if (!isOfImage(operation.code)) say(operation.count);
-        sayNumbers(operands);
+        if (!isOfImage(operation.code)) write(operation.count);
+        writeNumbers(operands);
     }
   }
 
@@ -206,34 +206,34 @@ class Lister {
                                     outside.begin());
   }
 
-  void sayParameter(std::size_t argument) {
-    say(Code::Parameter);
-    say(uses_[static_cast<std::size_t>(routine_ - routines_.data())].places[argument]);
+  void writeParameter(std::size_t argument) {
+    write(Code::Parameter);
+    write(uses_[static_cast<std::size_t>(routine_ - routines_.data())].places[argument]);
   }
 
-  void sayCall(Id id) {
+  void writeCall(Id id) {
     const auto routine = static_cast<std::size_t>(recorder_.at(id).value);
     const auto arguments = recorder_.operands(id);
     const Use& use = uses_[routine];
     std::vector<Id> ordered(arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) ordered[use.places[i]] = arguments[i];
-    say(Code::Call);
-    say(use.number);
-    say(static_cast<std::uint32_t>(arguments.size()));
-    sayNumbers(ordered);
+    write(Code::Call);
+    write(use.number);
+    write(static_cast<std::uint32_t>(arguments.size()));
+    writeNumbers(ordered);
     numbers_[index(id)] = next_;
     next_ += static_cast<std::uint32_t>(routines_[routine].results.size());
   }
 
-  void sayFold(Id id) {
+  void writeFold(Id id) {
     const std::uint32_t loop = loopOf(recorder_.at(id));
     const auto operands = recorder_.operands(id);
     const std::size_t count = operands.size() / 2;
-    say(Code::Fold);
-    say(recorder_.loop(loop).steps);
-    say(static_cast<std::uint32_t>(count));
-    sayNumbers(operands.first(count));
-    // The number of the step, then the states.
+    write(Code::Fold);
+    write(recorder_.loop(loop).steps);
+    write(static_cast<std::uint32_t>(count));
+    writeNumbers(operands.first(count));
+    // The step number, then the states.
     const std::uint32_t first = next_;
     next_ += static_cast<std::uint32_t>(count) + 1;
     for (const Id local : locals_[loop]) {
@@ -241,9 +241,9 @@ class Lister {
       const bool isState = leaf.code == Code::State;
       numbers_[index(local)] = first + (isState ? 1 + leafOf(leaf).part : 0);
     }
-    sayAll(loop);
-    say(Code::Next);
-    sayNumbers(operands.subspan(count));
+    writeAll(loop);
+    write(Code::Next);
+    writeNumbers(operands.subspan(count));
     numbers_[index(id)] = next_;
     next_ += static_cast<std::uint32_t>(count);
   }
@@ -257,10 +257,10 @@ class Lister {
     return {packed >> 16, packed >> 8 & 255, packed & 255};
   }
 
-  void say(std::uint32_t word) { listing_.words.push_back(word); }
-  void say(Code code) { say(static_cast<std::uint32_t>(code)); }
-  void sayNumbers(std::span<const Id> ids) {
-    for (const Id id : ids) say(numbers_[index(id)]);
+  void write(std::uint32_t word) { listing_.words.push_back(word); }
+  void write(Code code) { write(static_cast<std::uint32_t>(code)); }
+  void writeNumbers(std::span<const Id> ids) {
+    for (const Id id : ids) write(numbers_[index(id)]);
   }
 
   const Recorder& recorder_;
@@ -268,9 +268,9 @@ class Lister {
   Listing& listing_;
   std::vector<Use> uses_;                         // by routine
   std::vector<std::uint32_t> numbers_, loops_;    // by operation
-  std::vector<std::vector<Id>> bodies_, locals_;  // by loop; 0 is what stands in none
+  std::vector<std::vector<Id>> bodies_, locals_;  // by loop; 0 is outside of all loops
   std::uint32_t next_ = 0;
-  const Routine* routine_ = nullptr;  // that is being defined
+  const Routine* routine_ = nullptr;  // the routine being defined
 };
 
 }  // namespace

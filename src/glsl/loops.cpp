@@ -6,18 +6,18 @@
 
 namespace warpjet::glsl {
 
-// Only states that somebody asked for are followed.
+// Only computes the states that have been queried.
 void LoopRun::advance() {
   std::vector<std::optional<double>> nexts(states_.size());
   for (bool hasNew = true; hasNew;) {
     hasNew = false;
     for (std::size_t i = 0; i < states_.size(); ++i) {
-      if (!isAsked_[i] || nexts[i]) continue;
-      const std::vector<bool> before = isAsked_;
+      if (!isQueried_[i] || nexts[i]) continue;
+      const std::vector<bool> before = isQueried_;
       nexts[i] = value(all_[i].atEnd);
       if (nexts[i] && recorder_.base(all_[i].start) == Base::Float)
         nexts[i] = static_cast<double>(static_cast<float>(*nexts[i]));
-      hasNew = hasNew || before != isAsked_;
+      hasNew = hasNew || before != isQueried_;
     }
   }
   states_ = std::move(nexts);
@@ -33,7 +33,7 @@ std::optional<double> LoopRun::find(Id id, int depth) {
     if (packed >> 16 != loop_) return std::nullopt;
     if (operation.code == Code::StepNumber) return step_;
     const std::size_t place = packed >> 8 & 255;
-    isAsked_[place] = true;
+    isQueried_[place] = true;
     return states_[place];
   }
   const auto known = known_.find(index(id));

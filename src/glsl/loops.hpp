@@ -1,4 +1,5 @@
-// What becomes a loop of the shader: the variables that its body changes, and how often it runs.
+// Loops that remain loops in the shader: the variables that their bodies change, and their number
+// of iterations.
 #pragma once
 
 #include <cmath>
@@ -11,10 +12,10 @@
 
 namespace warpjet::glsl {
 
-// By how many operations less a loop is worth to be one. What is short is shorter unrolled, since
-// its constants fold, and its derivatives need no states. GLSL 3.00 with normals in SwiftShader,
-// the machine busy, a loop beside the same unrolled, in characters and milliseconds of the first
-// draw:
+// The min number of operations that a loop must save to remain a loop. Short loops are shorter
+// unrolled, since their constants fold, and their derivatives need no states. GLSL 3.00 with
+// normals in SwiftShader on a busy machine, a loop next to its unrolled version, in characters and
+// milliseconds of the first draw:
 //
 //   steps x operations     loop           unrolled
 //   8 x 9                  1,561    42    1,234    27
@@ -22,20 +23,22 @@ namespace warpjet::glsl {
 //   8 x 18                 1,923    24    4,041    72
 //   5 octaves of snoise    9,055   135    8,442   983    (a function in both)
 //
-// Frames of 20,000 vertices differ by less than the noise of these, 29 to 34 ms.
-inline constexpr std::size_t worthwhile = 100;
+// Frames of 20,000 vertices take 29 to 34 ms and differ by less than the noise of these
+// measurements.
+inline constexpr std::size_t minSavedOperations = 100;
 
 // A variable that the body of a loop changes.
 struct Changing {
   Store::Slot slot;
   Id start;
   enum class Kind : std::uint8_t {
-    Fixed,    // within an iteration only
-    Counter,  // by the same whole number each time
+    Fixed,    // changes only within an iteration
+    Counter,  // changes by the same integer in each step
     State,
   } kind = Kind::State;
   double by = 0;
-  // In a step: before it, where the next one would begin, and after it whatever ended it early.
+  // The value in a step: before it, at the start of the next one, and after it, including early
+  // ends.
   Id now{}, atEnd{}, next{};
 };
 
@@ -43,14 +46,14 @@ struct Folding {
   std::vector<Changing> all;
   std::uint32_t steps;
   Id test;
-  // Whether the condition is asked in each step, since nobody knows how often it holds.
-  bool asks;
+  // True if the condition is evaluated in each step, since the number of iterations is unknown.
+  bool evaluatesTest;
   std::uint32_t loop;
-  // Of the body, in operations.
+  // The number of operations of the body.
   std::size_t size;
 };
 
-// A loop as it runs, as far as its numbers are known.
+// Runs a loop as far as its values are known.
 class LoopRun {
  public:
   LoopRun(const Recorder& recorder, std::uint32_t loop, const std::vector<Changing>& all)
@@ -59,20 +62,20 @@ class LoopRun {
       const bool isKnown = recorder.isConstant(each.start);
       states_.push_back(isKnown ? std::optional(recorder.value(each.start)) : std::nullopt);
     }
-    isAsked_.resize(all.size());
+    isQueried_.resize(all.size());
   }
 
-  // In this step; nothing of what is not known, or is long.
+  // The value in this step; nullopt if it is unknown or takes too long.
   std::optional<double> value(Id id) {
     known_.clear();
-    budget_ = most;
-    return find(id, deepest);
+    budget_ = maxVisits;
+    return find(id, maxDepth);
   }
 
   void advance();
 
  private:
-  static constexpr int most = 200, deepest = 50;
+  static constexpr int maxVisits = 200, maxDepth = 50;
 
   std::optional<double> find(Id id, int depth);
 
@@ -81,9 +84,9 @@ class LoopRun {
   const std::vector<Changing>& all_;
   double step_ = 0;
   std::vector<std::optional<double>> states_;
-  std::vector<bool> isAsked_;
+  std::vector<bool> isQueried_;
   std::unordered_map<std::uint32_t, double> known_;
-  int budget_ = most;
+  int budget_ = maxVisits;
 };
 
 }  // namespace warpjet::glsl

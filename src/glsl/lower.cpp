@@ -1,4 +1,4 @@
-// The run as a whole, and calls.
+// The lowering as a whole, and calls.
 #include "glsl/lower.hpp"
 
 #include <utility>
@@ -7,9 +7,9 @@ namespace warpjet::glsl {
 
 namespace {
 
-// More than any shader has, and what takes half a second.
-constexpr std::size_t mostSteps = 250'000;
-constexpr int deepest = 600;
+// More than any shader needs; takes half a second.
+constexpr std::size_t maxSteps = 250'000;
+constexpr int maxDepth = 600;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ Lowered Lowering::lower(FunctionId number) {
       argument.push_back(recorder_.leafOf(Code::Argument, static_cast<int>(i), k, type));
     arguments.push_back(std::move(argument));
   }
-  Value results = enter(number, std::move(arguments));
+  Value results = inlineCall(number, std::move(arguments));
   for (Id& result : results) {
     if (recorder_.isUndefined(result)) result = recorder_.constant(Base::Float, 0);
     result = recorder_.convert(result, Base::Float);
@@ -44,7 +44,7 @@ Lowered Lowering::lower(FunctionId number) {
           std::move(routines_)};
 }
 
-// Every variable has its slots for good, since no function calls itself.
+// Every variable has fixed slots, since no function calls itself.
 void Lowering::start() {
   for (const Variable& variable : tree_.variables) {
     const auto size = static_cast<std::size_t>(sizeOf(variable.type));
@@ -126,15 +126,15 @@ void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
 
 bool Lowering::isTooMuch(Location place) {
   if (problems_.any()) return true;
-  if (++steps_ > mostSteps || recorder_.isFull()) {
+  if (++steps_ > maxSteps || recorder_.isFull()) {
     problems_.add(place, "this takes more than 250,000 steps once its loops are unrolled");
-  } else if (depth_ > deepest) {
+  } else if (depth_ > maxDepth) {
     problems_.add(place, "calls and expressions are nested too deep here");
   }
   return problems_.any();
 }
 
-// `targets` are where the values of `out` and `inout` parameters go, in the order of parameters.
+// `targets` are the destinations of `out` and `inout` parameters, in the order of parameters.
 Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
                                const std::vector<LValue>& targets, Location place) {
   const Function& function = tree_.functions[number];
@@ -142,7 +142,7 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
     problems_.add(place, quoted(function.name) + " is declared, but has no body");
     return undefined(function.type);
   }
-  // What an out parameter was before is nothing to the function.
+  // The previous value of an out parameter is invisible to the function.
   for (std::size_t i = 0; i < arguments.size(); ++i)
     if (function.parameters[i].direction == Parameter::Direction::Out)
       arguments[i] = undefined(function.parameters[i].type);
@@ -159,8 +159,8 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
     }
     return {results->begin(), results->begin() + size};
   }
-  if (isPure_[number]) return enterOnce(number, arguments);
-  Value result = enter(number, std::move(arguments));
+  if (isPure_[number]) return inlineOnce(number, arguments);
+  Value result = inlineCall(number, std::move(arguments));
   std::size_t next = 0;
   for (const Parameter& parameter : function.parameters)
     if (parameter.direction != Parameter::Direction::In)
@@ -168,22 +168,22 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
   return result;
 }
 
-// Runs the body of a function that gives the same for the same arguments, once for these. What
-// holds loops belongs to the loop that it stands in.
-Lowering::Value Lowering::enterOnce(FunctionId number, const std::vector<Value>& arguments) {
+// Inlines a pure function once per set of arguments. The operations of a call that contains loops
+// belong to the enclosing loop.
+Lowering::Value Lowering::inlineOnce(FunctionId number, const std::vector<Value>& arguments) {
   std::vector<std::uint32_t> key{static_cast<std::uint32_t>(number),
                                  openLoops_.empty() ? 0 : openLoops_.back()};
   for (const Value& argument : arguments)
     for (const Id id : argument) key.push_back(index(id));
   const auto known = results_.find(key);
   if (known != results_.end()) return known->second;
-  Value result = enter(number, arguments);
+  Value result = inlineCall(number, arguments);
   if (!problems_.any()) results_.emplace(std::move(key), result);
   return result;
 }
 
-// Runs its body.
-Lowering::Value Lowering::enter(FunctionId number, std::vector<Value> arguments) {
+// Inlines the body of a function.
+Lowering::Value Lowering::inlineCall(FunctionId number, std::vector<Value> arguments) {
   const Function& function = tree_.functions[number];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const Parameter& parameter = function.parameters[i];

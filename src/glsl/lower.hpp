@@ -1,10 +1,10 @@
-// From the tree to operations: one function of the text is run, on numbers that nobody knows yet.
-// Calls are entered, short loops unrolled, and where a condition decides, both ways are run and
-// every variable becomes the choice of the two. An early end of a loop or function is a condition
-// of all that follows it.
+// Lowers the tree to operations: executes one function of the source symbolically. Calls are
+// inlined, short loops unrolled, and if a condition is unknown, both branches are executed and
+// every variable becomes a choice between its two values. An early end of a loop or function is a
+// condition on everything that follows.
 //
-// Loops: `loop` in lower_loops.cpp is the only place that repeats anything. A loop that stays one
-// has its body recorded once there, between the variables that it changes.
+// `loop` in lower_loops.cpp is the only place that repeats statements. A loop that remains one has
+// its body recorded once, in terms of the variables that it changes; see lower_folds.cpp.
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@
 
 namespace warpjet::glsl {
 
-// What the host gives by name: a uniform or an attribute, or a part of one such as `light.color`.
+// An input of the host by name: a uniform or an attribute, or a part of one such as `light.color`.
 struct External {
   std::string name;
   Type type;
@@ -33,14 +33,14 @@ struct Lowered {
   std::vector<Id> results;
   Type type;
   std::vector<External> externals;
-  // Callees first.
+  // Callees precede callers.
   std::vector<Routine> routines;
 };
 
 class Lowering {
  public:
-  // A loop whose end depends on what is not known runs `maxIterations` times, or is refused for 0.
-  // Functions that are `inlined` are entered wherever they are called.
+  // A loop whose end is unknown runs `maxIterations` times, or is rejected if that is 0. Calls of
+  // the functions in `inlined` are always inlined.
   Lowering(const Tree& tree, Problems& problems, int maxIterations,
            std::set<RoutineKey> inlined = {});
 
@@ -48,15 +48,15 @@ class Lowering {
   Lowering(const Tree& tree, Problems& problems);
 
   Lowered lower(FunctionId function);
-  // The numbers of a constant expression; empty where one has none, as 1 / 0.
+  // The numbers of a constant expression; empty if it has no value, like 1 / 0.
   std::vector<double> constant(ExpressionId expression);
 
  private:
   using Value = std::vector<Id>;
   using Slot = Store::Slot;
 
-  // What is assigned to: slots in a row from the first of each choice on, one choice for each that
-  // an index may be; of a swizzle only some of them.
+  // The target of an assignment: consecutive slots from the first slot of each choice, with one
+  // choice per possible index; for a swizzle, only some of them.
   struct LValue {
     struct Choice {
       Id condition;
@@ -71,12 +71,12 @@ class Lowering {
     }
   };
 
-  // A call that has not returned, and what it gives.
+  // A call that hasn't returned, and its result.
   struct Frame {
     Slot returned, result;
     FunctionId function;
   };
-  // A loop or switch that is running; nothing goes on with a switch, whose slots are one.
+  // An enclosing loop or switch. A switch has no continue; both of its slots are the same.
   struct Breakable {
     Slot broken, continued;
     bool isSwitch;
@@ -88,8 +88,8 @@ class Lowering {
   void addExternal(const std::string& name, Type type, bool isAttribute, std::vector<Id>& leaves);
   Value call(FunctionId function, std::vector<Value> arguments, const std::vector<LValue>& targets,
              Location place);
-  Value enter(FunctionId function, std::vector<Value> arguments);
-  Value enterOnce(FunctionId function, const std::vector<Value>& arguments);
+  Value inlineCall(FunctionId function, std::vector<Value> arguments);
+  Value inlineOnce(FunctionId function, const std::vector<Value>& arguments);
   bool isTooMuch(Location place);
   Slot slotOf(VariableId variable) const { return slots_[variable]; }
   int sizeOf(Type type) const { return tree_.types.size(type); }
@@ -97,13 +97,13 @@ class Lowering {
   void set(Slot first, const Value& value);
   Value undefined(Type type);
   void fillUndefined(Type type, Value& value);
-  // Runs `yes` and `no` where a condition decides between them.
+  // Runs `yes` and `no` as the branches of a condition.
   template <class Yes, class No>
   void branch(Id condition, const Yes& yes, const No& no);
   void merge(Id condition, Store::Changes yes, Store::Changes no);
 
   // lower_constants.cpp
-  Value expanded(Code code, const std::vector<Value>& x);
+  Value expandFunction(Code code, const std::vector<Value>& x);
   Id determinant(const Value& matrix);
   Id minorOf(const Value& matrix, std::size_t column, std::size_t row);
   Value inverse(const Value& matrix);
@@ -117,7 +117,7 @@ class Lowering {
   void choose(const Statement& statement);
   void select(const Statement& statement);
   void returnFrom(const Statement& statement);
-  Id stopped();
+  Id stopCondition();
   void resume();
 
   // lower_routines.cpp
@@ -132,19 +132,21 @@ class Lowering {
 
   // lower_loops.cpp
   void loop(const Statement& statement);
+  bool hasNoEnd(const Statement& statement) const;
   void unroll(const Statement& statement);
+
+  // lower_folds.cpp
   template <class End>
-  Id iterate(const Statement& statement, bool asks, const End& end);
+  Id iterate(const Statement& statement, bool evaluatesTest, const End& end);
   bool foldLoop(const Statement& statement);
   std::vector<Changing> changesOf(const Store::Changes& changes) const;
-  Id duringLoop(const Changing& each, std::uint32_t loop, std::size_t place);
+  Id valueInStep(const Changing& each, std::uint32_t loop, std::size_t place);
   Id fromState(Id state, Base base);
-  bool counts(Id next, Id before, std::uint32_t steps, int depth) const;
+  bool onlyCounts(Id next, Id before, std::uint32_t steps, int depth) const;
   bool record(const Statement& statement, Folding& folding);
-  bool isRight(const Statement& statement, Folding& folding, const Store::Changes& changes);
+  bool confirmGuesses(const Statement& statement, Folding& folding, const Store::Changes& changes);
   bool declares(const Statement& loop, Slot slot) const;
   std::optional<std::uint32_t> stepsOf(const Statement& statement, const Folding& folding) const;
-  bool hasNoEnd(const Statement& statement) const;
   bool isWorthIt(const Folding& folding, std::size_t once) const;
   bool close(const Statement& statement, const Folding& folding);
 
@@ -161,30 +163,32 @@ class Lowering {
   Value callOf(const Expression& node);
   Value element(const Expression& node);
   Value part(const Expression& node);
+  Value pick(const std::vector<Value>& elements, Id index);
+
+  // lower_operators.cpp
   Value binary(Operator op, Type a, const Value& x, Type b, const Value& y);
   Value product(Type a, const Value& x, Type b, const Value& y);
   Id scalar(Operator op, Base base, Id x, Id y);
   Id equal(const Value& x, const Value& y);
-  Value pick(const std::vector<Value>& elements, Id index);
 
   // lower_lvalues.cpp
   LValue lvalue(ExpressionId expression);
   LValue elementOf(LValue whole, ExpressionId index);
   Value load(const LValue& from);
   void store(const LValue& to, const Value& value);
-  // Of a variable; fails where a warp has no such.
+  // The slot of a variable; fails if a warp doesn't have it.
   Slot slotToRead(const Expression& node);
-  // Of a variable, a field or an element whose index is known, so that an array is not copied to
-  // read one of its numbers. Nothing of what cannot be told without side effects.
+  // The slot of a variable, a field or an element with a known index, so that reading one number
+  // doesn't copy an array. Returns nullopt if that requires evaluating side effects.
   std::optional<Slot> knownSlot(const Expression& node);
   bool isPlain(ExpressionId expression) const;
 
   // lower_builtins.cpp
   Value builtIn(const Expression& node);
   Value each(const BuiltIn& row, const std::vector<Value>& x, Base base);
-  Value grouped(const BuiltIn& row, const std::vector<Value>& x, const Expression& node);
-  Id packed(Type type, const Value& value);
-  Value unpacked(Id group, Type type);
+  Value applyToVectors(const BuiltIn& row, const std::vector<Value>& x, const Expression& node);
+  Id packGroup(Type type, const Value& value);
+  Value unpackGroup(Id group, Type type);
   Id number(Base base, double value) { return recorder_.constant(base, value); }
   Id compare(Code code, Base base, Id x, Id y);
   Value lookUp(const BuiltIn& row, const std::vector<Value>& x);
@@ -207,17 +211,17 @@ class Lowering {
   std::vector<Frame> frames_;
   std::vector<Breakable> breakables_;
   std::vector<std::uint32_t> openLoops_;
-  // In the place of a parameter, what a global holds that somebody assigns to.
+  // Represents, in a key, the unknown value of a global that is assigned somewhere.
   static constexpr std::size_t unknowable = 255;
   std::set<RoutineKey> inlined_;
   std::map<RoutineKey, int> routineNumbers_;
   std::vector<Routine> routines_;
   std::uint32_t routineCount_ = 0;
-  // Globals that somebody assigns to, and functions whose results follow from their arguments
-  // alone.
-  std::vector<VariableId> changing_;
+  // Globals that are assigned somewhere, and functions whose results depend only on their
+  // arguments.
+  std::vector<VariableId> assignedGlobals_;
   std::vector<bool> isPure_;
-  // What such functions gave where they were entered: by function, innermost loop and arguments.
+  // The results of inlined pure functions, by function, innermost loop and arguments.
   std::map<std::vector<std::uint32_t>, Value> results_;
   std::size_t steps_ = 0;
   int depth_ = 0;

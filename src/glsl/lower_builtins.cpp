@@ -31,7 +31,7 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     case Each:
       return each(row, x, base);
     case Grouped:
-      return grouped(row, x, node);
+      return applyToVectors(row, x, node);
     case AbsInt:
       return forEach([&](std::size_t i) {
         const Id minus = scalar(Operator::Subtract, base, number(base, 0), x[0][i]);
@@ -103,16 +103,17 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     case All: {
       Id value = x[0][0];
       for (const Id each : x[0])
-        value = row.way == Any ? recorder_.either(value, each) : recorder_.both(value, each);
+        value =
+            row.way == Any ? recorder_.logicalOr(value, each) : recorder_.logicalAnd(value, each);
       return {value};
     }
     case Not:
-      return forEach([&](std::size_t i) { return recorder_.negated(x[0][i]); });
-    // What a warp computes is a number, or no position comes of it.
+      return forEach([&](std::size_t i) { return recorder_.logicalNot(x[0][i]); });
+    // Assumes that the values of a warp are numbers; otherwise there would be no position.
     case IsNan:
-      // In WGSL, != of what is no number may be false.
+      // In WGSL, != of NaN may be false.
       return forEach([&](std::size_t i) {
-        return recorder_.negated(recorder_.apply(Code::Eq, base, {x[0][i], x[0][i]}));
+        return recorder_.logicalNot(recorder_.apply(Code::Eq, base, {x[0][i], x[0][i]}));
       });
     case IsInf:
       return forEach([&](std::size_t i) {
@@ -126,14 +127,14 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     case TexelFetch: {
       const Id level = x[row.way == TextureSize ? 1 : 2][0];
       if (!recorder_.isConstant(level) || recorder_.value(level) != 0) {
-        problems_.add(node.place, "only level 0 of an image is read here; write " +
+        problems_.add(node.place, "only level 0 of an image can be read; write " +
                                       std::string(row.name) + "(…, 0)");
         return undefined(node.type);
       }
       if (row.way == TextureSize) return imageSize(x[0]);
       return lookUp(row, x);
     }
-    case Refused:
+    case Unsupported:
       break;
   }
   problems_.add(node.place, quoted(row.name) +
@@ -141,7 +142,7 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
   return undefined(node.type);
 }
 
-// Component by component; a number beside vectors counts for each.
+// Applies the operation componentwise; scalars are broadcast.
 Lowering::Value Lowering::each(const BuiltIn& row, const std::vector<Value>& x, Base base) {
   std::size_t size = 1;
   for (const Value& operand : x) size = std::max(size, operand.size());
@@ -174,13 +175,13 @@ Id Lowering::compare(Code code, Base base, Id x, Id y) {
   }
 }
 
-Id Lowering::packed(Type type, const Value& value) {
+Id Lowering::packGroup(Type type, const Value& value) {
   if (type.isScalar()) return value[0];
   const int first = static_cast<int>(type.isMatrix() ? Code::Mat2 : Code::Vec2);
   return recorder_.group(static_cast<Code>(first + type.rows - 2), value);
 }
 
-Lowering::Value Lowering::unpacked(Id group, Type type) {
+Lowering::Value Lowering::unpackGroup(Id group, Type type) {
   if (type.isScalar()) return {group};
   Value value;
   for (int i = 0; i < type.components(); ++i)
@@ -188,12 +189,12 @@ Lowering::Value Lowering::unpacked(Id group, Type type) {
   return value;
 }
 
-Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& x,
-                                  const Expression& node) {
+Lowering::Value Lowering::applyToVectors(const BuiltIn& row, const std::vector<Value>& x,
+                                         const Expression& node) {
   const Type first = tree_.expressions[node.operands[0]].type;
-  if (recorder_.foldsAll()) return expanded(row.code, x);
+  if (recorder_.foldsAll()) return expandFunction(row.code, x);
   if (first.isScalar()) {
-    // These of numbers are simpler.
+    // These are simpler for scalars.
     const auto minus = [&](Id a, Id b) { return scalar(Operator::Subtract, Base::Float, a, b); };
     const auto times = [&](Id a, Id b) { return scalar(Operator::Multiply, Base::Float, a, b); };
     const Id two = number(Base::Float, 2), zero = number(Base::Float, 0);
@@ -212,10 +213,10 @@ Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& 
             recorder_.choose(along, x[0][0], recorder_.apply(Code::Neg, Base::Float, {x[0][0]}))};
       }
       default: {
-        // A vector with one component that counts.
+        // Uses a vector with one significant component.
         std::vector<Id> operands;
         for (std::size_t i = 0; i < 2; ++i)
-          operands.push_back(packed(vectorType(Base::Float, 2), {x[i][0], zero}));
+          operands.push_back(packGroup(vectorType(Base::Float, 2), {x[i][0], zero}));
         operands.push_back(x[2][0]);
         return {recorder_.component(recorder_.group(row.code, operands), 0,
                                     vectorType(Base::Float, 2).layout())};
@@ -224,11 +225,11 @@ Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& 
   }
   std::vector<Id> operands;
   for (std::size_t i = 0; i < x.size(); ++i)
-    operands.push_back(packed(tree_.expressions[node.operands[i]].type, x[i]));
-  return unpacked(recorder_.group(row.code, operands), node.type);
+    operands.push_back(packGroup(tree_.expressions[node.operands[i]].type, x[i]));
+  return unpackGroup(recorder_.group(row.code, operands), node.type);
 }
 
-// Reads a texel: at a vec2 or ivec2, or at a vector divided by its last component, plus the offset.
+// Reads a texel at a vec2 or ivec2, or at a vector divided by its last component, plus the offset.
 Lowering::Value Lowering::lookUp(const BuiltIn& row, const std::vector<Value>& x) {
   const bool isFetched = row.way == Way::TexelFetch;
   Value at(x[1].begin(), x[1].begin() + 2);
@@ -248,12 +249,12 @@ Lowering::Value Lowering::lookUp(const BuiltIn& row, const std::vector<Value>& x
 }
 
 Lowering::Value Lowering::texture(Code code, const Value& image, const Value& at) {
-  const std::vector<Id> operands{image[0], packed(vectorType(Base::Float, 2), at)};
-  return unpacked(recorder_.group(code, operands), vectorType(Base::Float, 4));
+  const std::vector<Id> operands{image[0], packGroup(vectorType(Base::Float, 2), at)};
+  return unpackGroup(recorder_.group(code, operands), vectorType(Base::Float, 4));
 }
 
 Lowering::Value Lowering::imageSize(const Value& image) {
-  Value size = unpacked(recorder_.group(Code::ImageSize, image), vectorType(Base::Float, 2));
+  Value size = unpackGroup(recorder_.group(Code::ImageSize, image), vectorType(Base::Float, 2));
   for (Id& each : size) each = recorder_.convert(each, Base::Int);
   return size;
 }

@@ -1,5 +1,5 @@
-// Constant expressions of a text that is still being read. Here every function of known numbers is
-// folded, as no text for a shader needs: there the compiler of the shader does it.
+// Constant expressions of a source that is still being parsed. Here every function of known numbers
+// is folded; in shader code that is left to the shader compiler.
 #include "glsl/lower.hpp"
 
 namespace warpjet::glsl {
@@ -7,7 +7,7 @@ namespace warpjet::glsl {
 Lowering::Lowering(const Tree& tree, Problems& problems)
     : tree_(tree), problems_(problems), maxIterations_(0), recorder_(true) {}
 
-// Constants that were declared since are known from then on.
+// Constants that were declared since the last call become known.
 std::vector<double> Lowering::constant(ExpressionId expression) {
   steps_ = 0;
   while (slots_.size() < tree_.variables.size()) {
@@ -26,8 +26,8 @@ std::vector<double> Lowering::constant(ExpressionId expression) {
   return numbers;
 }
 
-// Functions of vectors and matrices by their formulas, section 8 of GLSL ES 3.00.
-Lowering::Value Lowering::expanded(Code code, const std::vector<Value>& x) {
+// Functions of vectors and matrices, by the formulas of section 8 of GLSL ES 3.00.
+Lowering::Value Lowering::expandFunction(Code code, const std::vector<Value>& x) {
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Float, a, b); };
   const auto constant = [&](double value) { return number(Base::Float, value); };
   const auto forEach = [&](const auto& make) {
@@ -88,7 +88,7 @@ Lowering::Value Lowering::expanded(Code code, const std::vector<Value>& x) {
   }
 }
 
-// Of a square matrix without a column and a row.
+// The minor of a square matrix without a column and a row.
 Id Lowering::minorOf(const Value& matrix, std::size_t column, std::size_t row) {
   const std::size_t size = matrix.size() == 4 ? 2 : matrix.size() == 9 ? 3 : 4;
   Value rest;
@@ -97,7 +97,7 @@ Id Lowering::minorOf(const Value& matrix, std::size_t column, std::size_t row) {
   return determinant(rest);
 }
 
-// By its first column.
+// Expands along the first column.
 Id Lowering::determinant(const Value& matrix) {
   if (matrix.size() == 1) return matrix[0];
   const std::size_t size = matrix.size() == 4 ? 2 : matrix.size() == 9 ? 3 : 4;

@@ -1,4 +1,4 @@
-// Expressions: each gives the numbers of its value.
+// Lowers expressions to the numbers of their values.
 #include "glsl/lower.hpp"
 
 namespace warpjet::glsl {
@@ -9,7 +9,7 @@ Lowering::Value Lowering::evaluate(ExpressionId number) {
   ++depth_;
   Value value = evaluateInner(node);
   --depth_;
-  // So that calls which give thousands of numbers end too.
+  // Limits calls that return thousands of numbers, too.
   steps_ += value.size() / 64;
   return problems_.any() ? undefined(node.type) : value;
 }
@@ -44,7 +44,7 @@ Lowering::Value Lowering::evaluateInner(const Expression& node) {
     case Plus:
       return operand(0);
     case Not:
-      return {recorder_.negated(operand(0)[0])};
+      return {recorder_.logicalNot(operand(0)[0])};
     case Complement: {
       Value value = operand(0);
       for (Id& x : value) x = recorder_.apply(Code::BitNot, node.type.base, {x});
@@ -71,7 +71,7 @@ Lowering::Value Lowering::evaluateInner(const Expression& node) {
   return {};
 }
 
-// A sum of thousands goes down its left operands without climbing.
+// Follows left operands iteratively, so that sums of thousands of terms don't recurse.
 Lowering::Value Lowering::chain(const Expression& node) {
   std::vector<const Expression*> way;
   const Expression* first = &node;
@@ -92,7 +92,7 @@ Lowering::Value Lowering::chain(const Expression& node) {
   return left;
 }
 
-// The second operand counts, and does what it does, only where the first does not decide.
+// The second operand is evaluated, including its side effects, only if the first doesn't decide.
 Lowering::Value Lowering::logical(const Expression& node) {
   std::vector<const Expression*> way;
   const Expression* first = &node;
@@ -110,10 +110,10 @@ Lowering::Value Lowering::logical(const Expression& node) {
     const Id before = value;
     if (isAnd) {
       if (!recorder_.isFalse(before)) branch(before, run, leave);
-      value = recorder_.both(before, other);
+      value = recorder_.logicalAnd(before, other);
     } else {
       if (!recorder_.isTrue(before)) branch(before, leave, run);
-      value = recorder_.either(before, other);
+      value = recorder_.logicalOr(before, other);
     }
   }
   return {value};
@@ -213,7 +213,7 @@ Lowering::Value Lowering::element(const Expression& node) {
   return pick(elements, at);
 }
 
-// Past the ends the language promises nothing; here it is the first or the last.
+// Out-of-range indices are undefined in GLSL; here they are clamped.
 Lowering::Value Lowering::pick(const std::vector<Value>& elements, Id index) {
   const auto last = static_cast<int>(elements.size()) - 1;
   if (recorder_.isConstant(index)) {
@@ -228,95 +228,6 @@ Lowering::Value Lowering::pick(const std::vector<Value>& elements, Id index) {
       value[k] = recorder_.choose(isBefore, elements[i][k], value[k]);
   }
   return value;
-}
-
-Id Lowering::equal(const Value& x, const Value& y) {
-  Id all = number(Base::Bool, 1);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    all = recorder_.both(all, scalar(Operator::Equal, recorder_.base(x[i]), x[i], y[i]));
-  return all;
-}
-
-Lowering::Value Lowering::binary(Operator op, Type a, const Value& x, Type b, const Value& y) {
-  if (op == Operator::Equal) return {equal(x, y)};
-  if (op == Operator::Unequal) return {recorder_.negated(equal(x, y))};
-  const bool isLinear = !a.isScalar() && !b.isScalar() && (a.isMatrix() || b.isMatrix());
-  if (op == Operator::Multiply && isLinear) return product(a, x, b, y);
-  Value value;
-  for (std::size_t i = 0; i < std::max(x.size(), y.size()); ++i)
-    value.push_back(scalar(op, a.base, x.size() == 1 ? x[0] : x[i], y.size() == 1 ? y[0] : y[i]));
-  return value;
-}
-
-Lowering::Value Lowering::product(Type a, const Value& x, Type b, const Value& y) {
-  const int rows = a.isMatrix() ? a.rows : 1, inner = a.isMatrix() ? a.columns : a.rows;
-  const int columns = b.isMatrix() ? b.columns : 1;
-  Value value;
-  for (int c = 0; c < columns; ++c)
-    for (int r = 0; r < rows; ++r) {
-      Id sum{};
-      for (int k = 0; k < inner; ++k) {
-        const Id left = a.isMatrix() ? x[k * rows + r] : x[k];
-        const Id term = scalar(Operator::Multiply, Base::Float, left, y[c * inner + k]);
-        sum = k == 0 ? term : scalar(Operator::Add, Base::Float, sum, term);
-      }
-      value.push_back(sum);
-    }
-  return value;
-}
-
-Id Lowering::scalar(Operator op, Base base, Id x, Id y) {
-  using enum Operator;
-  const auto apply = [&](Code code, Base result, Id a, Id b) {
-    return recorder_.apply(code, result, {a, b});
-  };
-  if (base == Base::Bool) {
-    const Id same = recorder_.either(recorder_.both(x, y),
-                                     recorder_.both(recorder_.negated(x), recorder_.negated(y)));
-    return op == Xor || op == Unequal ? recorder_.negated(same) : same;
-  }
-  const bool isFloat = base == Base::Float, isUint = base == Base::Uint;
-  const auto either = [&](Code ofFloats, Code ofInts) { return isFloat ? ofFloats : ofInts; };
-  const Code less = isUint ? Code::UintLt : Code::IntLt;
-  switch (op) {
-    case Add:
-      return apply(either(Code::Add, Code::IntAdd), base, x, y);
-    case Subtract:
-      return apply(either(Code::Sub, Code::IntSub), base, x, y);
-    case Multiply:
-      return apply(either(Code::Mult, Code::IntMult), base, x, y);
-    case Divide:
-      return apply(isFloat ? Code::Div : isUint ? Code::UintDiv : Code::IntDiv, base, x, y);
-    case Remainder:
-      return apply(isUint ? Code::UintMod : Code::IntMod, base, x, y);
-    case BitAnd:
-      return apply(Code::BitAnd, base, x, y);
-    case BitOr:
-      return apply(Code::BitOr, base, x, y);
-    case BitXor:
-      return apply(Code::BitXor, base, x, y);
-    case ShiftLeft:
-      return apply(Code::ShiftLeft, base, x, y);
-    case ShiftRight:
-      return apply(isUint ? Code::UintShiftRight : Code::ShiftRight, base, x, y);
-    case Less:
-      return apply(either(Code::Lt, less), Base::Bool, x, y);
-    case Greater:
-      return isFloat ? apply(Code::Gt, Base::Bool, x, y) : apply(less, Base::Bool, y, x);
-    case AtMost:
-      return isFloat ? apply(Code::Le, Base::Bool, x, y)
-                     : recorder_.negated(apply(less, Base::Bool, y, x));
-    case AtLeast:
-      return isFloat ? apply(Code::Ge, Base::Bool, x, y)
-                     : recorder_.negated(apply(less, Base::Bool, x, y));
-    case Equal:
-      return apply(either(Code::Eq, Code::IntEq), Base::Bool, x, y);
-    case Unequal:
-      return isFloat ? apply(Code::Ne, Base::Bool, x, y)
-                     : recorder_.negated(apply(Code::IntEq, Base::Bool, x, y));
-    default:
-      return x;
-  }
 }
 
 }  // namespace warpjet::glsl

@@ -1,4 +1,4 @@
-// What is assigned to, and what is read without a copy of all around it.
+// Targets of assignments, and reads that don't copy the enclosing value.
 #include <algorithm>
 
 #include "glsl/lower.hpp"
@@ -7,7 +7,7 @@ namespace warpjet::glsl {
 
 namespace {
 
-// Of an array, a matrix or a vector.
+// The number of elements of an array, a matrix or a vector.
 int countOf(Type whole) {
   return whole.isArray() ? whole.length : whole.isMatrix() ? whole.columns : whole.rows;
 }
@@ -57,7 +57,7 @@ Lowering::LValue Lowering::elementOf(LValue whole, ExpressionId expression) {
     for (int i = std::max(first, 0); i < (isKnown ? std::min(first + 1, count) : count); ++i) {
       const Id isThis = scalar(Operator::Equal, recorder_.base(at), at,
                                recorder_.constant(recorder_.base(at), i));
-      const Id holds = recorder_.both(choice.condition, isThis);
+      const Id holds = recorder_.logicalAnd(choice.condition, isThis);
       const auto offset = static_cast<std::size_t>(i) * static_cast<std::size_t>(size);
       if (!recorder_.isFalse(holds)) result.choices.push_back({holds, whole.slot(choice, offset)});
     }
@@ -84,12 +84,14 @@ void Lowering::store(const LValue& to, const Value& value) {
 Lowering::Slot Lowering::slotToRead(const Expression& node) {
   const Variable& variable = tree_.variables[node.index];
   if (variable.kind == Variable::Kind::Fragment)
-    problems_.add(node.place, quoted(variable.name) +
-                                  " is of fragments; a warp moves vertices: take position or uv");
+    problems_.add(
+        node.place,
+        quoted(variable.name) +
+            " exists only in fragment shaders; a warp moves vertices: use position or uv");
   return slotOf(node.index);
 }
 
-// Without side effects, and so short that it may well be evaluated twice.
+// True if the expression has no side effects and is so short that it may be evaluated twice.
 bool Lowering::isPlain(ExpressionId expression) const {
   const Expression& node = tree_.expressions[expression];
   using enum Expression::Kind;
@@ -118,7 +120,7 @@ std::optional<Lowering::Slot> Lowering::knownSlot(const Expression& node) {
   if (node.kind == Part) return *whole + static_cast<Slot>(node.index);
   const Id at = evaluate(node.operands[1])[0];
   if (problems_.any() || !recorder_.isConstant(at)) return std::nullopt;
-  // Past the ends the language promises nothing; here it is the first or the last.
+  // Out-of-range indices are undefined in GLSL; here they are clamped.
   const double last = countOf(tree_.expressions[node.operands[0]].type) - 1;
   const auto i = static_cast<Slot>(std::clamp(recorder_.value(at), 0.0, last));
   return *whole + i * static_cast<Slot>(sizeOf(node.type));

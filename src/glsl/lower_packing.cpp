@@ -1,9 +1,9 @@
-// Two numbers in the bits of a uint, and back.
+// Packs two numbers into the bits of a uint, and unpacks them.
 #include "glsl/lower.hpp"
 
 namespace warpjet::glsl {
 
-// Two numbers from 0 or -1 to 1 as halves of a uint, the first one the lower.
+// Packs two numbers from 0 or -1 to 1 into the halves of a uint; the first one is the lower half.
 Lowering::Value Lowering::pack(const Value& numbers, bool isSigned) {
   const auto constant = [&](double value) { return number(Base::Float, value); };
   Id all = number(Base::Uint, 0);
@@ -27,7 +27,7 @@ Lowering::Value Lowering::unpack(Id bits, bool isSigned) {
   Value value;
   const Base base = isSigned ? Base::Int : Base::Uint;
   for (int i = 0; i < 2; ++i) {
-    // To the upper end and back, which carries the sign along.
+    // Shifts to the upper end and back, which extends the sign.
     const Id up = scalar(Operator::ShiftLeft, base, recorder_.convert(bits, base),
                          number(Base::Int, 16.0 - 16.0 * i));
     const Id half = scalar(Operator::ShiftRight, base, up, number(Base::Int, 16));
@@ -40,8 +40,8 @@ Lowering::Value Lowering::unpack(Id bits, bool isSigned) {
   return value;
 }
 
-// A number as the 16 bits of a half: a sign, five of the exponent, ten of the fraction, the nearest
-// there is. Between two it is the even one.
+// Rounds a number to the 16 bits of a half float: a sign, five bits of exponent, ten of fraction.
+// Ties round to even.
 Id Lowering::packHalf(Id x) {
   using enum Operator;
   const auto uint = [&](double value) { return number(Base::Uint, value); };
@@ -53,20 +53,20 @@ Id Lowering::packHalf(Id x) {
   const Id usual =
       of(ShiftRight, of(Subtract, of(Add, size, of(Add, odd, uint(0xfff))), uint(0x38000000)),
          number(Base::Int, 13));
-  // Below 2^-14 they are as far from each other as at it.
+  // Below 2^-14, they are spaced as at 2^-14.
   const Id scaled = scalar(Multiply, Base::Float, recorder_.apply(Code::Abs, Base::Float, {x}),
                            number(Base::Float, 16777216));
   const Id bounded = recorder_.apply(Code::Min, Base::Float, {scaled, number(Base::Float, 1024)});
   const Id tiny =
       recorder_.convert(recorder_.apply(Code::Round, Base::Float, {bounded}), Base::Uint);
   Id half = recorder_.choose(of(Less, size, uint(0x38800000)), tiny, usual);
-  // From 65520 on it is infinite.
+  // Numbers from 65520 up become infinite.
   half = recorder_.choose(of(Less, size, uint(0x477ff000)), half, uint(0x7c00));
   return of(BitOr, sign, half);
 }
 
-// Of the lower 16 bits. What is infinite or no number as a half is 65536 and more, of its sign: no
-// vertex goes there, and a constant that is infinite cannot be written.
+// Unpacks the lower 16 bits. Infinity and NaN become 65536 and more, with their sign: no vertex
+// goes there, and infinite constants can't be written.
 Id Lowering::unpackHalf(Id bits) {
   using enum Operator;
   const auto uint = [&](double value) { return number(Base::Uint, value); };

@@ -1,4 +1,4 @@
-// Calls of functions that stay functions.
+// Calls of functions that remain functions.
 #include <algorithm>
 #include <utility>
 
@@ -6,7 +6,8 @@
 
 namespace warpjet::glsl {
 
-// Those that somebody assigns to: what reads them depends on more than its arguments.
+// Finds globals that are assigned somewhere: functions that read them depend on more than their
+// arguments.
 void Lowering::findAssigned() {
   std::vector<bool> isAssigned(tree_.variables.size());
   const auto mark = [&](ExpressionId target) {
@@ -29,10 +30,10 @@ void Lowering::findAssigned() {
   }
   for (std::size_t i = 0; i < isAssigned.size(); ++i)
     if (isAssigned[i] && tree_.variables[i].kind == Variable::Kind::Global)
-      changing_.push_back(static_cast<VariableId>(i));
+      assignedGlobals_.push_back(static_cast<VariableId>(i));
 }
 
-// Every expression within a statement.
+// Visits every expression within a statement.
 template <class Visit>
 void Lowering::visitExpressions(StatementId body, const Visit& visit) const {
   std::vector<StatementId> statements{body};
@@ -53,11 +54,11 @@ void Lowering::visitExpressions(StatementId body, const Visit& visit) const {
   }
 }
 
-// A pure function writes to no parameter, names no global that changes, and calls pure functions
-// alone.
+// A pure function writes to no parameter, names no global that is assigned, and calls only pure
+// functions.
 void Lowering::findPure() {
   std::vector<bool> isChanging(tree_.variables.size());
-  for (const VariableId each : changing_) isChanging[each] = true;
+  for (const VariableId each : assignedGlobals_) isChanging[each] = true;
   isPure_.assign(tree_.functions.size(), true);
   std::vector<std::vector<FunctionId>> callers(tree_.functions.size());
   std::vector<FunctionId> impure;
@@ -81,14 +82,15 @@ void Lowering::findPure() {
   }
 }
 
-// What a call gives and then what it writes to; nothing if it is to be entered.
+// Returns the result of a call, followed by the parameters that it writes; nullopt if the call has
+// to be inlined.
 std::optional<Lowering::Value> Lowering::callRoutine(FunctionId number,
                                                      const std::vector<Value>& arguments) {
   RoutineKey key{1.0 * number};
   Value floats;
   bool areKnown = true;
   for (const Value& argument : arguments) {
-    if (floats.size() + argument.size() > 2 * mostNumbers) return std::nullopt;
+    if (floats.size() + argument.size() > 2 * maxNumbers) return std::nullopt;
     for (const Id id : argument) {
       const bool isFloat = recorder_.base(id) == Base::Float;
       const bool isKnown = recorder_.isConstant(id) || recorder_.isUndefined(id);
@@ -101,7 +103,7 @@ std::optional<Lowering::Value> Lowering::callRoutine(FunctionId number,
       }
     }
   }
-  if (areKnown || floats.size() > mostNumbers || inlined_.contains(key)) return std::nullopt;
+  if (areKnown || floats.size() > maxNumbers || inlined_.contains(key)) return std::nullopt;
   const auto known = routineNumbers_.find(key);
   const int routine =
       known == routineNumbers_.end() ? recordRoutine(number, arguments, key) : known->second;
@@ -127,17 +129,17 @@ std::optional<Lowering::Value> Lowering::callRoutine(FunctionId number,
   return results;
 }
 
-// Its number, or -1 if it cannot be one, or is too short: what writes to globals or reads what
-// changes, and whose values are no floats.
+// Returns the routine's number, or -1 if the function can't be a routine or is too short: functions
+// that write globals, read assigned globals, or have values that aren't floats can't.
 int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& arguments,
                             const RoutineKey& key) {
-  if (routineCount_ >= Recorder::mostLoops || problems_.any()) return -1;
+  if (routineCount_ >= Recorder::maxLoops || problems_.any()) return -1;
   const Function& function = tree_.functions[number];
   const std::uint32_t mine = ++routineCount_;
   const Problems before = problems_;
   std::vector<std::uint32_t> outer = std::exchange(openLoops_, {});
   store_.open();
-  for (const VariableId each : changing_) {
+  for (const VariableId each : assignedGlobals_) {
     for (int k = 0; k < sizeOf(tree_.variables[each].type); ++k) {
       const Slot slot = slotOf(each) + static_cast<Slot>(k);
       store_.set(slot, recorder_.convert(recorder_.parameter(mine, unknowable),
@@ -150,7 +152,7 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
   for (Value& each : parameters)
     for (Id& id : each)
       if (recorder_.base(id) == Base::Float) id = recorder_.parameter(mine, count++);
-  Value results = enter(number, std::move(parameters));
+  Value results = inlineCall(number, std::move(parameters));
   for (const Parameter& each : function.parameters)
     if (each.direction != Parameter::Direction::In)
       for (const Id id : get(slotOf(each.variable), sizeOf(each.type))) results.push_back(id);
@@ -167,11 +169,11 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
   return static_cast<int>(routines_.size() - 1);
 }
 
-// Finds what it reads from outside, too.
+// Also finds the values that it reads from outside.
 bool Lowering::isRoutine(Routine& routine) const {
   const auto isFloat = [&](Id id) { return recorder_.base(id) == Base::Float; };
   const Value& results = routine.results;
-  if (results.empty() || results.size() > mostNumbers ||
+  if (results.empty() || results.size() > maxNumbers ||
       !std::all_of(results.begin(), results.end(), isFloat))
     return false;
   const std::vector<Id> needed = recorder_.neededBy(results);
@@ -183,8 +185,8 @@ bool Lowering::isRoutine(Routine& routine) const {
         (static_cast<std::uint32_t>(operation.value) >> 8 & 255) == unknowable)
       return false;
   }
-  return needed.size() > shortest * results.size() &&
-         routine.parameters + routine.outside.size() <= mostNumbers;
+  return needed.size() > minOperationsPerResult * results.size() &&
+         routine.parameters + routine.outside.size() <= maxNumbers;
 }
 
 }  // namespace warpjet::glsl

@@ -1,4 +1,4 @@
-// Statements: what runs, and under which condition.
+// Lowers statements: which ones run, and under which condition.
 #include <algorithm>
 
 #include "glsl/lower.hpp"
@@ -48,16 +48,16 @@ void Lowering::execute(StatementId child) {
   --depth_;
 }
 
-// Whether the rest of what runs now is left out.
-Id Lowering::stopped() {
+// The condition under which the following statements are skipped.
+Id Lowering::stopCondition() {
   Id any = frames_.empty() ? number(Base::Bool, 0) : store_.get(frames_.back().returned);
   for (const Breakable& each : breakables_)
-    any = recorder_.either(recorder_.either(any, store_.get(each.broken)),
-                           store_.get(each.continued));
+    any = recorder_.logicalOr(recorder_.logicalOr(any, store_.get(each.broken)),
+                              store_.get(each.continued));
   return any;
 }
 
-// In a branch that only runs where nothing was stopped.
+// Enters a branch that only runs if nothing has stopped.
 void Lowering::resume() {
   const Id no = number(Base::Bool, 0);
   if (!frames_.empty()) store_.set(frames_.back().returned, no);
@@ -70,7 +70,7 @@ void Lowering::resume() {
 void Lowering::executeAll(const std::vector<StatementId>& statements, std::size_t from) {
   for (std::size_t i = from; i < statements.size() && !problems_.any(); ++i) {
     execute(statements[i]);
-    const Id isOver = stopped();
+    const Id isOver = stopCondition();
     if (recorder_.isTrue(isOver)) return;
     if (recorder_.isConstant(isOver)) continue;
     if (i + 1 == statements.size()) return;
@@ -94,7 +94,7 @@ void Lowering::declare(const Statement& statement) {
   initialize(statement);
 }
 
-// What it starts with, where it is known already.
+// The initial value, if it is known.
 void Lowering::initialize(const Statement& statement) {
   set(slotOf(statement.index), statement.expression == nothing
                                    ? undefined(tree_.variables[statement.index].type)
@@ -115,7 +115,7 @@ void Lowering::returnFrom(const Statement& statement) {
   store_.set(frames_.back().returned, number(Base::Bool, 1));
 }
 
-// `float x = 1.0, y;` is a block of two.
+// `float x = 1.0, y;` is a block of two declarations.
 std::vector<const Statement*> Lowering::declarationsOf(StatementId child) const {
   const Statement& statement = tree_.statements[child];
   const auto isDeclaration = [&](StatementId each) {
@@ -129,8 +129,8 @@ std::vector<const Statement*> Lowering::declarationsOf(StatementId child) const 
   return all;
 }
 
-// Cases run from the one that fits on, until a break. What they declare is known to all after it,
-// and so is declared outside of their branches.
+// Cases run from the matching one until a break. Their declarations are visible in all later cases,
+// so they are outside of the branches.
 void Lowering::select(const Statement& statement) {
   const Id value = evaluate(statement.expression)[0];
   const Id no = number(Base::Bool, 0);
@@ -142,7 +142,7 @@ void Lowering::select(const Statement& statement) {
   for (const StatementId child : statement.children) {
     const Statement& label = tree_.statements[child];
     if (label.kind == Statement::Kind::Case && label.expression != nothing)
-      fitsAny = recorder_.either(fitsAny, fits(label));
+      fitsAny = recorder_.logicalOr(fitsAny, fits(label));
     for (const Statement* each : declarationsOf(child)) {
       const Type type = tree_.variables[each->index].type;
       store_.declare(slotOf(each->index), static_cast<std::size_t>(sizeOf(type)));
@@ -154,12 +154,12 @@ void Lowering::select(const Statement& statement) {
   for (const StatementId child : statement.children) {
     const Statement& label = tree_.statements[child];
     if (label.kind == Statement::Kind::Case) {
-      reached = recorder_.either(
-          reached, label.expression == nothing ? recorder_.negated(fitsAny) : fits(label));
+      reached = recorder_.logicalOr(
+          reached, label.expression == nothing ? recorder_.logicalNot(fitsAny) : fits(label));
       continue;
     }
     branch(
-        recorder_.both(reached, recorder_.negated(stopped())),
+        recorder_.logicalAnd(reached, recorder_.logicalNot(stopCondition())),
         [&] {
           resume();
           const auto declarations = declarationsOf(child);

@@ -8,12 +8,13 @@ using Kind = Token::Kind;
 
 namespace {
 
-// Of one text: macros that call each other twice, thirty deep, would make a billion.
-constexpr std::size_t mostTokens = std::size_t{1} << 20;
-constexpr const char* tooLong = "this text is too long once its macros are expanded";
-constexpr std::size_t deepestWithin = 100;
-// Calls in arguments of calls, and in what expansions have opened.
-constexpr int deepestNested = 1'000;
+// The limit per source: macros that call each other twice, nested thirty deep, would expand to a
+// billion tokens.
+constexpr std::size_t maxTokens = std::size_t{1} << 20;
+constexpr const char* tooLong = "this source is too long once its macros are expanded";
+constexpr std::size_t maxMacroDepth = 100;
+// Limits calls within arguments of calls and within expansions.
+constexpr int maxCallDepth = 1'000;
 
 }  // namespace
 
@@ -30,8 +31,7 @@ void Macros::define(const Token& word, std::span<const Token> rest) {
   const bool isKnown = known != macros_.end();
   if (name.text.starts_with("GL_") || name.is("defined") || name.is("__LINE__") ||
       (isKnown && known->second.isOfLanguage))
-    return problems_.add(name.place,
-                         quoted(name.text) + " cannot be defined: it is the language's");
+    return problems_.add(name.place, quoted(name.text) + " cannot be defined: it is predefined");
   Macro macro;
   macro.line = name.place.shown;
   std::size_t at = 1;
@@ -46,9 +46,8 @@ void Macros::define(const Token& word, std::span<const Token> rest) {
       const std::string_view parameter = rest[at++].text;
       if (std::find(macro.parameters.begin(), macro.parameters.end(), parameter) !=
           macro.parameters.end())
-        return problems_.add(rest[at - 1].place, quoted(parameter) + " is a parameter of " +
-                                                     quoted(name.text) +
-                                                     " already; give it another name");
+        return problems_.add(rest[at - 1].place, quoted(parameter) + " is already a parameter of " +
+                                                     quoted(name.text) + "; give it another name");
       macro.parameters.push_back(parameter);
       if (at < rest.size() && rest[at].is(",")) {
         ++at;
@@ -61,14 +60,14 @@ void Macros::define(const Token& word, std::span<const Token> rest) {
   }
   macro.body.assign(rest.begin() + static_cast<std::ptrdiff_t>(at), rest.end());
   if (isKnown && !isSame(macro, known->second))
-    return problems_.add(name.place, quoted(name.text) + " has another value since line " +
-                                         std::to_string(known->second.line) + "; write #undef " +
-                                         std::string(name.text) +
-                                         " before this line, or take another name");
+    return problems_.add(name.place,
+                         quoted(name.text) + " was defined with another value in line " +
+                             std::to_string(known->second.line) + "; write #undef " +
+                             std::string(name.text) + " before this line, or use another name");
   macros_[name.text] = std::move(macro);
 }
 
-// Token by token; white space counts where there is some, however much it is.
+// Compares token by token; the amount of white space doesn't matter.
 bool Macros::isSame(const Macro& a, const Macro& b) {
   if (a.hasParameters != b.hasParameters || a.parameters != b.parameters ||
       a.body.size() != b.body.size())
@@ -86,11 +85,10 @@ void Macros::undefine(const Token& word, std::span<const Token> rest) {
   const std::string_view name = rest[0].text;
   const auto known = macros_.find(name);
   if (name == "__LINE__" || (known != macros_.end() && known->second.isOfLanguage))
-    return problems_.add(rest[0].place,
-                         quoted(name) + " cannot be undefined: it is the language's");
+    return problems_.add(rest[0].place, quoted(name) + " cannot be undefined: it is predefined");
   if (rest.size() > 1)
-    return problems_.add(rest[1].place, "#undef takes one name; take " + quoted(rest[1].text) +
-                                            " and what follows away");
+    return problems_.add(rest[1].place, "#undef takes one name; remove " + quoted(rest[1].text) +
+                                            " and everything after it");
   macros_.erase(name);
 }
 
@@ -107,14 +105,14 @@ Token Macros::number(std::uint32_t value, const Token& like) {
 void Macros::expand(Stream& stream, std::vector<Token>& result, const Within& within) {
   for (; stream.at < stream.tokens.size() && !problems_.any(); ++stream.at) {
     const Token& token = stream.tokens[stream.at];
-    if (result.size() > mostTokens) return problems_.add(token.place, tooLong);
+    if (result.size() > maxTokens) return problems_.add(token.place, tooLong);
     if (token.is("__LINE__")) {
       result.push_back(number(lineOf(token), token));
       continue;
     }
     const std::size_t before = result.size();
     result.push_back(token);
-    // What an expansion ends with may be called by what follows.
+    // The last token of an expansion may be a macro that is called by what follows.
     while (result.size() > before && expandLast(stream, result, within)) {
     }
   }
@@ -133,12 +131,12 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
   const std::size_t next = stream.at + 1;
   const bool isCalled = next < stream.tokens.size() && stream.tokens[next].is("(");
   if (macro.hasParameters && !isCalled) return false;
-  if (within.size() >= deepestWithin) {
-    problems_.add(token.place, "macros call each other more than 100 deep here");
+  if (within.size() >= maxMacroDepth) {
+    problems_.add(token.place, "macros are nested more than 100 deep here");
     return false;
   }
-  if (nested_ >= deepestNested) {
-    problems_.add(token.place, "calls of macros stand within each other more than 1,000 deep here");
+  if (nested_ >= maxCallDepth) {
+    problems_.add(token.place, "calls of macros are nested more than 1,000 deep here");
     return false;
   }
   std::vector<std::vector<Token>> arguments;
@@ -154,13 +152,13 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
     line = lineOf(rest->tokens[rest->at]);
   }
   result.pop_back();
-  // Macros whose expansion has been left by then may be used again.
+  // Macros whose expansion has ended by then may be used again.
   const auto depth = static_cast<Within::difference_type>(rest->depth);
   std::size_t held = 0;
   for (const std::vector<Token>& argument : arguments) held += argument.size();
   held_ += held;
   ++nested_;
-  if (held_ > mostTokens) problems_.add(token.place, tooLong);
+  if (held_ > maxTokens) problems_.add(token.place, tooLong);
   substitute(macro, token, line, arguments, result, {within.begin(), within.begin() + depth},
              *rest);
   --nested_;
@@ -192,7 +190,7 @@ bool Macros::readArguments(Stream*& stream, std::size_t count,
   }
 }
 
-// What is named in arguments is not yet within the macro, so that it is expanded before.
+// Arguments are expanded before substitution, when their names are not yet inside of the macro.
 void Macros::substitute(const Macro& macro, const Token& name, std::uint32_t line,
                         std::vector<std::vector<Token>>& arguments, std::vector<Token>& result,
                         Within within, Stream& rest) {
@@ -213,7 +211,7 @@ void Macros::substitute(const Macro& macro, const Token& name, std::uint32_t lin
       body.back().place = name.place;
       body.back().callLine = line;
     }
-    if (body.size() > mostTokens) return problems_.add(name.place, tooLong);
+    if (body.size() > maxTokens) return problems_.add(name.place, tooLong);
   }
   within.push_back(name.text);
   Stream stream{body, within.size(), &rest};

@@ -1,4 +1,4 @@
-// What `#define` names, and the expansion of it.
+// Macros of `#define`, and their expansion.
 #pragma once
 
 #include <deque>
@@ -17,17 +17,17 @@ class Macros {
 
   bool has(std::string_view name) const { return macros_.contains(name) || name == "__LINE__"; }
 
-  // One of the language's own.
+  // Defines a predefined macro.
   void define(std::string_view name, int value);
-  // The rest of the line after the word of a directive.
+  // `rest` is the rest of the line after the word of the directive.
   void define(const Token& word, std::span<const Token> rest);
   void undefine(const Token& word, std::span<const Token> rest);
 
-  // Every token of an expansion has the place where the macro is called, but those of an argument,
+  // Every token of an expansion has the location of the macro's call, except tokens of arguments,
   // which have their own.
   void expand(std::span<const Token> tokens, std::vector<Token>& result);
 
-  // All names that are defined, to `visit(name)`.
+  // Calls `visit(name)` for all names that are defined.
   template <class Visit>
   void each(Visit visit) const {
     for (const auto& [name, macro] : macros_) visit(name);
@@ -42,11 +42,11 @@ class Macros {
     bool isOfLanguage = false;
   };
 
-  // Macros that are being expanded: none does so within itself.
+  // The macros being expanded: a macro isn't expanded within itself.
   using Within = std::vector<std::string_view>;
 
-  // What is being expanded, as far as the token number `at`, within so many macros; and what comes
-  // after it, where it is itself an expansion.
+  // The tokens being expanded, up to index `at`, nested in `depth` macros; and the stream that
+  // follows, if this one is itself an expansion.
   struct Stream {
     std::span<const Token> tokens;
     std::size_t depth;
@@ -55,16 +55,16 @@ class Macros {
   };
 
   void expand(Stream& stream, std::vector<Token>& result, const Within& within);
-  // From the parenthesis at hand to the one that closes it, which may come after an expansion:
-  // `stream` is the one where it stands.
+  // Reads from the current parenthesis to its counterpart, which may be after an expansion;
+  // `stream` becomes the stream that contains it.
   bool readArguments(Stream*& stream, std::size_t count,
                      std::vector<std::vector<Token>>& arguments);
-  // Puts in the place of the last token what it stands for as a macro, and says whether it did.
+  // Replaces the last token by its expansion if it is a macro; returns whether it did.
   bool expandLast(Stream& stream, std::vector<Token>& result, const Within& within);
   void substitute(const Macro& macro, const Token& name, std::uint32_t line,
                   std::vector<std::vector<Token>>& arguments, std::vector<Token>& result,
                   Within within, Stream& rest);
-  // A call over several lines has the number of the last.
+  // A call over several lines has the number of its last line.
   static std::uint32_t lineOf(const Token& token) {
     return token.callLine ? token.callLine : token.place.shown;
   }
@@ -72,7 +72,7 @@ class Macros {
   static bool isSame(const Macro& a, const Macro& b);
 
   std::map<std::string_view, Macro> macros_;
-  // Calls that are being expanded, and the tokens of their arguments.
+  // The calls being expanded, and the number of tokens in their arguments.
   int nested_ = 0;
   std::size_t held_ = 0;
   Problems& problems_;

@@ -8,9 +8,9 @@ namespace warpjet::glsl {
 
 namespace {
 
-constexpr std::size_t longest = 40;  // names beyond that are compared no more
+constexpr std::size_t maxLength = 40;  // longer names are not compared
 
-// Damerau's distance, by three rows of the table.
+// The Damerau-Levenshtein distance, by three rows of the table.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::array<std::vector<std::size_t>, 3> rows;
   for (auto& row : rows) row.resize(b.size() + 1);
@@ -31,13 +31,13 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 Nearest::Nearest(std::string_view name)
-    : name_(name), least_(std::max<std::size_t>(1, name.size() / 3) + 1) {}
+    : name_(name), limit_(std::max<std::size_t>(1, name.size() / 3) + 1) {}
 
 void Nearest::offer(std::string_view name) {
-  if (std::max(name.size(), name_.size()) > longest) return;
+  if (std::max(name.size(), name_.size()) > maxLength) return;
   const std::size_t far = distance(name_, name);
-  if (far >= least_ || far >= name_.size()) return;
-  least_ = far;
+  if (far >= limit_ || far >= name_.size()) return;
+  limit_ = far;
   found_ = name;
 }
 

@@ -1,4 +1,4 @@
-// What was meant by a name that is not there.
+// Suggests the name that an unknown name was meant to be.
 #pragma once
 
 #include <string>
@@ -6,19 +6,19 @@
 
 namespace warpjet::glsl {
 
-// Is offered names, and keeps the one that is fewest letters away: to put in, take out, change or
-// swap with the next.
+// Takes candidate names, and keeps the one with the smallest edit distance: insertions, deletions,
+// changes, and swaps of adjacent letters.
 class Nearest {
  public:
   explicit Nearest(std::string_view name);
   void offer(std::string_view name);
 
-  // "; did you mean sin?", or nothing if none is near.
+  // "; did you mean sin?", or empty if no candidate is close.
   std::string question() const;
 
  private:
   std::string_view name_, found_;
-  std::size_t least_;
+  std::size_t limit_;
 };
 
 }  // namespace warpjet::glsl

@@ -1,4 +1,4 @@
-// The operators between two operands and how tightly they bind: GLSL ES 3.00, section 5.1.
+// Binary operators and their precedence: GLSL ES 3.00, section 5.1.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ enum class Operator : std::uint8_t {
 struct OperatorRow {
   std::string_view text;
   Operator op;
-  // From the loosest; operators of one level go from left to right.
+  // From lowest to highest precedence; operators of one level are left-associative.
   int level;
 };
 

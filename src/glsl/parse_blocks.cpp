@@ -1,5 +1,5 @@
-// Blocks of uniforms: GLSL ES 3.00, section 4.3.7. Without a name behind it, the members of a block
-// are variables; with one they are parts of it.
+// Uniform blocks: GLSL ES 3.00, section 4.3.7. If a block has no instance name, its members are
+// variables; otherwise they are parts of the instance.
 #include "glsl/parser.hpp"
 
 namespace warpjet::glsl {
@@ -16,7 +16,7 @@ void Parser::uniformBlock(const Qualifiers& given) {
   if (given.word(Role::Storage) != "uniform")
     fail(name.place, "only uniforms have blocks; write uniform before " + quoted(name.text));
   allowOnly(given, {Role::Layout, Role::Storage}, "a block of uniforms");
-  if (given.hasLocation) fail(name.place, "a block of uniforms has no location; take it away");
+  if (given.hasLocation) fail(name.place, "a block of uniforms has no location; remove it");
   if (!checkFree(name)) return;
   take();
   scope_.add(name.text, {Meaning::Kind::Block});
@@ -58,7 +58,7 @@ Structure Parser::blockMembers(std::string_view name) {
            "std140, shared and packed are for whole blocks; write them before uniform");
     const std::string_view storage = given.word(Role::Storage);
     if (!storage.empty() && storage != "uniform")
-      fail(peek().place, "a member of a block is a uniform; take " + quoted(storage) + " away");
+      fail(peek().place, "a member of a block is a uniform; remove " + quoted(storage));
     fields(given, made);
   }
   const Location end = peek().place;

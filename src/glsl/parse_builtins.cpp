@@ -1,4 +1,4 @@
-// Variables and constants of the language: GLSL ES 3.00, section 7.
+// Built-in variables and constants: GLSL ES 3.00, section 7.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -10,7 +10,7 @@ namespace warpjet::glsl {
 
 namespace {
 
-// The least value that each browser must have.
+// The min value that each browser must support.
 struct Limit {
   std::string_view name;
   int in100, in300;
@@ -65,15 +65,16 @@ void Parser::findStage() {
     if (!isOfVertex && !isOfFragment) continue;
     const Stage stage = isOfVertex ? Stage::Vertex : Stage::Fragment;
     if (decides && stage != stage_)
-      return fail(token.place, quoted(token.text) + " and " + quoted(decides->text) +
-                                   " cannot stand in one shader: one is of vertices, the other of "
-                                   "fragments");
+      return fail(token.place,
+                  quoted(token.text) + " and " + quoted(decides->text) +
+                      " cannot be used in one shader: one is of vertex shaders, the other "
+                      "of fragment shaders");
     stage_ = stage;
     decides = &token;
   }
 }
 
-// Only those that the text names.
+// Declares only those that the source mentions.
 void Parser::declareBuiltIns() {
   std::set<std::string_view> named;
   for (const Token& token : text_.tokens)

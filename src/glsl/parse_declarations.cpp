@@ -3,7 +3,7 @@
 
 namespace warpjet::glsl {
 
-// `float x = 1.0, y;` from its first name on.
+// Parses `float x = 1.0, y;` from the first name on.
 StatementId Parser::declarations(const Qualifiers& given, Type base) {
   const Location place = peek().place;
   std::vector<StatementId> all;
@@ -12,11 +12,11 @@ StatementId Parser::declarations(const Qualifiers& given, Type base) {
     if (!checkFree(name)) return nothing;
     take();
     if (peek().is("(")) {
-      fail(name.place, "a function cannot stand inside another one");
+      fail(name.place, "a function cannot be declared inside another one");
       return nothing;
     }
     if (base.isArray() && peek().is("[")) {
-      fail(peek().place, "an array of arrays is not in the language");
+      fail(peek().place, "GLSL has no arrays of arrays");
       return nothing;
     }
     const Type each = peek().is("[") ? arrayOf(base) : base;
@@ -40,20 +40,21 @@ StatementId Parser::declaration(const Qualifiers& given, Type type, const Token&
   const Variable::Kind kind = isGlobal || global.kind == Constant ? global.kind : Local;
   ExpressionId start = nothing;
   if (accept("=")) {
-    // A variable is known from here on, not in its own value.
+    // The scope of a variable starts here; it isn't visible in its own initializer.
     start = assignment();
     if (problems_.any()) return nothing;
     if (tree_.types.hasArray(typeOf(start))) requireVersion("an assignment of arrays", name.place);
     if (type.length == 0 && typeOf(start).isArray() && typeOf(start).element() == type.element())
       type = typeOf(start);
     if (kind == Uniform || kind == Attribute) {
-      fail(name.place, "the host gives " + quoted(name.text) + " its value; leave = out");
+      fail(name.place,
+           "the host sets the value of " + quoted(name.text) + "; remove its initializer");
     } else if (global.isOutput && isGlobal) {
-      fail(name.place, "main gives " + quoted(name.text) + " its value; leave = out");
+      fail(name.place, "main sets the value of " + quoted(name.text) + "; remove its initializer");
     } else if (typeOf(start) != type) {
-      fail(name.place, quoted(name.text) + " is " + tree_.types.withArticle(type) + ", but " +
-                           tree_.types.withArticle(typeOf(start)) +
-                           " came; GLSL converts nothing by itself");
+      fail(name.place, "expected " + tree_.types.withArticle(type) + " as the value of " +
+                           quoted(name.text) + ", got " + tree_.types.withArticle(typeOf(start)) +
+                           "; GLSL has no implicit conversions");
     } else {
       checkStart(kind, start, name);
     }
@@ -62,7 +63,7 @@ StatementId Parser::declaration(const Qualifiers& given, Type type, const Token&
   }
   if (type.length == 0) fail(name.place, "the array " + quoted(name.text) + " needs a length");
   if (tree_.types.hasSampler(type) && (kind != Uniform || type != samplerType))
-    fail(name.place, "an image can only be a uniform sampler2D by itself");
+    fail(name.place, "an image can only be declared as a uniform sampler2D of its own");
   if (problems_.any()) return nothing;
   const VariableId variable = addVariable(name, type, kind);
   tree_.variables[variable].start = start;
@@ -73,14 +74,14 @@ StatementId Parser::declaration(const Qualifiers& given, Type type, const Token&
                        .place = name.place});
 }
 
-// Checks the initial value of a constant or a global; in 1.00 a global may start as a uniform or
-// another global.
+// Checks the initial value of a constant or a global; in 1.00 the initial value of a global may be
+// a uniform or another global.
 void Parser::checkStart(Variable::Kind kind, ExpressionId start, const Token& name) {
   using enum Variable::Kind;
   if (kind == Constant && !constants_.isConstant(start))
     return fail(name.place, quoted(name.text) +
                                 " is const, but its value is known only when the "
-                                "shader runs; take const away");
+                                "shader runs; remove const");
   if (kind != Global) return;
   const auto isFromBefore = [&](VariableId other) {
     const Variable::Kind of = tree_.variables[other].kind;
@@ -88,9 +89,9 @@ void Parser::checkStart(Variable::Kind kind, ExpressionId start, const Token& na
   };
   if (!constants_.isConstant(start, isFromBefore))
     fail(name.place,
-         "a variable above functions starts with what is known before the shader "
-         "runs; give " +
-             quoted(name.text) + " its value in a function");
+         "the initial value of a global variable must be known before the shader runs; "
+         "assign " +
+             quoted(name.text) + " in a function");
 }
 
 }  // namespace warpjet::glsl

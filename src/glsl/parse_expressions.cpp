@@ -1,4 +1,4 @@
-// Operators, each result with its type.
+// Operators, with the types of their results.
 #include <algorithm>
 
 #include "glsl/parser.hpp"
@@ -8,29 +8,29 @@ namespace warpjet::glsl {
 
 namespace {
 
-// Sums of any length, but no tree that the lowering cannot climb.
-constexpr int deepestTree = 300;
+// Sums may have any length, but trees must not be too deep for the recursion of the lowering.
+constexpr int maxTreeDepth = 300;
 
 }  // namespace
 
 ExpressionId Parser::add(Expression made) {
-  if (problems_.any()) return failed(made.place, "");
+  if (problems_.any()) return failExpression(made.place, "");
   int depth = 0;
   for (std::size_t i = 0; i < made.operands.size(); ++i) {
     const int of = tree_.expressions[made.operands[i]].depth;
-    // The left operands of a chain are walked without climbing.
+    // Left operands of a chain are followed without recursion.
     depth = std::max(depth, made.kind == Code::Binary && i == 0 ? of : of + 1);
   }
-  if (depth > deepestTree)
-    return failed(made.place, "this expression is nested too deep; split it");
+  if (depth > maxTreeDepth)
+    return failExpression(made.place, "this expression is nested too deep; split it");
   made.depth = static_cast<std::uint16_t>(depth);
   tree_.expressions.push_back(std::move(made));
   return static_cast<ExpressionId>(tree_.expressions.size() - 1);
 }
 
-// A number that stands for what could not be read.
-ExpressionId Parser::failed(Location place, std::string sentence) {
-  fail(place, std::move(sentence));
+// A placeholder for an expression that couldn't be parsed.
+ExpressionId Parser::failExpression(Location place, std::string message) {
+  fail(place, std::move(message));
   tree_.expressions.push_back(
       Expression{.kind = Code::Constant, .type = floatType, .place = place});
   return static_cast<ExpressionId>(tree_.expressions.size() - 1);
@@ -44,7 +44,7 @@ ExpressionId Parser::expression() {
     for (const ExpressionId each : {left, right})
       if (text_.version == 300 && (typeOf(each) == voidType || tree_.types.hasArray(typeOf(each))))
         fail(place, tree_.types.withArticle(typeOf(each)) +
-                        " cannot stand beside a comma; write two statements");
+                        " is not allowed in a comma expression; write two statements");
     left = add(Expression{
         .kind = Code::Sequence, .type = typeOf(right), .place = place, .operands = {left, right}});
   }
@@ -52,7 +52,7 @@ ExpressionId Parser::expression() {
 }
 
 ExpressionId Parser::assignment() {
-  if (!goDeeper()) return failed(peek().place, "");
+  if (!goDeeper()) return failExpression(peek().place, "");
   ++depth_;
   const ExpressionId made = [&] {
     const ExpressionId left = choice();
@@ -68,14 +68,15 @@ ExpressionId Parser::assignment() {
     if (row) requireVersion(textOf(row->op), token.place);
     const ExpressionId right = assignment();
     if (problems_.any()) return left;
-    const Type wanted = typeOf(place), came = typeOf(right);
+    const Type wanted = typeOf(place), got = typeOf(right);
     if (tree_.types.hasArray(wanted)) requireVersion("an assignment of arrays", token.place);
     if (tree_.types.hasSampler(wanted))
-      return failed(token.place, "an image cannot be assigned; read it here by texture()");
-    if (isPlain ? wanted != came : typeOfBinary(row->op, wanted, came, tree_.types) != wanted)
-      return failed(token.place, "" + tree_.types.withArticle(came) + " cannot be assigned by " +
-                                     std::string(text) + " to " + tree_.types.withArticle(wanted) +
-                                     "; GLSL converts nothing by itself");
+      return failExpression(token.place, "an image cannot be assigned; read it here by texture()");
+    if (isPlain ? wanted != got : typeOfBinary(row->op, wanted, got, tree_.types) != wanted)
+      return failExpression(token.place, "" + tree_.types.withArticle(got) +
+                                             " cannot be assigned by " + std::string(text) +
+                                             " to " + tree_.types.withArticle(wanted) +
+                                             "; GLSL has no implicit conversions");
     return add(Expression{.kind = Code::Assign,
                           .op = row ? row->op : Operator{},
                           .isCombined = !isPlain,
@@ -96,16 +97,17 @@ ExpressionId Parser::choice() {
   const ExpressionId no = assignment();
   if (problems_.any()) return test;
   if (!typeOf(test).isBool())
-    return failed(place, "a bool must stand before ?, but " +
-                             tree_.types.withArticle(typeOf(test)) + " does");
+    return failExpression(place,
+                          "expected a bool before ?, got " + tree_.types.withArticle(typeOf(test)));
   if (typeOf(yes) != typeOf(no) || (typeOf(yes) == voidType && text_.version == 300))
-    return failed(place, "both values of ? : must be of one type, but are " +
-                             tree_.types.withArticle(typeOf(yes)) + " and " +
-                             tree_.types.withArticle(typeOf(no)));
+    return failExpression(place, "expected two values of the same type in ? :, got " +
+                                     tree_.types.withArticle(typeOf(yes)) + " and " +
+                                     tree_.types.withArticle(typeOf(no)));
   if (tree_.types.hasSampler(typeOf(yes)))
-    return failed(place, "an image cannot be chosen by ? :; choose between what texture() gives");
+    return failExpression(
+        place, "an image cannot be chosen by ? :; choose between the results of texture()");
   if (text_.version && (typeOf(yes).isArray() || typeOf(yes).base == Base::Struct))
-    return failed(place, "no browser chooses between arrays or structures by ? :; write if");
+    return failExpression(place, "browsers do not support ? : of arrays or structures; write if");
   return add(Expression{
       .kind = Code::Choose, .type = typeOf(yes), .place = place, .operands = {test, yes, no}});
 }
@@ -130,11 +132,11 @@ ExpressionId Parser::makeBinary(Operator op, ExpressionId left, ExpressionId rig
   if (!type) {
     const bool mixes = a.isNumeric() && b.isNumeric() && a.base != b.base && a.base != Base::Bool &&
                        b.base != Base::Bool;
-    return failed(
+    return failExpression(
         place,
         quoted(textOf(op)) + " does not take " + tree_.types.withArticle(a) + " and " +
             tree_.types.withArticle(b) +
-            (mixes ? "; GLSL converts nothing by itself: write 1.0 for 1, or float(x)" : ""));
+            (mixes ? "; GLSL has no implicit conversions: write 1.0 for 1, or float(x)" : ""));
   }
   if (tree_.types.hasArray(a)) requireVersion("a comparison of arrays", place);
   return add(Expression{
@@ -142,7 +144,7 @@ ExpressionId Parser::makeBinary(Operator op, ExpressionId left, ExpressionId rig
 }
 
 ExpressionId Parser::unary() {
-  if (!goDeeper()) return failed(peek().place, "");
+  if (!goDeeper()) return failExpression(peek().place, "");
   ++depth_;
   const ExpressionId made = [&] {
     const Token token = peek();
@@ -170,18 +172,18 @@ ExpressionId Parser::unary() {
     if (problems_.any()) return operand;
     const Type type = typeOf(operand);
     const bool fits = kind == Code::Not          ? type.isBool()
-                      : kind == Code::Complement ? type.isWhole()
+                      : kind == Code::Complement ? type.isInteger()
                                                  : type.isNumeric() && type.base != Base::Bool;
     if (!fits)
-      return failed(token.place,
-                    quoted(token.text) + " does not take " + tree_.types.withArticle(type));
+      return failExpression(token.place,
+                            quoted(token.text) + " does not take " + tree_.types.withArticle(type));
     return add(Expression{.kind = kind, .type = type, .place = token.place, .operands = {operand}});
   }();
   --depth_;
   return made;
 }
 
-// What is assigned to; `what` does it.
+// Checks that the operand can be assigned; `what` is the assigning operator.
 ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::string_view what) {
   if (problems_.any()) return operand;
   const Expression* root = &tree_.expressions[operand];
@@ -190,24 +192,26 @@ ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::s
   if (root->kind == Code::Variable) {
     const Variable& variable = tree_.variables[root->index];
     if (variable.kind == Variable::Kind::Constant)
-      return failed(place, quoted(variable.name) + " is a constant and cannot be changed");
+      return failExpression(place, quoted(variable.name) + " is a constant and cannot be changed");
     if (variable.kind == Variable::Kind::Uniform || variable.kind == Variable::Kind::Attribute ||
         variable.kind == Variable::Kind::Fragment)
-      return failed(place, quoted(variable.name) + " is given by the host and cannot be changed");
+      return failExpression(place,
+                            quoted(variable.name) + " is given by the host and cannot be changed");
     if (std::find(counters_.begin(), counters_.end(), root->index) != counters_.end())
       requireVersion("changing a loop's counter in its body", place);
   }
   const Expression& node = tree_.expressions[operand];
   if (!node.isAssignable || root->kind != Code::Variable)
-    return failed(place, "what stands before " + std::string(what) +
-                             " is a value, nothing that can be changed");
-  // The same component twice has two values.
+    return failExpression(place, "expected a variable before " + std::string(what) +
+                                     ", got a value that cannot be changed");
+  // A component that occurs twice would have two values.
   for (const Expression* part = &node; part->kind == Code::Swizzle;
        part = &tree_.expressions[part->operands[0]]) {
     unsigned seen = 0;
     for (int i = 0; i < part->type.components(); ++i) {
       const unsigned bit = 1u << (part->index >> (2 * i) & 3);
-      if (seen & bit) return failed(place, "a component comes twice in what is assigned to");
+      if (seen & bit)
+        return failExpression(place, "a component occurs twice in the target of the assignment");
       seen |= bit;
     }
   }
@@ -220,7 +224,7 @@ ExpressionId Parser::increment(ExpressionId operand, Operator op, Location place
   const ExpressionId changed = makeAssignable(operand, place, text);
   const Type type = typeOf(changed);
   if (!problems_.any() && (!type.isNumeric() || type.base == Base::Bool))
-    return failed(place, quoted(text) + " does not take " + tree_.types.withArticle(type));
+    return failExpression(place, quoted(text) + " does not take " + tree_.types.withArticle(type));
   return add(Expression{.kind = Code::Increment,
                         .op = op,
                         .type = type,

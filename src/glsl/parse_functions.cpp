@@ -1,4 +1,4 @@
-// Functions: their heads, their parameters, and that none calls itself.
+// Functions: their heads, their parameters, and the check for recursion.
 #include <algorithm>
 
 #include "glsl/builtins.hpp"
@@ -18,14 +18,14 @@ std::string_view wordOf(const Parameter& parameter) {
                                                             : "inout";
 }
 
-// Says how the parameters of two declarations of one function differ; empty if they do not.
+// Describes how the parameters of two declarations of a function differ; empty if they don't.
 std::string differenceOf(const Function& before, const Function& now) {
   for (std::size_t i = 0; i < now.parameters.size(); ++i) {
     const std::string_view was = wordOf(before.parameters[i]), is = wordOf(now.parameters[i]);
     if (was != is)
       return "parameter " + std::to_string(i + 1) + " of " + quoted(now.name) + " was declared " +
              std::string(was) + " before, and is " + std::string(is) +
-             " here; write the same twice";
+             " here; make both declarations equal";
   }
   return {};
 }
@@ -36,25 +36,26 @@ void Parser::function(const Qualifiers& given, Type result, const Token& name) {
   allowOnly(given, {QualifierRole::Precision}, "a function");
   checkPrecision(given, result);
   if (problems_.any()) return;
-  if (!scope_.isGlobal()) return fail(name.place, "a function cannot stand inside another one");
+  if (!scope_.isGlobal())
+    return fail(name.place, "a function cannot be declared inside another one");
   const Meaning known = scope_.find(name.text);
   if (known.kind != Meaning::Kind::Function && !checkFree(name)) return;
   if (isBuiltIn(name.text) && versionProblem(text_.version, name.text).empty())
     requireVersion("a function with the name of a built-in one", name.place);
-  if (result.length == 0) return fail(name.place, "the array that a function gives needs a length");
-  if (tree_.types.hasArray(result)) requireVersion("an array that a function gives", name.place);
+  if (result.length == 0) return fail(name.place, "an array returned by a function needs a length");
+  if (tree_.types.hasArray(result)) requireVersion("an array returned by a function", name.place);
   if (tree_.types.hasSampler(result))
-    return fail(name.place, "a function cannot give an image; give what texture() reads of it");
-  if (tree_.types.size(result) > largestValue)
-    return fail(name.place, "what " + quoted(name.text) + " gives is too large");
+    return fail(name.place, "a function cannot return an image; return the result of texture()");
+  if (tree_.types.size(result) > maxValueSize)
+    return fail(name.place, "the result of " + quoted(name.text) + " is too large");
   take();
   scope_.open();
   Function made{name.text, result, parameters(), name.place};
   expect(")", "the parameters of a function");
   if (made.name == "main" && (result != voidType || !made.parameters.empty()))
-    fail(name.place, "main takes nothing and gives nothing: write void main()");
+    fail(name.place, "main has no parameters and returns nothing: write void main()");
   if (redefines(made))
-    fail(name.place, quoted(name.text) + " is a function of the language; give yours another name");
+    fail(name.place, quoted(name.text) + " is a built-in function; give yours another name");
   if (!problems_.any()) {
     const FunctionId number = declareFunction(made);
     if (!problems_.any() && !accept(";")) {
@@ -62,8 +63,8 @@ void Parser::function(const Qualifiers& given, Type result, const Token& name) {
       hasReturn_ = false;
       const StatementId body = block();
       if (result != voidType && !hasReturn_)
-        fail(name.place, quoted(name.text) + " gives " + tree_.types.withArticle(result) +
-                             ", but nothing in it returns one");
+        fail(name.place, "expected " + quoted(name.text) + " to return " +
+                             tree_.types.withArticle(result) + ", but it has no return statement");
       if (number != nothing && !problems_.any()) tree_.functions[number].body = body;
       current_ = nothing;
     }
@@ -84,7 +85,7 @@ std::vector<Parameter> Parser::parameters() {
     const std::string_view storage = given.word(Role::Storage);
     allowOnly(given, {Role::Const, Role::Storage, Role::Precision}, "a parameter");
     if (!storage.empty() && storage != "in" && storage != "out" && storage != "inout")
-      fail(place, quoted(storage) + " cannot stand before a parameter; take it away");
+      fail(place, quoted(storage) + " is not allowed before a parameter; remove it");
     if (peek().is("struct")) fail(place, "a structure cannot be declared here; declare it above");
     const auto direction = storage == "out"     ? Parameter::Direction::Out
                            : storage == "inout" ? Parameter::Direction::InOut
@@ -105,7 +106,7 @@ std::vector<Parameter> Parser::parameters() {
     }
     if (!name.text.empty() && !checkFree(name)) break;
     if (tree_.types.hasSampler(each) && direction != Parameter::Direction::In) {
-      fail(place, "an image can only be read; leave out and inout away");
+      fail(place, "an image can only be read; remove out or inout");
       break;
     }
     if (given.isConst() && direction != Parameter::Direction::In) {
@@ -119,7 +120,7 @@ std::vector<Parameter> Parser::parameters() {
   return all;
 }
 
-// Whether it is a built-in function with the same parameters; 3.00 refuses the name alone.
+// True for a built-in function with the same parameters; in 3.00 the name alone is rejected.
 bool Parser::redefines(const Function& made) const {
   std::vector<Type> types;
   for (const Parameter& each : made.parameters) types.push_back(each.type);
@@ -140,14 +141,14 @@ FunctionId Parser::declareFunction(const Function& made) {
     Function& other = tree_.functions[i];
     if (!isSame(other)) continue;
     if (other.type != made.type) {
-      fail(made.place, quoted(made.name) + " was declared otherwise before, to give " +
+      fail(made.place, quoted(made.name) + " was declared before with another result, " +
                            tree_.types.withArticle(other.type));
     } else if (std::string why = differenceOf(other, made); !why.empty()) {
       fail(made.place, std::move(why));
     } else if (!isDefinition && other.body == nothing && text_.version == 100) {
-      fail(made.place, quoted(made.name) + " is declared already; take this line away");
+      fail(made.place, quoted(made.name) + " is already declared; remove this line");
     } else if (isDefinition && other.body != nothing) {
-      fail(made.place, quoted(made.name) + " has a body with these parameters already");
+      fail(made.place, quoted(made.name) + " already has a body for these parameters");
     } else if (isDefinition) {
       other = made;
     }
@@ -156,7 +157,7 @@ FunctionId Parser::declareFunction(const Function& made) {
   tree_.functions.push_back(made);
   const auto index = static_cast<FunctionId>(tree_.functions.size() - 1);
   overloads_[made.name].push_back(index);
-  // Of the scope outside of its parameters.
+  // Adds the name to the scope outside of its parameters.
   scope_.close();
   if (scope_.find(made.name).kind != Meaning::Kind::Function)
     scope_.add(made.name, {Meaning::Kind::Function, nothing});
@@ -167,15 +168,15 @@ FunctionId Parser::declareFunction(const Function& made) {
   return index;
 }
 
-// Fails at a call of a function that has no body.
-void Parser::refuseMissing() {
+// Fails for a call of a function without a body.
+void Parser::rejectMissing() {
   for (const Call& call : calls_)
     if (const Function& function = tree_.functions[call.to]; function.body == nothing)
       return fail(call.place, quoted(function.name) + " is declared, but has no body");
 }
 
-// Functions that are reached from themselves. Each function is looked at once.
-void Parser::refuseRecursion() {
+// Finds functions that call themselves, directly or indirectly. Each function is visited once.
+void Parser::rejectRecursion() {
   enum class State : std::uint8_t { New, Open, Done };
   std::vector<State> states(tree_.functions.size(), State::New);
   std::vector<std::vector<std::size_t>> from(tree_.functions.size());
@@ -194,7 +195,7 @@ void Parser::refuseRecursion() {
       const Call& call = calls_[from[function][next++]];
       if (states[call.to] == State::Open) {
         return fail(call.place, quoted(tree_.functions[call.to].name) +
-                                    " calls itself, which no shader can; write a loop");
+                                    " calls itself, which shaders do not support; write a loop");
       }
       if (states[call.to] == State::New) {
         states[call.to] = State::Open;

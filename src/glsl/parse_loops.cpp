@@ -1,11 +1,11 @@
-// Loops, and conditions with what they declare.
+// Loops, and conditions with declarations.
 #include <algorithm>
 
 #include "glsl/parser.hpp"
 
 namespace warpjet::glsl {
 
-// `bool more = n < 4` in the place of a condition: what it is in each step is assigned to it.
+// Parses `bool more = n < 4` as a condition: the variable is assigned in each step.
 ExpressionId Parser::declaredCondition(StatementId& declared) {
   const Qualifiers given = qualifiers();
   allowOnly(given, {QualifierRole::Const, QualifierRole::Precision}, "a condition");
@@ -13,11 +13,11 @@ ExpressionId Parser::declaredCondition(StatementId& declared) {
   const Token name = peek();
   if (!checkFree(name)) return nothing;
   take();
-  if (!accept("=")) fail(peek().place, "a value is missing for " + quoted(name.text));
+  if (!accept("=")) fail(peek().place, "expected a value for " + quoted(name.text));
   const ExpressionId value = assignment();
   if (problems_.any()) return nothing;
   if (base != boolType || typeOf(value) != boolType) {
-    fail(name.place, "a condition must be a bool, but " + quoted(name.text) + " is " +
+    fail(name.place, "expected a bool as condition, got " + quoted(name.text) + ", " +
                          tree_.types.withArticle(base != boolType ? base : typeOf(value)));
     return nothing;
   }
@@ -45,7 +45,7 @@ ExpressionId Parser::condition(std::string_view after) {
   const ExpressionId value = expression();
   expect(")", "a condition");
   if (!problems_.any() && !typeOf(value).isBool())
-    fail(place, "the condition of this " + std::string(after) + " must be a bool, but is " +
+    fail(place, "expected a bool as the condition of this " + std::string(after) + ", got " +
                     tree_.types.withArticle(typeOf(value)));
   return value;
 }
@@ -63,7 +63,7 @@ StatementId Parser::forStatement() {
   } else if (!peek().is(";")) {
     test = expression();
     if (!problems_.any() && !typeOf(test).isBool())
-      fail(testPlace, "the condition of this for must be a bool, but is " +
+      fail(testPlace, "expected a bool as the condition of this for, got " +
                           tree_.types.withArticle(typeOf(test)));
   }
   expect(";", "the condition of a for");
@@ -87,15 +87,15 @@ StatementId Parser::forStatement() {
                        .children = {first, step, body}});
 }
 
-// Whether a condition declares a variable; `vec3(…)` begins an expression.
+// True if a condition declares a variable; `vec3(…)` starts an expression.
 bool Parser::startsDeclaration(std::size_t ahead) const {
   const Token& token = peek(ahead);
   return (startsType(ahead) && peek(ahead + 1).kind == Kind::Name) || token.is("const") ||
          token.is("highp") || token.is("mediump") || token.is("lowp");
 }
 
-// The loops that GLSL ES 1.00 has, appendix A.4: one number counts from a constant to a constant by
-// a constant, and its body leaves it alone.
+// The loops that GLSL ES 1.00 allows, appendix A.4: one number counts from a constant to a constant
+// by a constant, and the body doesn't change it.
 void Parser::requireCounting(StatementId start, ExpressionId test, StatementId step,
                              Location place) {
   if (text_.version != 100) return;
@@ -162,7 +162,8 @@ StatementId Parser::doStatement() {
   const StatementId body = statement(false);
   --loops_;
   scope_.close();
-  if (!accept("while")) fail(peek().place, "a while is missing after the body of do; " + found());
+  if (!accept("while"))
+    fail(peek().place, "expected while after the body of do, " + describeNext());
   const ExpressionId test = condition("while");
   expect(";", "do … while ( )");
   return add(Statement{.kind = Statement::Kind::Loop,

@@ -1,4 +1,4 @@
-// What operators stand between: names, numbers, calls, constructors, and parts of them.
+// The operands of operators: names, numbers, calls, constructors, and parts of them.
 #include <algorithm>
 
 #include "glsl/builtins.hpp"
@@ -36,7 +36,8 @@ ExpressionId Parser::member(ExpressionId operand) {
   const Location place = take().place;
   const Token name = peek();
   if (name.kind != Kind::Name) {
-    return failed(name.place, "a component or field is missing after the point; " + found());
+    return failExpression(name.place,
+                          "expected a component or field after the point, " + describeNext());
   }
   take();
   if (problems_.any()) return operand;
@@ -54,8 +55,8 @@ ExpressionId Parser::member(ExpressionId operand) {
   if (type.isStruct()) {
     const Field* field = tree_.types.structure(type).find(name.text);
     if (!field)
-      return failed(name.place,
-                    "" + tree_.types.withArticle(type) + " has no field " + quoted(name.text));
+      return failExpression(
+          name.place, "" + tree_.types.withArticle(type) + " has no field " + quoted(name.text));
     return add(Expression{.kind = Code::Part,
                           .isAssignable = isAssignable,
                           .type = field->type,
@@ -65,8 +66,8 @@ ExpressionId Parser::member(ExpressionId operand) {
   }
   const auto packed = type.isVector() ? readSwizzle(name.text, type.rows) : std::nullopt;
   if (!packed)
-    return failed(name.place,
-                  "" + tree_.types.withArticle(type) + " has no component " + quoted(name.text));
+    return failExpression(
+        name.place, "" + tree_.types.withArticle(type) + " has no component " + quoted(name.text));
   return add(Expression{.kind = Code::Swizzle,
                         .isAssignable = isAssignable,
                         .type = vectorType(type.base, static_cast<int>(name.text.size())),
@@ -82,21 +83,21 @@ ExpressionId Parser::element(ExpressionId operand) {
   if (problems_.any()) return operand;
   const Type type = typeOf(operand);
   if (!type.isArray() && !type.isVector() && !type.isMatrix())
-    return failed(place, "" + tree_.types.withArticle(type) + " has no elements");
-  if (!typeOf(index).isWhole() || !typeOf(index).isScalar())
-    return failed(
-        place, "an index must be an int or uint, but is " + tree_.types.withArticle(typeOf(index)));
+    return failExpression(place, "" + tree_.types.withArticle(type) + " has no elements");
+  if (!typeOf(index).isInteger() || !typeOf(index).isScalar())
+    return failExpression(
+        place, "expected an int or uint as index, got " + tree_.types.withArticle(typeOf(index)));
   const auto isCounter = [&](VariableId each) {
     return std::find(counters_.begin(), counters_.end(), each) != counters_.end();
   };
   if (!constants_.isConstant(index, isCounter) && !isUniform(operand))
     requireVersion("an index that is not constant", place);
   if (tree_.types.isBlock(type) && !constants_.isConstant(index))
-    return failed(place, "the index of a block of uniforms must be a constant");
+    return failExpression(place, "the index of a block of uniforms must be a constant");
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
-  if (const auto known = constants_.whole(index); known && (*known < 0 || *known >= count))
-    return failed(place, "the index " + std::to_string(*known) + " is not one of 0 to " +
-                             std::to_string(count - 1));
+  if (const auto known = constants_.integer(index); known && (*known < 0 || *known >= count))
+    return failExpression(place, "expected an index from 0 to " + std::to_string(count - 1) +
+                                     ", got " + std::to_string(*known));
   const Type element = type.isArray()    ? type.element()
                        : type.isMatrix() ? vectorType(type.base, type.rows)
                                          : scalarOf(type.base);
@@ -107,8 +108,8 @@ ExpressionId Parser::element(ExpressionId operand) {
                         .operands = {operand, index}});
 }
 
-// Whether this is a uniform or a part of one: in a vertex shader of GLSL ES 1.00, only those take
-// an index that is not constant (appendix A.5).
+// True for a uniform or a part of one: in vertex shaders of GLSL ES 1.00, only those allow an index
+// that isn't constant (appendix A.5).
 bool Parser::isUniform(ExpressionId operand) const {
   const Expression* root = &tree_.expressions[operand];
   while (root->kind != Code::Variable && !root->operands.empty())
@@ -128,7 +129,7 @@ ExpressionId Parser::primary() {
   if (token.kind == Kind::Int || token.kind == Kind::Uint || token.kind == Kind::Float)
     return number();
   if (token.kind == Kind::Name) return named();
-  return failed(token.place, "a value is missing; " + found());
+  return failExpression(token.place, "expected a value, " + describeNext());
 }
 
 ExpressionId Parser::number() {
@@ -171,10 +172,10 @@ ExpressionId Parser::named() {
   if (meaning.kind != Meaning::Kind::Variable) {
     const bool isFunction = meaning.kind == Meaning::Kind::Function || isBuiltIn(name.text);
     if (isFunction)
-      return failed(name.place, quoted(name.text) + " is a function; call it with ( )");
+      return failExpression(name.place, quoted(name.text) + " is a function; call it with ( )");
     Nearest nearest(name.text);
     scope_.each(Meaning::Kind::Variable, [&](std::string_view other) { nearest.offer(other); });
-    return failed(name.place, quoted(name.text) + " is not declared" + nearest.question());
+    return failExpression(name.place, quoted(name.text) + " is not declared" + nearest.question());
   }
   take();
   if (name.text.starts_with("gl_")) requireVersion(name.text, name.place);
@@ -185,7 +186,7 @@ ExpressionId Parser::named() {
                         .place = name.place});
 }
 
-// From the parenthesis on to the one that closes it.
+// Parses from the parenthesis to its counterpart.
 std::vector<ExpressionId> Parser::arguments() {
   std::vector<ExpressionId> all;
   expect("(", "this");
@@ -204,14 +205,14 @@ std::vector<ExpressionId> Parser::arguments() {
 
 ExpressionId Parser::construct(Type type, Location place) {
   if (!problems_.any() && !peek().is("("))
-    return failed(place, "a value is missing; a type stands here");
+    return failExpression(place, "expected a value, got a type");
   std::vector<ExpressionId> operands = arguments();
-  if (problems_.any()) return failed(place, "");
+  if (problems_.any()) return failExpression(place, "");
   std::vector<Type> types;
   for (const ExpressionId operand : operands) types.push_back(typeOf(operand));
   if (type.length == 0) type.length = static_cast<std::int32_t>(operands.size());
   std::string why = constructorProblem(type, types, tree_.types);
-  if (!why.empty()) return failed(place, std::move(why));
+  if (!why.empty()) return failExpression(place, std::move(why));
   return add(Expression{
       .kind = Code::Construct, .type = type, .place = place, .operands = std::move(operands)});
 }
@@ -219,26 +220,27 @@ ExpressionId Parser::construct(Type type, Location place) {
 ExpressionId Parser::call(const Token& name) {
   const Meaning meaning = scope_.find(name.text);
   std::vector<ExpressionId> operands = arguments();
-  if (problems_.any()) return failed(name.place, "");
+  if (problems_.any()) return failExpression(name.place, "");
   std::vector<Type> types;
   for (const ExpressionId operand : operands) types.push_back(typeOf(operand));
   if (meaning.kind == Meaning::Kind::Function) {
     const ExpressionId made = callFunction(name, operands, types);
-    if (problems_.any()) return failed(name.place, "");
+    if (problems_.any()) return failExpression(name.place, "");
     if (made != nothing) return made;
   }
   if (meaning.kind == Meaning::Kind::Variable)
-    return failed(name.place, quoted(name.text) + " is a variable and cannot be called");
+    return failExpression(name.place, quoted(name.text) + " is a variable and cannot be called");
   const auto found = findBuiltIn(name.text, types);
   if (!found) {
     if (meaning.kind == Meaning::Kind::None && !isBuiltIn(name.text)) {
       Nearest nearest(name.text);
       for (const BuiltIn& row : builtIns) nearest.offer(row.name);
       scope_.each(Meaning::Kind::Function, [&](std::string_view other) { nearest.offer(other); });
-      return failed(name.place, "there is no function " + quoted(name.text) + nearest.question());
+      return failExpression(name.place,
+                            "there is no function " + quoted(name.text) + nearest.question());
     }
-    return failed(name.place, quoted(name.text) + " cannot be called with (" + typesOf(types) +
-                                  "); GLSL converts nothing by itself");
+    return failExpression(name.place, quoted(name.text) + " cannot be called with (" +
+                                          typesOf(types) + "); GLSL has no implicit conversions");
   }
   const BuiltIn& row = builtIns[found->row];
   requireVersion(name.text, name.place);
@@ -246,10 +248,10 @@ ExpressionId Parser::call(const Token& name) {
   if (hasOffset(row)) checkOffset(row, operands.back(), name.place);
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (isOut(row, i)) makeAssignable(operands[i], name.place, "this call");
-  if (row.way == Way::Refused)
-    return failed(name.place,
-                  quoted(name.text) +
-                      " has no place in a warp, which needs exact derivatives of what vertices do");
+  if (row.way == Way::Unsupported)
+    return failExpression(
+        name.place,
+        quoted(name.text) + " cannot be used in a warp, which needs exact derivatives per vertex");
   return add(Expression{.kind = Code::BuiltIn,
                         .type = found->result,
                         .index = found->row,
@@ -260,15 +262,16 @@ ExpressionId Parser::call(const Token& name) {
 // An offset in texels must be constant: GLSL ES 3.00, section 8.8.
 void Parser::checkOffset(const BuiltIn& row, ExpressionId offset, Location place) {
   if (problems_.any()) return;
-  const auto numbers = constants_.wholes(offset);
+  const auto numbers = constants_.integers(offset);
   const bool fits = !numbers.empty() && std::all_of(numbers.begin(), numbers.end(),
                                                     [](int n) { return n >= -8 && n <= 7; });
   if (!fits)
     fail(place, "the offset of " + std::string(row.name) +
-                    " must be a constant of whole numbers from -8 to 7");
+                    " must be a constant with whole numbers from -8 to 7");
 }
 
-// One of the text's own; nothing where none of that name fits, for a built-in one may.
+// A call of a function of the source; `nothing` if no overload matches, in case a built-in one
+// does.
 ExpressionId Parser::callFunction(const Token& name, std::vector<ExpressionId> operands,
                                   const std::vector<Type>& types) {
   std::string known;
@@ -290,8 +293,8 @@ ExpressionId Parser::callFunction(const Token& name, std::vector<ExpressionId> o
                           .operands = std::move(operands)});
   }
   if (!findBuiltIn(name.text, types))
-    return failed(name.place, quoted(name.text) + " takes " + known + ", but (" + typesOf(types) +
-                                  ") came; GLSL converts nothing by itself");
+    return failExpression(name.place, quoted(name.text) + " expected " + known + ", got (" +
+                                          typesOf(types) + "); GLSL has no implicit conversions");
   return nothing;
 }
 

@@ -16,7 +16,7 @@ StatementId Parser::makeBlock(Location place, std::vector<StatementId> children)
       Statement{.kind = Statement::Kind::Block, .place = place, .children = std::move(children)});
 }
 
-// From its brace to the one that closes it. Its scope is the caller's.
+// Parses from the brace to its counterpart. The caller opens its scope.
 StatementId Parser::block() {
   const Location place = peek().place;
   if (!expect("{", "the head of this function")) return nothing;
@@ -51,7 +51,7 @@ StatementId Parser::statement(bool opensScope) {
     if (token.is("return")) return returnStatement();
     if (token.is("break") || token.is("continue") || token.is("discard")) return jump();
     if ((token.is("case") && !isDeclared(token)) || token.is("default")) {
-      fail(token.place, quoted(token.text) + " stands outside of a switch");
+      fail(token.place, quoted(token.text) + " is outside of a switch");
       return nothing;
     }
     return simpleStatement();
@@ -60,7 +60,7 @@ StatementId Parser::statement(bool opensScope) {
   return made;
 }
 
-// A declaration or an expression, up to its semicolon.
+// Parses a declaration or an expression, up to its semicolon.
 StatementId Parser::simpleStatement() {
   const Token& token = peek();
   if (accept(";")) return makeBlock(token.place, {});
@@ -69,7 +69,7 @@ StatementId Parser::simpleStatement() {
     return makeBlock(token.place, {});
   }
   const Qualifiers given = qualifiers();
-  // `vec3(…)` and `float[](…)` begin an expression.
+  // `vec3(…)` and `float[](…)` start an expression.
   const bool isValue =
       peek(1).is("(") || (peek(1).is("[") && (peek(2).is("]") || peek(3).is("]")) &&
                           (peek(3).is("(") || peek(4).is("(")));
@@ -111,9 +111,9 @@ StatementId Parser::switchStatement() {
   expect("(", "switch");
   const ExpressionId value = expression();
   expect(")", "the value of a switch");
-  if (!problems_.any() && !(typeOf(value).isWhole() && typeOf(value).isScalar()))
-    fail(place, "a switch goes by an int or uint, but " + tree_.types.withArticle(typeOf(value)) +
-                    " came");
+  if (!problems_.any() && !(typeOf(value).isInteger() && typeOf(value).isScalar()))
+    fail(place, "expected an int or uint as the value of this switch, got " +
+                    tree_.types.withArticle(typeOf(value)));
   expect("{", "switch ( )");
   scope_.open();
   ++switches_;
@@ -130,13 +130,13 @@ StatementId Parser::switchStatement() {
         if (problems_.any()) break;
         label = caseLabel(label, typeOf(value), labels, token.place);
       } else if (std::exchange(hasDefault, true)) {
-        fail(token.place, "this switch has a default already");
+        fail(token.place, "this switch already has a default");
       }
       expect(":", "a case");
       children.push_back(
           add(Statement{.kind = Statement::Kind::Case, .expression = label, .place = token.place}));
     } else if (children.empty()) {
-      fail(token.place, "a case is missing before this; " + found());
+      fail(token.place, "expected a case before this, " + describeNext());
     } else {
       children.push_back(statement());
     }
@@ -144,7 +144,7 @@ StatementId Parser::switchStatement() {
   if (!problems_.any() && !children.empty() &&
       tree_.statements[children.back()].kind == Statement::Kind::Case)
     fail(tree_.statements[children.back()].place,
-         "nothing stands after this label; write break; there");
+         "there is no statement after this label; write break; there");
   expect("}", "the cases of a switch");
   --switches_;
   scope_.close();
@@ -154,17 +154,17 @@ StatementId Parser::switchStatement() {
                        .children = std::move(children)});
 }
 
-// The number itself, in the place of the expression.
+// The label's constant, which replaces the expression.
 ExpressionId Parser::caseLabel(ExpressionId label, Type wanted, std::set<std::int32_t>& labels,
                                Location place) {
-  const auto known = constants_.whole(label);
+  const auto known = constants_.integer(label);
   if (typeOf(label) != wanted || !known)
-    return failed(place, "a case needs a constant " + tree_.types.name(wanted));
+    return failExpression(place, "expected a constant " + tree_.types.name(wanted) + " after case");
   const double number =
       wanted == intType ? *known : static_cast<double>(static_cast<std::uint32_t>(*known));
   if (!labels.insert(*known).second) {
     std::string text = std::to_string(static_cast<std::int64_t>(number));
-    return failed(place, "this switch has a case " + text + " already; take one away");
+    return failExpression(place, "this switch already has a case " + text + "; remove one");
   }
   return add(Expression{.kind = Code::Constant, .type = wanted, .value = number, .place = place});
 }
@@ -178,13 +178,14 @@ StatementId Parser::returnStatement() {
     value = expression();
     if (problems_.any()) return nothing;
     if (wanted == voidType) {
-      fail(place, "this function is void and gives nothing back; write return;");
+      fail(place, "this function is void and returns nothing; write return;");
     } else if (typeOf(value) != wanted) {
-      fail(place, "this function gives " + tree_.types.withArticle(wanted) + ", but returns " +
+      fail(place, "expected this function to return " + tree_.types.withArticle(wanted) + ", got " +
                       tree_.types.withArticle(typeOf(value)));
     }
   } else if (wanted != voidType) {
-    fail(place, "this function gives " + tree_.types.withArticle(wanted) + ", but returns nothing");
+    fail(place,
+         "expected this function to return " + tree_.types.withArticle(wanted) + ", got nothing");
   }
   expect(";", "return");
   return add(Statement{.kind = Statement::Kind::Return, .expression = value, .place = place});
@@ -193,9 +194,9 @@ StatementId Parser::returnStatement() {
 StatementId Parser::jump() {
   const Token token = take();
   if (token.is("discard")) {
-    fail(token.place, "discard is for fragments; a warp moves vertices and leaves out none");
+    fail(token.place, "discard is for fragments; a warp moves vertices and discards none");
   } else if (token.is("break") ? !loops_ && !switches_ : !loops_) {
-    fail(token.place, quoted(token.text) + " stands outside of a loop");
+    fail(token.place, quoted(token.text) + " is outside of a loop");
   }
   expect(";", token.text);
   return add(

@@ -1,4 +1,4 @@
-// Tokens, types, and what stands above functions.
+// Tokens, types, and global declarations.
 #include "glsl/parser.hpp"
 
 #include "glsl/keywords.hpp"
@@ -8,7 +8,7 @@ namespace warpjet::glsl {
 
 namespace {
 
-constexpr std::int32_t longestArray = 4096;
+constexpr std::int32_t maxArrayLength = 4096;
 
 }  // namespace
 
@@ -33,14 +33,14 @@ bool Parser::accept(std::string_view text) {
   return true;
 }
 
-std::string Parser::found() const {
-  return peek().kind == Kind::End ? "the text ends here" : quoted(peek().text) + " stands here";
+std::string Parser::describeNext() const {
+  return peek().kind == Kind::End ? "got the end of the source" : "got " + quoted(peek().text);
 }
 
 bool Parser::expect(std::string_view text, std::string_view after) {
   if (accept(text)) return true;
   fail(peek().place,
-       "a " + std::string(text) + " is missing after " + std::string(after) + "; " + found());
+       "expected " + std::string(text) + " after " + std::string(after) + ", " + describeNext());
   return false;
 }
 
@@ -51,15 +51,15 @@ void Parser::requireVersion(std::string_view what, Location place) {
 
 std::string_view Parser::takeName(std::string_view what) {
   if (peek().kind != Kind::Name || isKeyword(peek().text, text_.version)) {
-    fail(peek().place, "a name is missing for " + std::string(what) + "; " + found());
+    fail(peek().place, "expected a name for " + std::string(what) + ", " + describeNext());
     return {};
   }
   return take().text;
 }
 
 bool Parser::goDeeper() {
-  if (depth_ < deepest) return true;
-  fail(peek().place, "this is nested more than " + std::to_string(deepest) + " deep");
+  if (depth_ < maxDepth) return true;
+  fail(peek().place, "this is nested more than " + std::to_string(maxDepth) + " deep");
   return false;
 }
 
@@ -67,18 +67,19 @@ Tree Parser::parse() {
   if (text_.version) findStage();
   declareBuiltIns();
   while (peek().kind != Kind::End) global();
-  if (!problems_.any()) refuseRecursion();
-  if (!problems_.any()) refuseMissing();
+  if (!problems_.any()) rejectRecursion();
+  if (!problems_.any()) rejectMissing();
   return std::move(tree_);
 }
 
 void Parser::global() {
-  // A stray ; behind a function is left alone where no browser is meant to read the text as it is.
+  // Without #version, where no browser is meant to read the source unchanged, a stray ; after a
+  // function is tolerated.
   if (text_.version == 0 && accept(";")) return;
   if (peek().is("precision")) return precision();
   if (peek().is("invariant") && peek(2).is(";")) return invariant();
   const Qualifiers given = qualifiers();
-  if (given.word(QualifierRole::Storage) == "uniform" && given.isOfBlocks && accept(";")) return;
+  if (given.word(QualifierRole::Storage) == "uniform" && given.isForBlocks && accept(";")) return;
   if (given.any() && startsBlock()) return uniformBlock(given);
   const Location place = peek().place;
   const Type base = type();
@@ -118,21 +119,21 @@ Type Parser::type() {
   } else {
     const bool isOther = word.kind == Kind::Name && word.text.find("sampler") != word.text.npos;
     fail(word.place, isOther ? quoted(word.text) + " cannot be read in a warp; only sampler2D can"
-                             : "a type was expected; " + this->found());
+                             : "expected a type, " + this->describeNext());
     return voidType;
   }
   take();
   if (!peek().is("[")) return found;
   const Location place = peek().place;
   const Type array = arrayOf(found);
-  // What a function gives has it nowhere else.
+  // The result type of a function has no other place for the length.
   if (!peek(1).is("(")) requireVersion("the length of an array before its name", place);
   return array;
 }
 
 Type Parser::arrayOf(Type element) {
   const Location place = take().place;
-  if (element.isArray()) fail(place, "an array of arrays is not in the language");
+  if (element.isArray()) fail(place, "GLSL has no arrays of arrays");
   Type array = element;
   array.length = 0;
   if (peek().is("]")) {
@@ -140,16 +141,16 @@ Type Parser::arrayOf(Type element) {
   } else {
     const ExpressionId size = expression();
     if (problems_.any()) return element;
-    const auto length = constants_.whole(size);
-    if (!length || *length < 1 || *length > longestArray) {
+    const auto length = constants_.integer(size);
+    if (!length || *length < 1 || *length > maxArrayLength) {
       fail(place, "the length of an array must be a constant whole number from 1 to " +
-                      std::to_string(longestArray));
+                      std::to_string(maxArrayLength));
       return element;
     }
     array.length = *length;
   }
   expect("]", "the length of an array");
-  if (peek().is("[")) fail(peek().place, "an array of arrays is not in the language");
+  if (peek().is("[")) fail(peek().place, "GLSL has no arrays of arrays");
   return array;
 }
 
@@ -177,7 +178,7 @@ Type Parser::structure() {
   return type;
 }
 
-// `float x, y[2];` up to its semicolon.
+// Parses `float x, y[2];` up to its semicolon.
 void Parser::fields(const Qualifiers& given, Structure& made) {
   if (peek().is("struct"))
     return fail(peek().place, "a structure cannot be declared inside another; declare it above");
@@ -188,43 +189,42 @@ void Parser::fields(const Qualifiers& given, Structure& made) {
     std::string why = name.kind == Kind::Name ? nameProblem(name.text, text_.version) : "";
     if (!why.empty()) fail(name.place, std::move(why));
     const std::string_view field = takeName("a field");
-    if (base.isArray() && peek().is("["))
-      fail(peek().place, "an array of arrays is not in the language");
+    if (base.isArray() && peek().is("[")) fail(peek().place, "GLSL has no arrays of arrays");
     const Type each = peek().is("[") ? arrayOf(base) : base;
     if (each == voidType || each.length == 0)
       fail(name.place, "a field cannot be " + tree_.types.name(each));
     if (made.find(field))
-      fail(name.place, quoted(field) + (made.isBlock ? " is a member of this block already"
-                                                     : " is a field of this structure already"));
+      fail(name.place, quoted(field) + (made.isBlock ? " is already a member of this block"
+                                                     : " is already a field of this structure"));
     if (problems_.any()) return;
     made.add({field, each, made.size});
     made.size += tree_.types.size(each);
-    if (made.size > largestValue) fail(name.place, "this structure is too large");
+    if (made.size > maxValueSize) fail(name.place, "this structure is too large");
   } while (accept(","));
   expect(";", "a field");
 }
 
 bool Parser::checkFree(const Token& name) {
   if (name.kind != Kind::Name) {
-    fail(name.place, "a name is missing here; " + found());
+    fail(name.place, "expected a name, " + describeNext());
   } else if (std::string why = nameProblem(name.text, text_.version); !why.empty()) {
     fail(name.place, std::move(why));
   } else if (!scope_.isFree(name.text)) {
-    fail(name.place, quoted(name.text) + " is declared here already");
+    fail(name.place, quoted(name.text) + " is already declared here");
   }
   return !problems_.any();
 }
 
 VariableId Parser::addVariable(const Token& name, Type type, Variable::Kind kind) {
   const int size = tree_.types.size(type);
-  if (size > largestValue) {
+  if (size > maxValueSize) {
     fail(name.place, quoted(name.text) + " is too large");
-  } else if ((held_ += size) > mostHeld) {
-    fail(name.place, "the variables of this text are too large together");
+  } else if ((held_ += size) > maxHeld) {
+    fail(name.place, "the variables of this source are too large in total");
   } else if (kind == Variable::Kind::Uniform || kind == Variable::Kind::Attribute) {
-    // Even if each is a float.
-    if ((heldOutside_ += type.isNumeric() ? 1 : size) > largestValue)
-      fail(name.place, "this text has too much from outside: more than 65,536 uniforms");
+    // Counts them even if each is a float.
+    if ((heldOutside_ += type.isNumeric() ? 1 : size) > maxValueSize)
+      fail(name.place, "this source has too many inputs: more than 65,536 uniforms");
   }
   const auto index = static_cast<VariableId>(tree_.variables.size());
   tree_.variables.push_back({name.text, type, name.place, kind});

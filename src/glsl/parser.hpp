@@ -1,5 +1,5 @@
-// From tokens to the typed tree: a recursive descent, as deep as `deepest` and no deeper. Past the
-// first problem every token is the end of the text, so that it comes to an end at once.
+// Parses tokens to the typed tree by recursive descent, up to a depth of `maxDepth`. After the
+// first problem every token is the end of the source, so that parsing ends at once.
 #pragma once
 
 #include <map>
@@ -27,9 +27,9 @@ class Parser {
   using Kind = Token::Kind;
   using Code = Expression::Kind;
 
-  static constexpr int deepest = 128;
-  // Numbers of one variable or structure, and of all variables together.
-  static constexpr int largestValue = 1 << 16, mostHeld = 1 << 20;
+  static constexpr int maxDepth = 128;
+  // The max size of one variable or structure, and of all variables together, in numbers.
+  static constexpr int maxValueSize = 1 << 16, maxHeld = 1 << 20;
 
   struct GlobalKind {
     Variable::Kind kind;
@@ -41,14 +41,14 @@ class Parser {
   const Token& take();
   bool accept(std::string_view text);
   bool expect(std::string_view text, std::string_view after);
-  void fail(Location place, std::string sentence) { problems_.add(place, std::move(sentence)); }
-  // Fails where the version of the text has no such thing.
+  void fail(Location place, std::string message) { problems_.add(place, std::move(message)); }
+  // Fails if the version of the source lacks the feature.
   void requireVersion(std::string_view what, Location place);
-  std::string found() const;
+  std::string describeNext() const;
   std::string_view takeName(std::string_view what);
   bool goDeeper();
   void global();
-  // By the text itself: a word of one language may be a name in the other.
+  // True if the source declares the name: a keyword of one language may be a name in the other.
   bool isDeclared(const Token& token) const;
   bool startsType(std::size_t ahead = 0) const;
   Type type();
@@ -61,7 +61,7 @@ class Parser {
   // parse_qualifiers.cpp
   Qualifiers qualifiers();
   void checkOrder(const Qualifiers::Word& before, const Token& token, QualifierRole role);
-  void layout(Qualifiers& found);
+  void layout(Qualifiers& describeNext);
   void allowOnly(const Qualifiers& given, std::initializer_list<QualifierRole> roles,
                  std::string_view where);
   void checkPrecision(const Qualifiers& given, Type type);
@@ -85,10 +85,10 @@ class Parser {
   // parse_functions.cpp
   void function(const Qualifiers& given, Type result, const Token& name);
   bool redefines(const Function& made) const;
-  void refuseMissing();
+  void rejectMissing();
   std::vector<Parameter> parameters();
   FunctionId declareFunction(const Function& function);
-  void refuseRecursion();
+  void rejectRecursion();
 
   // parse_statements.cpp
   StatementId statement(bool opensScope = true);
@@ -126,7 +126,7 @@ class Parser {
   ExpressionId makeBinary(Operator op, ExpressionId left, ExpressionId right, Location place);
   ExpressionId makeAssignable(ExpressionId operand, Location place, std::string_view what);
   ExpressionId increment(ExpressionId operand, Operator op, Location place, bool isPostfix);
-  ExpressionId failed(Location place, std::string sentence);
+  ExpressionId failExpression(Location place, std::string message);
   ExpressionId add(Expression expression);
 
   // parse_operands.cpp
@@ -156,15 +156,15 @@ class Parser {
   Token end_;
   std::size_t at_ = 0;
   int depth_ = 0, loops_ = 0, switches_ = 0;
-  // The stage of a whole shader, which its variables of the language tell.
+  // The stage of a whole shader, which is determined by its built-in variables.
   enum class Stage : std::uint8_t { Unknown, Vertex, Fragment } stage_ = Stage::Unknown;
-  bool hasReturn_ = false;  // the function that is being read
-  // Numbers of all variables, and of those from outside.
+  bool hasReturn_ = false;  // true if the current function has a return
+  // The size of all variables, and of uniforms and attributes.
   int held_ = 0, heldOutside_ = 0;
-  // Of the loops around this place, as GLSL ES 1.00 counts.
+  // The counters of the enclosing loops, as GLSL ES 1.00 defines them.
   std::vector<VariableId> counters_;
   std::map<std::string_view, std::vector<FunctionId>> overloads_;
-  // The function that is being read, and who calls whom.
+  // The function being parsed, and all calls.
   FunctionId current_ = nothing;
   struct Call {
     FunctionId from, to;

@@ -20,7 +20,7 @@ class Preprocessor {
     macros_.define("GL_ES", 1);
     macros_.define("GL_FRAGMENT_PRECISION_HIGH", 1);
     macros_.define("__FILE__", 0);
-    // Browsers take a text without #version as 1.00.
+    // Browsers treat a source without #version as 1.00.
     macros_.define("__VERSION__", 100);
   }
 
@@ -29,7 +29,7 @@ class Preprocessor {
     while (at < tokens_.size() && tokens_[at].kind != Kind::End && !problems_.any()) {
       std::size_t end = at + 1;
       const bool isDirective = tokens_[at].is("#") && tokens_[at].startsLine;
-      // A macro's arguments may go over several lines, a directive is one.
+      // The arguments of a macro may span several lines; a directive is a single line.
       while (end < tokens_.size() && tokens_[end].kind != Kind::End &&
              !(tokens_[end].startsLine && (isDirective || tokens_[end].is("#"))))
         ++end;
@@ -52,7 +52,7 @@ class Preprocessor {
   }
 
  private:
-  // An #if with what follows it, until its #endif.
+  // An #if with its branches, until its #endif.
   struct Block {
     Location place;
     bool isLive, wasLive, isOuterLive, hasElse = false;
@@ -86,16 +86,15 @@ class Preprocessor {
     if (word.is("pragma")) return pragma(rest);
     if (word.is("include"))
       return problems_.add(word.place,
-                           "GLSL has no #include; in the place of an #include, put the text of its "
-                           "file");
+                           "GLSL has no #include; replace it with the source in the file");
     problems_.add(word.place, word.kind == Kind::Other
                                   ? problemOf(word)
                                   : "there is no directive #" + std::string(word.text));
   }
 
-  void refuseMore(const Token& word, Line rest, std::size_t count) {
+  void rejectExtra(const Token& word, Line rest, std::size_t count) {
     if (rest.size() > count)
-      problems_.add(rest[count].place, quoted(rest[count].text) + " stands after #" +
+      problems_.add(rest[count].place, "unexpected " + quoted(rest[count].text) + " after #" +
                                            std::string(word.text) +
                                            "; put it into a comment, or on a line of its own");
   }
@@ -110,7 +109,7 @@ class Preprocessor {
         problems_.add(word.place, "#" + std::string(word.text) + " needs a name");
       } else {
         holds = macros_.has(rest[0].text) == word.is("ifdef");
-        refuseMore(word, rest, 1);
+        rejectExtra(word, rest, 1);
       }
     }
     blocks_.push_back({word.place, isOuterLive && holds, holds, isOuterLive});
@@ -121,13 +120,13 @@ class Preprocessor {
       return problems_.add(word.place, "#" + std::string(word.text) + " has no #if before it");
     Block& block = blocks_.back();
     if (word.is("endif")) {
-      refuseMore(word, rest, 0);
+      rejectExtra(word, rest, 0);
       return blocks_.pop_back();
     }
     if (!block.isOuterLive) return;
-    if (word.is("else")) refuseMore(word, rest, 0);
+    if (word.is("else")) rejectExtra(word, rest, 0);
     if (block.hasElse)
-      return problems_.add(word.place, "#" + std::string(word.text) + " stands after #else");
+      return problems_.add(word.place, "#" + std::string(word.text) + " comes after #else");
     block.hasElse = word.is("else");
     const bool mayHold = !block.wasLive;
     block.isLive = mayHold && (block.hasElse || isTrue(word, rest));
@@ -151,24 +150,24 @@ class Preprocessor {
 
   void renumber(const Token& word, Line rest) {
     const LineNumbers numbers = evaluateLine(word, rest, macros_, problems_);
-    // A directive may go on over several lines.
+    // A directive may span several lines.
     const std::uint32_t last = rest.empty() ? word.place.line : rest.back().place.line;
     lineShift_ = static_cast<std::int64_t>(numbers.line) - last - 1;
     if (numbers.file) macros_.define("__FILE__", *numbers.file);
   }
 
-  // `name : behaviour`: GLSL ES 3.00, section 3.5. What there is, the host asks of its driver.
+  // `name : behavior`: GLSL ES 3.00, section 3.5. The host queries its driver for extensions.
   void extension(const Token& word, Line rest) {
     const bool isName = !rest.empty() && rest[0].kind == Kind::Name;
     if (!isName || rest.size() < 3 || !rest[1].is(":") || rest.size() > 3)
       return problems_.add(word.place,
-                           "write it as #extension NAME : enable; instead of enable there may "
-                           "stand require, warn or disable");
+                           "write it as #extension NAME : enable; instead of enable, "
+                           "require, warn or disable are allowed");
     const Token &name = rest[0], &behavior = rest[2];
     const bool requires_ = behavior.is("require"), enables = requires_ || behavior.is("enable");
     if (!enables && !behavior.is("warn") && !behavior.is("disable"))
       return problems_.add(behavior.place, quoted(behavior.text) +
-                                               " is no behaviour of an extension; write enable, "
+                                               " is not a behavior of an extension; write enable, "
                                                "require, warn or disable");
     if (name.is("all") && enables)
       return problems_.add(behavior.place,

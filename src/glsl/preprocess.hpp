@@ -1,5 +1,5 @@
-// The preprocessor: from the tokens of a text to those that are left when its directives are
-// carried out and its macros expanded. GLSL ES 3.00, section 3.4.
+// The preprocessor: executes directives and expands macros, and returns the remaining tokens. GLSL
+// ES 3.00, section 3.4.
 #pragma once
 
 #include <deque>
@@ -12,9 +12,9 @@ namespace warpjet::glsl {
 
 struct Preprocessed {
   std::vector<Token> tokens;
-  // 100 or 300; 0 where the text does not say.
+  // 100 or 300; 0 without #version.
   int version = 0;
-  // Texts that macros made.
+  // The text of tokens created by macros.
   std::deque<std::string> made;
 };
 

@@ -1,4 +1,4 @@
-// The qualifiers of a type, as they were read.
+// The qualifiers of a type, as they were parsed.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace warpjet::glsl {
 
-// In the order in which they stand.
+// In their required order.
 enum class QualifierRole : std::uint8_t {
   Invariant,
   Interpolation,
@@ -28,12 +28,12 @@ struct Qualifiers {
 
   std::vector<Word> words{};
   // Set by layouts.
-  bool hasLocation = false, isOfBlocks = false;
-  // Set by a layout that blocks have, but not their members.
+  bool hasLocation = false, isForBlocks = false;
+  // Set by a layout that is allowed for blocks, but not for their members.
   bool isWhole = false;
 
   bool any() const { return !words.empty(); }
-  // The one of a role, or an empty word.
+  // The qualifier with that role, or an empty word.
   std::string_view word(QualifierRole role) const;
   bool isConst() const { return !word(QualifierRole::Const).empty(); }
 };

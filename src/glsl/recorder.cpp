@@ -12,8 +12,8 @@ namespace warpjet::glsl {
 
 namespace {
 
-// As a number of that type is.
-double held(Base base, double value) {
+// Converts a value to its representation in that type.
+double representAs(Base base, double value) {
   switch (base) {
     case Base::Float:
       return static_cast<double>(static_cast<float>(value));
@@ -27,12 +27,12 @@ double held(Base base, double value) {
   }
 }
 
-// Leaves an infinite result to the shader, unless an operand was infinite already.
-bool isKept(double result, bool areFinite) {
+// Infinite results are left to the shader, unless an operand was already infinite.
+bool canFoldTo(double result, bool areFinite) {
   return areFinite ? std::abs(result) <= 3.4028234663852886e38 : !std::isnan(result);
 }
 
-std::uint64_t mixed(std::uint64_t h) {
+std::uint64_t mixBits(std::uint64_t h) {
   h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
   h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
   return h ^ (h >> 31);
@@ -42,7 +42,7 @@ std::uint64_t mixed(std::uint64_t h) {
 
 bool Recorder::isEqual(Id id, const Operation& operation, std::span<const Id> operands) const {
   const Operation& other = at(id);
-  // By their bits: -0 is not 0.
+  // Compares bits: -0 differs from 0.
   return other.code == operation.code && other.base == operation.base &&
          std::memcmp(&other.value, &operation.value, sizeof other.value) == 0 &&
          std::equal(operands.begin(), operands.end(), this->operands(id).begin(),
@@ -53,9 +53,9 @@ Id Recorder::intern(Operation operation, std::span<const Id> operands) {
   if (isFull()) return Id(operations_.size() - 1);
   std::uint64_t bits;
   std::memcpy(&bits, &operation.value, sizeof bits);
-  std::uint64_t hash = mixed(bits ^ static_cast<std::uint64_t>(operation.code) << 40 ^
-                             static_cast<std::uint64_t>(operation.base) << 48);
-  for (const Id operand : operands) hash = mixed(hash + index(operand) + 1);
+  std::uint64_t hash = mixBits(bits ^ static_cast<std::uint64_t>(operation.code) << 40 ^
+                               static_cast<std::uint64_t>(operation.base) << 48);
+  for (const Id operand : operands) hash = mixBits(hash + index(operand) + 1);
   const auto [first, last] = known_.equal_range(hash);
   for (auto found = first; found != last; ++found)
     if (isEqual(found->second, operation, operands)) return found->second;
@@ -71,7 +71,7 @@ Id Recorder::intern(Operation operation, std::span<const Id> operands) {
 }
 
 Id Recorder::constant(Base base, double value) {
-  const double known = held(base, value);
+  const double known = representAs(base, value);
   return intern({Code::Constant, base, 0, 0, known}, {});
 }
 
@@ -108,7 +108,8 @@ Id Recorder::call(std::uint32_t routine, std::span<const Id> arguments) {
   return intern({Code::Call, Base::Float, 0, 0, 1.0 * routine}, known);
 }
 
-// As long as these are, however much else there is: it is asked of every function of a text.
+// Takes time proportional to the result, not to the recorder: it is called for every function of a
+// source.
 std::vector<Id> Recorder::neededBy(std::span<const Id> results) const {
   std::unordered_set<std::uint32_t> known;
   std::vector<Id> all;
@@ -140,7 +141,7 @@ Id Recorder::fold(std::uint32_t number, std::uint32_t steps, std::span<const Id>
   return intern({Code::Fold, Base::Float, 0, 0, 1.0 * number}, operands);
 }
 
-bool Recorder::isWhole(Id id) const {
+bool Recorder::isIntegral(Id id) const {
   switch (at(id).code) {
     case Code::Constant:
       return value(id) == std::trunc(value(id));
@@ -148,7 +149,7 @@ bool Recorder::isWhole(Id id) const {
       return true;
     case Code::Add:
     case Code::Mult:
-      return isWhole(operands(id)[0]) && isWhole(operands(id)[1]);
+      return isIntegral(operands(id)[0]) && isIntegral(operands(id)[1]);
     default:
       return false;
   }
@@ -169,13 +170,13 @@ Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
   if (areKnown)
     if (const auto result = foldsAll_ ? foldFunction(code, {values.data(), count})
                                       : glsl::fold(code, {values.data(), count}))
-      if (base != Base::Float || isKept(*result, areFinite)) return constant(base, *result);
+      if (base != Base::Float || canFoldTo(*result, areFinite)) return constant(base, *result);
   if (!foldsAll_ && count == 2 && isConstant(operands[1]))
-    return tamed(code, base, operands[0], operands[1]);
+    return avoidUndefined(code, base, operands[0], operands[1]);
   return intern({code, base}, {operands.data(), count});
 }
 
-Id Recorder::tamed(Code code, Base base, Id x, Id y) {
+Id Recorder::avoidUndefined(Code code, Base base, Id x, Id y) {
   switch (code) {
     case Code::IntDiv:
     case Code::UintDiv:
@@ -196,21 +197,21 @@ Id Recorder::tamed(Code code, Base base, Id x, Id y) {
   return intern({code, base}, std::array{x, y});
 }
 
-Id Recorder::negated(Id condition) {
+Id Recorder::logicalNot(Id condition) {
   if (isUndefined(condition)) return condition;
   if (isConstant(condition)) return constant(Base::Bool, value(condition) == 0);
   if (at(condition).code == Code::Not) return operands(condition)[0];
   return apply(Code::Not, Base::Bool, {condition});
 }
 
-Id Recorder::both(Id a, Id b) {
+Id Recorder::logicalAnd(Id a, Id b) {
   if (isTrue(a) || a == b) return b;
   if (isTrue(b) || isFalse(a)) return a;
   if (isFalse(b)) return b;
   return apply(Code::And, Base::Bool, {a, b});
 }
 
-Id Recorder::either(Id a, Id b) {
+Id Recorder::logicalOr(Id a, Id b) {
   if (isFalse(a) || a == b) return b;
   if (isFalse(b) || isTrue(a)) return a;
   if (isTrue(b)) return b;
@@ -229,11 +230,11 @@ Id Recorder::choose(Id condition, Id yes, Id no) {
   if (at(condition).code == Code::Not) return choose(operands(condition)[0], no, yes);
   switch (base(yes)) {
     case Base::Bool:
-      if (isTrue(yes)) return either(condition, no);
-      if (isFalse(no)) return both(condition, yes);
-      if (no == condition) return both(condition, yes);
-      if (yes == condition) return either(condition, no);
-      return either(both(condition, yes), both(negated(condition), no));
+      if (isTrue(yes)) return logicalOr(condition, no);
+      if (isFalse(no)) return logicalAnd(condition, yes);
+      if (no == condition) return logicalAnd(condition, yes);
+      if (yes == condition) return logicalOr(condition, no);
+      return logicalOr(logicalAnd(condition, yes), logicalAnd(logicalNot(condition), no));
     case Base::Float:
       return apply(Code::IfElse, Base::Float, {condition, yes, no});
     default:
@@ -258,13 +259,13 @@ Id Recorder::convert(Id value, Base to) {
   if (to == Bool) {
     const Id zero = constant(from, 0);
     if (from == Float) return apply(Code::Ne, Bool, {value, zero});
-    return negated(apply(Code::IntEq, Bool, {value, zero}));
+    return logicalNot(apply(Code::IntEq, Bool, {value, zero}));
   }
-  if (to == Float && at(value).code == Code::IntOf && isWhole(operands(value)[0]))
+  if (to == Float && at(value).code == Code::IntOf && isIntegral(operands(value)[0]))
     return operands(value)[0];
   if (to == Float) return apply(from == Int ? Code::FloatOf : Code::FloatOfUint, Float, {value});
   if (from == Float) return apply(to == Int ? Code::IntOf : Code::UintOf, to, {value});
-  // Between int and uint the bits stay.
+  // The bits are equal for int and uint.
   return apply(Code::SameBits, to, {value});
 }
 

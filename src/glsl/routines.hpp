@@ -1,5 +1,5 @@
-// Functions of a text that stay functions: recorded once, from numbers to numbers, however often
-// they are called.
+// Functions of the source that remain functions: recorded once, from numbers to numbers, for all
+// their calls.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,29 @@
 
 namespace warpjet::glsl {
 
-// The function's number, and its arguments: what is no float is known, and has its value here.
+// The function's number, and its arguments: arguments that aren't floats are known, and are
+// represented by their value.
 using RoutineKey = std::vector<double>;
 
 struct Routine {
   RoutineKey key;
   std::string name;
-  // What its parameters are numbered by in the recorder.
+  // The number of its parameters in the recorder.
   std::uint32_t number;
   std::size_t parameters;
-  // What it reads from outside, which calls hand it after its arguments.
+  // Values that it reads from outside; calls pass them after the arguments.
   std::vector<Id> outside;
   std::vector<Id> results;
 };
 
-// What calls take, and give.
-inline constexpr std::size_t mostNumbers = 16;
+// The max number of arguments, and of results.
+inline constexpr std::size_t maxNumbers = 16;
 
-// In operations for each number that it gives: of what is shorter, the call and the derivatives by
-// each argument would be longer than the body.
-inline constexpr std::size_t shortest = 12;
+// The min number of operations per result: for shorter bodies, the call and the derivatives with
+// respect to each argument would be longer than the body.
+inline constexpr std::size_t minOperationsPerResult = 12;
 
-// Those that only one place calls: there they are entered, which is shorter.
+// The routines that are called from a single place: these are inlined, which is shorter.
 std::set<RoutineKey> calledOnce(const Recorder& recorder, const std::vector<Routine>& routines,
                                 const std::vector<Id>& results);
 

@@ -1,4 +1,4 @@
-// Which name means what, at each point of a text.
+// The meaning of names at each point of the source.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@ namespace warpjet::glsl {
 
 struct Meaning {
   enum class Kind : std::uint8_t { None, Variable, Structure, Function, Block } kind = Kind::None;
-  // Of a variable or structure; functions have several.
+  // The index of a variable or structure; functions have several.
   std::int32_t index = nothing;
 };
 
@@ -33,7 +33,7 @@ class Scope {
     return found->second.back().meaning;
   }
 
-  // Whether the name has no meaning yet in the innermost scope.
+  // True if the name has no meaning yet in the innermost scope.
   bool isFree(std::string_view name) const {
     const auto found = meanings_.find(name);
     return found == meanings_.end() || found->second.empty() ||
@@ -45,7 +45,7 @@ class Scope {
     meanings_[name].push_back({meaning, marks_.size()});
   }
 
-  // All names of a kind that mean something here, to `visit(name)`.
+  // Calls `visit(name)` for all names of a kind that are visible here.
   template <class Visit>
   void each(Meaning::Kind kind, Visit visit) const {
     for (const auto& [name, meanings] : meanings_)
@@ -55,7 +55,7 @@ class Scope {
  private:
   struct Entry {
     Meaning meaning;
-    std::size_t depth;  // of the scope that it is declared in
+    std::size_t depth;  // the depth of the scope that declares it
   };
 
   std::vector<std::string_view> names_;

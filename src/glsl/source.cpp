@@ -6,11 +6,11 @@ namespace warpjet::glsl {
 
 namespace {
 
-constexpr std::size_t longestPiece = 40, longestLine = 100;
+constexpr std::size_t maxPieceLength = 40, maxLineLength = 100;
 
 bool isControl(char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }
 
-// A tab stays one, or the caret would stand elsewhere.
+// Tabs are preserved so that the caret stays aligned.
 std::string printable(std::string_view piece) {
   std::string text(piece);
   for (char& c : text)
@@ -27,7 +27,7 @@ std::string_view lineOf(std::string_view source, std::uint32_t number) {
   return source.substr(start, source.find('\n', start) - start);
 }
 
-// A byte that continues a character of UTF-8.
+// True for a continuation byte of UTF-8.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 }  // namespace
@@ -47,21 +47,21 @@ Lines::Lines(std::string_view text) {
 }
 
 std::string quoted(std::string_view piece) {
-  std::string text = printable(piece.substr(0, longestPiece));
-  while (!text.empty() && piece.size() > longestPiece && continues(piece[text.size()]))
+  std::string text = printable(piece.substr(0, maxPieceLength));
+  while (!text.empty() && piece.size() > maxPieceLength && continues(piece[text.size()]))
     text.pop_back();
-  return '"' + text + (piece.size() > longestPiece ? "…\"" : "\"");
+  return '"' + text + (piece.size() > maxPieceLength ? "…\"" : "\"");
 }
 
 std::string Problems::text(std::string_view source) const {
-  const auto& [place, sentence] = *found_;
+  const auto& [place, message] = *found_;
   std::string_view line = lineOf(source, place.line);
   std::size_t before = std::min<std::size_t>(place.column - 1, line.size());
   std::string dots;
-  if (line.size() > longestLine) {
-    std::size_t start = before > longestLine / 2 ? before - longestLine / 2 : 0;
+  if (line.size() > maxLineLength) {
+    std::size_t start = before > maxLineLength / 2 ? before - maxLineLength / 2 : 0;
     while (start < before && continues(line[start])) ++start;
-    std::size_t end = std::min(line.size(), start + longestLine);
+    std::size_t end = std::min(line.size(), start + maxLineLength);
     while (end > before && end < line.size() && continues(line[end])) --end;
     if (start > 0) dots = "…";
     before -= start;
@@ -71,7 +71,7 @@ std::string Problems::text(std::string_view source) const {
   for (std::size_t i = 0; i < before; ++i)
     if (!continues(line[i])) caret += line[i] == '\t' ? '\t' : ' ';
   return "line " + std::to_string(place.shown) + ", column " + std::to_string(place.column) + ": " +
-         sentence + (sentence.ends_with('?') ? "\n  " : ".\n  ") + dots + printable(line) + "\n  " +
+         message + (message.ends_with('?') ? "\n  " : ".\n  ") + dots + printable(line) + "\n  " +
          caret + '^';
 }
 

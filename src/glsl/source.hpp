@@ -1,4 +1,4 @@
-// Where something stands in a text, and what is wrong there.
+// Locations in a source, and problems at them.
 #pragma once
 
 #include <cstdint>
@@ -9,35 +9,36 @@
 
 namespace warpjet::glsl {
 
-// Lines and columns count from 1. `shown` is the line's number as `#line` has it.
+// Lines and columns count from 1. `shown` is the line number adjusted by `#line`.
 struct Location {
   std::uint32_t line = 1, column = 1, shown = 1;
 };
 
-// The first problem of a text. Whoever reads on after one finds the end at once, so that nothing
-// needs to ask for it but loops.
+// The first problem of a source. After a problem, the parser only sees the end of the source, so
+// that only loops need to check for it.
 class Problems {
  public:
-  void add(Location place, std::string sentence) {
-    if (!found_) found_ = {place, std::move(sentence)};
+  void add(Location place, std::string message) {
+    if (!found_) found_ = {place, std::move(message)};
   }
 
   bool any() const { return found_.has_value(); }
 
-  // The sentence with its line and column, then the line itself and a caret under the place.
+  // The message with line and column, then the line itself and a caret under the location.
   std::string text(std::string_view source) const;
 
  private:
   struct Found {
     Location place;
-    std::string sentence;
+    std::string message;
   };
 
   std::optional<Found> found_;
 };
 
-// A text as it is read: its lines end by '\n' alone, and each that ends by a backslash is joined to
-// the next, at the places `joins` of `joined`.
+// The source in normalized form: lines end with '
+// ' only, and each line that ends with a backslash is joined to the next one, at the positions
+// `joins` of `joined`.
 struct Lines {
   explicit Lines(std::string_view text);
 
@@ -45,7 +46,7 @@ struct Lines {
   std::vector<std::size_t> joins;
 };
 
-// A piece of the text for a sentence: on one line, not too long, without what a terminal obeys.
+// Quotes a piece of the source for a message: on one line, shortened, without control characters.
 std::string quoted(std::string_view piece);
 
 }  // namespace warpjet::glsl

@@ -1,5 +1,5 @@
-// What every variable holds at one point of the run. Where a condition decides, each way has a
-// branch: what is set in it is known when it closes, and the state is again what it was before.
+// The values of all variables at one point of the execution. If a condition is unknown, each side
+// has a branch: closing it returns the changes made in it and restores the previous state.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class Store {
     return first;
   }
 
-  // What is declared in a branch is gone after it.
+  // Variables declared in a branch don't exist after it.
   void declare(Slot first, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) depths_[first + i] = depth();
   }
@@ -43,7 +43,7 @@ class Store {
 
   void open() { marks_.push_back(log_.size()); }
 
-  // What was set since, each slot once, in order.
+  // The changes since `open`, one per slot, in order.
   Changes close() {
     Changes changes;
     for (std::size_t i = log_.size(); i-- > marks_.back();) {
@@ -53,7 +53,7 @@ class Store {
     }
     log_.resize(marks_.back());
     marks_.pop_back();
-    // Of the changes of one slot, the last to be undone saw what an earlier one had set.
+    // If a slot changed several times, the last change to be undone has the latest value.
     std::stable_sort(changes.begin(), changes.end(),
                      [](const Change& a, const Change& b) { return a.slot < b.slot; });
     changes.erase(std::unique(changes.begin(), changes.end(),
@@ -66,7 +66,7 @@ class Store {
 
  private:
   std::vector<Id> values_;
-  std::vector<std::uint32_t> depths_;  // the branches that were open when it was declared
+  std::vector<std::uint32_t> depths_;  // the number of open branches when it was declared
   Changes log_;
   std::vector<std::size_t> marks_;
 };

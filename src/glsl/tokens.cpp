@@ -13,7 +13,7 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isHexDigit(char c) { return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-// The longest first.
+// Longest first.
 constexpr std::array symbols{
     std::string_view("<<="), std::string_view(">>="), std::string_view("++"),
     std::string_view("--"),  std::string_view("<="),  std::string_view(">="),
@@ -27,8 +27,8 @@ constexpr std::string_view single = "()[]{}.,;:?+-*/%<>=!~&|^#";
 
 std::string noCharacter(std::string_view character) {
   if (character == "\"")
-    return "GLSL has no text in quotes; in the place of an #include, put the text of its file";
-  const std::string what = "there is a character here that no shader can hold";
+    return "GLSL has no strings; replace an #include with the source in the file";
+  const std::string what = "shaders do not allow this character";
   return character[0] == '\0' ? what + " (number 0)" : what + ": " + quoted(character);
 }
 
@@ -39,7 +39,7 @@ class Reader {
 
   std::vector<Token> read() {
     std::vector<Token> tokens;
-    // A mark that some editors put before a text.
+    // A byte order mark, which some editors insert.
     if (source_.starts_with("\xEF\xBB\xBF")) at_ = lineStart_ = 3;
     while (skipSpace(), at_ < source_.size() && !problems_.any()) {
       tokens.push_back(next());
@@ -66,7 +66,7 @@ class Reader {
     }
   }
 
-  // Over the end of a line.
+  // Skips the end of a line.
   void newLine() {
     findLine();
     ++line_;
@@ -182,7 +182,7 @@ std::vector<Token> readTokens(std::string_view source, Problems& problems,
 
 std::string problemOf(const Token& other) {
   if (isDigit(other.text[0]) || other.text[0] == '.')
-    return quoted(other.text) + " is no number; a number ends before its letters";
+    return quoted(other.text) + " is not a number; letters cannot follow digits";
   return noCharacter(other.text);
 }
 
@@ -204,12 +204,11 @@ std::uint32_t intValue(const Token& token, Problems& problems) {
     isFine = isFine && digit < base && value <= 0xFFFFFFFF;
     if (!isFine) break;
   }
-  if (!isFine)
-    problems.add(token.place, quoted(token.text) + " is no whole number that 32 bits can hold");
+  if (!isFine) problems.add(token.place, quoted(token.text) + " is not a whole number of 32 bits");
   return static_cast<std::uint32_t>(value);
 }
 
-// Beyond 3.4e38 it is infinite as a float: GLSL ES 3.00, section 4.1.4.
+// Values beyond 3.4e38 are infinite floats: GLSL ES 3.00, section 4.1.4.
 double floatValue(const Token& token) {
   return std::strtod(std::string(token.text).c_str(), nullptr);
 }

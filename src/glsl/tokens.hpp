@@ -1,4 +1,5 @@
-// From a text to its tokens: names, numbers and symbols, each with its place. Comments are gone.
+// Splits a source into tokens: names, numbers and symbols with their locations. Comments are
+// removed.
 #pragma once
 
 #include <span>
@@ -10,16 +11,16 @@
 namespace warpjet::glsl {
 
 struct Token {
-  // Other is what GLSL has no token for: an error unless a directive skips it.
+  // Other is an invalid token: an error unless a directive skips it.
   enum class Kind : std::uint8_t { Name, Int, Uint, Float, Symbol, Other, End };
 
   Kind kind = Kind::End;
   bool startsLine = false, followsSpace = false;
   std::string_view text;
   Location place;
-  // Whether it names a macro that was met within itself, and so names none any more.
+  // True if it names a macro that occurred within its own expansion, so it is never expanded.
   bool isPlain = false;
-  // The line where the call ends that this token is expanded from; 0 if it is from no macro.
+  // The line where the macro call ends that this token was expanded from; 0 if there is none.
   std::uint32_t callLine = 0;
 
   bool is(std::string_view wanted) const {
@@ -27,15 +28,15 @@ struct Token {
   }
 };
 
-// The last is an End. The texts of the tokens are parts of `source`, whose lines end by '\n'. At
-// each of the `joins`, in ascending order, two lines of the text were joined by a backslash.
+// The last token is an End. The text of tokens refers to `source`, whose lines end with '
+// '. `joins`, in ascending order, are the positions where two lines were joined by a backslash.
 std::vector<Token> readTokens(std::string_view source, Problems& problems,
                               std::span<const std::size_t> joins = {});
 
-// Why a token of the kind Other cannot be read.
+// The reason why a token of the kind Other is invalid.
 std::string problemOf(const Token& other);
 
-// Of a number's token.
+// The value of a number token.
 std::uint32_t intValue(const Token& token, Problems& problems);
 double floatValue(const Token& token);
 

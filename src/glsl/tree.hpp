@@ -1,5 +1,5 @@
-// The typed tree of a text: what the parser makes and the lowering walks. Nodes stand in lists and
-// name each other by number.
+// The typed tree of a source: created by the parser, read by the lowering. Nodes are stored in
+// lists and refer to each other by index.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace warpjet::glsl {
 
-// Places in the lists of a tree, or `nothing`.
+// Indices into the lists of a tree, or `nothing`.
 using ExpressionId = std::int32_t;
 using StatementId = std::int32_t;
 using VariableId = std::int32_t;
@@ -27,25 +27,26 @@ struct Expression {
     Variable,  // `index`
     Part,      // `index` is the offset of a field
     Swizzle,   // `index` packs the components, two bits each
-    Element,   // of an array, vector or matrix by an operand
+    Element,   // the element of an array, vector or matrix; the index is an operand
     Negate,
     Plus,
     Not,
     Complement,
-    Increment,  // `op` says Add or Subtract; `index` is 1 where the value is the one before
+    Increment,  // `op` is Add or Subtract; `index` is 1 for the postfix form, which returns the old
+                // value
     Binary,
     Choose,
     Assign,  // `isCombined` with `op`
     Sequence,
     Construct,
-    Call,     // of the function number `index`
+    Call,     // the index of the function
     BuiltIn,  // row number `index`
   };
 
   Kind kind;
   Operator op{};
   bool isCombined = false;
-  // Whether it can be assigned to.
+  // True if it can be assigned.
   bool isAssignable = false;
   std::uint16_t depth = 0;
   Type type{};
@@ -70,7 +71,7 @@ struct Statement {
   };
 
   Kind kind;
-  // Of a loop: whether its condition comes after the body.
+  // For a loop: true if its condition comes after the body.
   bool isLate = false;
   VariableId index = nothing;
   ExpressionId expression = nothing;
@@ -89,11 +90,11 @@ struct Variable {
     Attribute,
     Parameter,
     Global,
-    Fragment,  // of whole fragment shaders, which may hold it beside the function that is run
+    Fragment,  // of whole fragment shaders, which may occur beside the function that is run
   } kind;
-  // Of a constant or a global, the expression that it starts with.
+  // The initializer of a constant or a global.
   ExpressionId start = nothing;
-  // Whether the next stage reads this global.
+  // True if the next stage reads this global.
   bool isOutput = false;
 };
 
@@ -118,9 +119,9 @@ struct Tree {
   std::vector<Statement> statements;
   std::vector<Variable> variables;
   std::vector<Function> functions;
-  // Those above functions, in order.
+  // Global declarations, in order.
   std::vector<StatementId> globals;
-  // Texts of tokens that macros made.
+  // The text of tokens created by macros.
   std::deque<std::string> made;
 };
 

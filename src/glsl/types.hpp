@@ -1,4 +1,4 @@
-// Types of GLSL, and the structures that a text declares.
+// GLSL types, and the structures that a source declares.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ enum class Base : std::uint8_t { Void, Bool, Int, Uint, Float, Sampler, Struct }
 
 struct Type {
   Base base = Base::Void;
-  // A vector has rows, a matrix columns of them.
+  // A vector has rows; a matrix has columns of rows.
   std::uint8_t columns = 1, rows = 1;
   std::uint16_t structure = 0;
-  // Of an array; 0 of one whose length its initializer tells.
+  // The length of an array; 0 if its initializer determines the length.
   std::int32_t length = notArray;
 
   static constexpr std::int32_t notArray = -1;
@@ -28,11 +28,11 @@ struct Type {
   bool isScalar() const { return isNumeric() && columns * rows == 1; }
   bool isVector() const { return isNumeric() && columns == 1 && rows > 1; }
   bool isMatrix() const { return isNumeric() && columns > 1; }
-  bool isWhole() const { return isNumeric() && (base == Base::Int || base == Base::Uint); }
+  bool isInteger() const { return isNumeric() && (base == Base::Int || base == Base::Uint); }
   bool isFloat() const { return isNumeric() && base == Base::Float; }
   bool isBool() const { return isScalar() && base == Base::Bool; }
   bool isStruct() const { return !isArray() && base == Base::Struct; }
-  // Of a scalar, vector or matrix.
+  // The number of components of a scalar, vector or matrix.
   int components() const { return columns * rows; }
   // Columns and rows, four bits each.
   int layout() const { return columns << 4 | rows; }
@@ -60,7 +60,7 @@ inline constexpr Type voidType = scalarOf(Base::Void), boolType = scalarOf(Base:
 struct Field {
   std::string_view name;
   Type type;
-  // In the components of the structure.
+  // The offset in the components of the structure.
   int offset = 0;
 };
 
@@ -68,7 +68,7 @@ struct Structure {
   std::string_view name{};
   std::vector<Field> fields{};
   int size = 0;
-  // A block of uniforms has members, but no value of its own.
+  // A uniform block has members, but no value of its own.
   bool isBlock = false;
   // Maps name → place in `fields`.
   std::map<std::string_view, std::size_t> places{};
@@ -94,17 +94,17 @@ class Types {
   const Structure& structure(Type type) const { return structures_[type.structure]; }
   std::size_t count() const { return structures_.size(); }
 
-  // How many numbers it takes.
+  // The size of a type, in numbers.
   int size(Type type) const;
-  // As the language writes it, and with an article.
+  // The type as written in GLSL; with an article for messages.
   std::string name(Type type) const;
   std::string withArticle(Type type) const;
   bool hasSampler(Type type) const;
   bool hasArray(Type type) const;
   bool hasBase(Type type, Base base) const;
-  // Whether a field of the structure is a structure.
+  // True if a field of the structure is itself a structure.
   bool hasNested(Type type) const;
-  // Whether it is a block of uniforms, or an array of blocks.
+  // True for a uniform block or an array of blocks.
   bool isBlock(Type type) const {
     return type.base == Base::Struct && structures_[type.structure].isBlock;
   }
@@ -113,7 +113,7 @@ class Types {
   std::vector<Structure> structures_;
 };
 
-// A type of the language by its word, or null where there is none. `void` is one.
+// The type with that keyword, or null. `void` is one.
 struct NamedType {
   std::string_view word;
   Type type;

@@ -17,7 +17,7 @@ std::optional<Type> arithmetic(Operator op, Type left, Type right) {
   if (left.isScalar()) return right;
   if (right.isScalar()) return left;
   if (op == Operator::Multiply && (left.isMatrix() || right.isMatrix())) {
-    // A vector before a matrix is a row, one after it a column.
+    // A vector before a matrix is a row vector, after it a column vector.
     const int inner = left.isMatrix() ? left.columns : left.rows;
     if (inner != right.rows) return std::nullopt;
     if (!left.isMatrix()) return vectorType(Base::Float, right.columns);
@@ -50,14 +50,14 @@ std::optional<Type> typeOfBinary(Operator op, Type left, Type right, const Types
       return std::nullopt;
     case ShiftLeft:
     case ShiftRight:
-      if (!left.isWhole() || !right.isWhole()) return std::nullopt;
+      if (!left.isInteger() || !right.isInteger()) return std::nullopt;
       if (!right.isScalar() && right.rows != left.rows) return std::nullopt;
       return left;
     case BitOr:
     case BitXor:
     case BitAnd:
     case Remainder:
-      if (!left.isWhole()) return std::nullopt;
+      if (!left.isInteger()) return std::nullopt;
       return arithmetic(op, left, right);
     default:
       return arithmetic(op, left, right);
@@ -71,12 +71,12 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
   };
   const auto wantsEach = [&](std::size_t wanted, const auto& typeAt, const char* what) {
     if (operands.size() != wanted)
-      return name + " takes " + count(wanted, what) + ", but " + std::to_string(operands.size()) +
-             " came";
+      return "expected " + count(wanted, what) + " for " + name + ", got " +
+             std::to_string(operands.size());
     for (std::size_t i = 0; i < wanted; ++i)
       if (operands[i] != typeAt(i))
-        return what + (' ' + std::to_string(i + 1)) + " of " + name + " is " +
-               types.withArticle(typeAt(i)) + ", but " + types.withArticle(operands[i]) + " came";
+        return "expected " + types.withArticle(typeAt(i)) + " as " + what + ' ' +
+               std::to_string(i + 1) + " of " + name + ", got " + types.withArticle(operands[i]);
     return std::string();
   };
   if (types.hasSampler(type)) return "there is no constructor of " + name;
@@ -94,7 +94,7 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
   if (operands.empty()) return name + "() needs a value in its parentheses";
   for (const Type operand : operands)
     if (!operand.isNumeric())
-      return name + " is made of numbers and vectors, but " + types.withArticle(operand) + " came";
+      return "expected numbers and vectors for " + name + ", got " + types.withArticle(operand);
   if (operands.size() == 1) {
     const Type operand = operands[0];
     if (type.isScalar() || operand.isScalar()) return "";
@@ -102,21 +102,21 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
     if (!type.isMatrix() && operand.components() >= type.components()) return "";
     if (type == matrixType(2, 2) && operand.components() == 4) return "";
     if (operand == matrixType(2, 2) && type.isVector() && type.rows == 4) return "";
-    return "a " + name + " cannot be made of " + types.withArticle(operand) + " alone";
+    return "a " + name + " cannot be constructed from " + types.withArticle(operand) + " alone";
   }
   int given = 0;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (type.isMatrix() && operands[i].isMatrix())
-      return "a matrix is made of one matrix alone, or of numbers and vectors";
+      return "a matrix is constructed from a single matrix, or from numbers and vectors";
     if (given >= type.components())
       return name + " has " + std::to_string(type.components()) + " components, and argument " +
              std::to_string(i + 1) + " is one too many";
     given += operands[i].components();
   }
   if (given < type.components())
-    return name + " has " + std::to_string(type.components()) + " components, but only " +
-           std::to_string(given) + " came";
-  // The last argument may have more than is needed.
+    return "expected " + std::to_string(type.components()) + " components for " + name + ", got " +
+           std::to_string(given);
+  // The last argument may have more components than needed.
   return "";
 }
 

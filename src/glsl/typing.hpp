@@ -1,5 +1,5 @@
-// Which types operators and constructors take: GLSL ES 3.00, sections 5.4 and 5.9. Nothing is
-// converted by itself.
+// The types that operators and constructors accept: GLSL ES 3.00, sections 5.4 and 5.9. There are
+// no implicit conversions.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace warpjet::glsl {
 
-// The type of a result, or nothing where the operands do not fit.
+// The type of the result, or nullopt if the operands don't match.
 std::optional<Type> typeOfBinary(Operator op, Type left, Type right, const Types& types);
 
-// Why a type cannot be made of these, or nothing.
+// Why a value can't be constructed from these operands; empty if it can.
 std::string constructorProblem(Type type, std::span<const Type> operands, const Types& types);
 
-// The components that a selection such as `xzy` names, two bits each; nothing where it names none.
+// Packs the components of a swizzle such as `xzy`, two bits each; nullopt if it is invalid.
 std::optional<int> readSwizzle(std::string_view letters, int size);
 
 }  // namespace warpjet::glsl

@@ -7,16 +7,16 @@ namespace warpjet::glsl {
 namespace {
 
 struct Row {
-  // A way of writing has spaces in its name, which stands in the sentence as it is.
+  // Features without a keyword have spaces in their name, which is used in the message unchanged.
   std::string_view what;
   int version;
-  // What a text of the other version writes; none where nothing but a new version helps.
+  // The alternative in the other version; empty if only another version helps.
   std::string_view advice{};
 };
 
 constexpr std::string_view
-    ints = "take int",
-    floats = "count in floats", bits = "use floor() and mod()", square = "take mat2, mat3 or mat4",
+    ints = "use int",
+    floats = "use floats", bits = "use floor() and mod()", square = "use mat2, mat3 or mat4",
     elements = "write its elements one by one",
     counting = "count up to a constant, as in for (int i = 0; i < 8; i++)",
     heads = "write it as for (int i = 0; i < 8; i++), with the counter on the left",
@@ -35,9 +35,9 @@ constexpr Row rows[]{
 
     // types
     {"uint", 300, ints},
-    {"uvec2", 300, "take ivec2"},
-    {"uvec3", 300, "take ivec3"},
-    {"uvec4", 300, "take ivec4"},
+    {"uvec2", 300, "use ivec2"},
+    {"uvec3", 300, "use ivec3"},
+    {"uvec4", 300, "use ivec4"},
     {"mat2x2", 300, "write mat2"},
     {"mat2x3", 300, square},
     {"mat2x4", 300, square},
@@ -57,13 +57,13 @@ constexpr Row rows[]{
     {".length()", 300, "write the number"},
     {"an assignment of arrays", 300, elements},
     {"a comparison of arrays", 300, "compare their elements"},
-    {"an array that a function gives", 300, "give it by an out parameter"},
-    {"an index that is not constant", 300, "take a constant, or the counter of a loop"},
+    {"an array returned by a function", 300, "return it by an out parameter"},
+    {"an index that is not constant", 300, "use a constant, or the counter of a loop"},
 
     // operators
-    {"%", 300, "take mod(x, y) of floats"},
+    {"%", 300, "use mod(x, y) of floats"},
     {"<<", 300, "multiply by a power of two"},
-    {">>", 300, "divide by a power of two and take floor()"},
+    {">>", 300, "divide by a power of two and use floor()"},
     {"&", 300, bits},
     {"|", 300, bits},
     {"^", 300, bits},
@@ -86,7 +86,7 @@ constexpr Row rows[]{
     {"trunc", 300, "write sign(x) * floor(abs(x))"},
     {"round", 300, "write floor(x + 0.5)"},
     {"roundEven", 300, "write floor(x + 0.5), which rounds halves up"},
-    {"modf", 300, "take floor and fract"},
+    {"modf", 300, "use floor and fract"},
     {"isnan", 300, "write x != x"},
     {"isinf", 300, "write abs(x) > 3.4e38"},
     {"floatBitsToInt", 300},
@@ -107,7 +107,7 @@ constexpr Row rows[]{
     {"mix by a bvec", 300, "mix by a vector of 0.0 and 1.0"},
     {"texture", 300, "write texture2D"},
     {"textureLod", 300, "write texture2DLod"},
-    {"textureSize", 300, "give the size by a uniform"},
+    {"textureSize", 300, "pass the size as a uniform"},
     {"texelFetch", 300, "write texture2D(image, (vec2(ij) + 0.5) / size)"},
     {"textureProj", 300, "write texture2DProj"},
     {"textureProjLod", 300, "write texture2DProjLod"},

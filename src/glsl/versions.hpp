@@ -1,5 +1,5 @@
-// THE table of what only one of the two languages has, GLSL ES 1.00 or 3.00, of which a text with
-// #version is one. A text without it may hold both.
+// THE table of features that only one of the two languages has, GLSL ES 1.00 or 3.00. A source with
+// #version is in one of them; a source without it may use both.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace warpjet::glsl {
 
-// Why a text of that version cannot hold this, and what to write; empty where it can. `what` is a
-// word or symbol, or what the table calls a way of writing.
+// Why a source of that version can't use this feature, and an alternative; empty if it can. `what`
+// is a keyword, a symbol, or the name of a feature in the table.
 std::string versionProblem(int version, std::string_view what);
 
 }  // namespace warpjet::glsl

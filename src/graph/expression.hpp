@@ -1,5 +1,5 @@
-// A graph node that reads like a number, so that C++ formulas build graphs: `cos(x) * 2.0`.
-// The rows of the table and the warp are written with it.
+// A graph node that behaves like a number, so that C++ formulas build graphs: `cos(x) * 2.0`. The
+// rows of the operation table and the warp formulas are written with it.
 #pragma once
 
 #include <concepts>
@@ -124,15 +124,15 @@ inline bool canBeInfinite(Expression x) {
   return range.canBeInfinite() || range.canBeNaN;
 }
 
-inline Expression wholeDifference(Expression x, Expression y) {
+inline Expression intDifference(Expression x, Expression y) {
   return build(ops::find("intSub"), x, y);
 }
 
-inline Expression wholeProduct(Expression x, Expression y) {
+inline Expression intProduct(Expression x, Expression y) {
   return build(ops::find("intMult"), x, y);
 }
 
-inline Expression wholeQuotient(Expression x, Expression y) {
+inline Expression intQuotient(Expression x, Expression y) {
   return build(ops::find("intDiv"), x, y);
 }
 
@@ -141,8 +141,8 @@ Expression ifElse(Expression condition, Yes yes, No no) {
   return build(ops::find("ifElse"), condition, yes, no);
 }
 
-// A term of a derivative, or 0 where the condition does not hold and the factor may be infinite.
-inline Expression countedWhere(Expression condition, Expression factor, Expression term) {
+// A term of a derivative; 0 where the condition is false and the factor may be infinite.
+inline Expression maskTerm(Expression condition, Expression factor, Expression term) {
   const bool always = condition.graph->range(condition.id).low != 0;
   return always || !canBeInfinite(factor) ? term : ifElse(condition, term, 0.0);
 }

@@ -1,4 +1,4 @@
-// Whether something holds, by number.
+// An array of booleans, indexed by number.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace warpjet {
 
-// A byte each: std::vector<bool> packs bits, which takes 3 KB of code in the wasm.
+// One byte per flag: std::vector<bool> packs bits, which takes 3 KB of code in the wasm.
 using Flags = std::vector<std::uint8_t>;
 
 }  // namespace warpjet

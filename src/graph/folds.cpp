@@ -41,7 +41,7 @@ Loops::Loops(const Graph& graph, std::span<const NodeId> nodes)
   gather(nodes);
   order_.reserve(nodes.size());
   for (const NodeId id : nodes) {
-    if (!graph_.isOfStates(id)) visit(id);
+    if (!graph_.isStateOrList(id)) visit(id);
   }
 }
 
@@ -60,7 +60,7 @@ void Loops::gather(std::span<const NodeId> nodes) {
   }
 }
 
-// All folds of a loop are one, with the states of all.
+// All folds of one loop are treated as a single fold with the union of their states.
 std::vector<NodeId> Loops::readsOf(NodeId id) const {
   std::vector<NodeId> reads;
   if (graph_.isFold(id)) {
@@ -96,12 +96,12 @@ void Loops::leave(NodeId id) {
   order_.push_back(id);
   std::uint32_t& set = setOf_[index(id)];
   if (graph_.isLocal(id)) {
-    set = with(graph_.loopOf(id), 0);
+    set = makeSet(graph_.loopOf(id), 0);
   } else if (graph_.isOutcome(id)) {
     set = setOf(graph_.operand(id, 0));
   } else {
-    for (const NodeId read : readsOf(id)) set = both(set, setOf(read));
-    if (graph_.isFold(id)) set = without(set, graph_.loopOf(id));
+    for (const NodeId read : readsOf(id)) set = unite(set, setOf(read));
+    if (graph_.isFold(id)) set = removeLoop(set, graph_.loopOf(id));
   }
 }
 
@@ -111,7 +111,7 @@ bool Loops::reads(NodeId id, std::uint32_t loop) const {
   return set != 0;
 }
 
-std::uint32_t Loops::with(std::uint32_t loop, std::uint32_t rest) {
+std::uint32_t Loops::makeSet(std::uint32_t loop, std::uint32_t rest) {
   for (std::uint32_t i = 1; i < sets_.size(); ++i) {
     if (sets_[i].loop == loop && sets_[i].rest == rest) return i;
   }
@@ -119,19 +119,19 @@ std::uint32_t Loops::with(std::uint32_t loop, std::uint32_t rest) {
   return static_cast<std::uint32_t>(sets_.size() - 1);
 }
 
-std::uint32_t Loops::both(std::uint32_t a, std::uint32_t b) {
+std::uint32_t Loops::unite(std::uint32_t a, std::uint32_t b) {
   if (a == b || b == 0) return a;
   if (a == 0) return b;
   if (sets_[a].loop < sets_[b].loop) std::swap(a, b);
   const auto [loop, rest] = sets_[a];
-  const std::uint32_t others = both(rest, sets_[b].loop == loop ? sets_[b].rest : b);
-  return others == rest ? a : with(loop, others);
+  const std::uint32_t others = unite(rest, sets_[b].loop == loop ? sets_[b].rest : b);
+  return others == rest ? a : makeSet(loop, others);
 }
 
-std::uint32_t Loops::without(std::uint32_t set, std::uint32_t loop) {
+std::uint32_t Loops::removeLoop(std::uint32_t set, std::uint32_t loop) {
   if (set == 0) return 0;
   const auto [first, rest] = sets_[set];
-  return first == loop ? rest : with(first, without(rest, loop));
+  return first == loop ? rest : makeSet(first, removeLoop(rest, loop));
 }
 
 }  // namespace warpjet

@@ -1,10 +1,11 @@
-// Folds: a body that is applied a known number of times to its own result.
+// Folds: a body that is applied to its own result a fixed number of times.
 //
-// The body is nodes of the same graph, which read the variables of a loop: the number of its step,
-// and its states. A state says what its variable starts as and what each step makes of it; a fold
-// is a loop with some states, and an outcome is what the variable of one of them is in the end.
-// What a body computes without the variables of its loop is computed once, before it. Derivatives
-// are more states of the same loop, so that value and derivatives share its steps.
+// The body consists of nodes of the same graph that read the variables of a loop: its step number
+// and its states. A state defines the initial value of its variable and the value after each step;
+// a fold is a loop with some of its states, and an outcome is the final value of one state's
+// variable. The part of a body that doesn't read the loop's variables is computed once, before the
+// loop. Derivatives are additional states of the same loop, so value and derivatives share its
+// steps.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +17,37 @@
 
 namespace warpjet {
 
-// Whoever walks a text, or unrolls, enters loops within loops.
-inline constexpr std::uint32_t deepestLoops = 8;
+// Limits recursion: both the emitter and the unroller recurse once per nested loop.
+inline constexpr std::uint32_t maxLoopDepth = 8;
 
-// All nodes that some roots need, in loops: which of them it takes to run each, and an order of
-// work that does all that a loop reads before it.
+// Groups the nodes that some roots need by loop: which nodes each loop has to compute per step, and
+// an evaluation order in which everything that a loop reads is computed before it.
 class Loops {
  public:
   static constexpr std::uint32_t outside = none;
 
-  // `nodes` are all that the roots need, ascending.
+  // `nodes` are all nodes that the roots need, in ascending order.
   Loops(const Graph& graph, std::span<const NodeId> nodes);
 
-  // Operands before users, and before a fold what any fold of its loop needs; without what only
-  // folds read.
+  // Operands precede their users, and everything that any fold of a loop needs precedes each fold
+  // of it. Nodes that only folds read (states and lists of them) are left out.
   const std::vector<NodeId>& order() const { return order_; }
 
-  // The innermost loop whose variables a node reads.
+  // The innermost loop whose variables the node reads.
   std::uint32_t loopOf(NodeId id) const { return setOf(id) == 0 ? outside : sets_[setOf(id)].loop; }
-  // Whether it reads variables of that loop.
+  // True if the node reads variables of that loop.
   bool reads(NodeId id, std::uint32_t loop) const;
-  // The loop that a loop stands in.
-  std::uint32_t around(std::uint32_t loop) const { return loopOf(folds_[loop][0]); }
+  // The loop that directly encloses a loop.
+  std::uint32_t parentOf(std::uint32_t loop) const { return loopOf(folds_[loop][0]); }
 
-  // Of a loop that is needed, all of its states that are.
+  // All needed states of a needed loop.
   const std::vector<State>& statesOf(std::uint32_t loop) const { return states_[loop]; }
-  // The number of its step, if that is.
+  // The node of the loop's step number, if it is needed.
   std::optional<NodeId> stepOf(std::uint32_t loop) const { return steps_[loop]; }
 
  private:
-  // Loops whose variables are read: the innermost, which has the highest number, and the others.
+  // The set of loops whose variables are read: the innermost loop, which has the highest number,
+  // and the set of the others.
   struct Set {
     std::uint32_t loop, rest;
   };
@@ -57,9 +59,9 @@ class Loops {
   std::vector<NodeId> readsOf(NodeId id) const;
   void leave(NodeId id);
   std::uint32_t setOf(NodeId id) const { return setOf_[index(id)]; }
-  std::uint32_t with(std::uint32_t loop, std::uint32_t rest);
-  std::uint32_t both(std::uint32_t a, std::uint32_t b);
-  std::uint32_t without(std::uint32_t set, std::uint32_t loop);
+  std::uint32_t makeSet(std::uint32_t loop, std::uint32_t rest);
+  std::uint32_t unite(std::uint32_t a, std::uint32_t b);
+  std::uint32_t removeLoop(std::uint32_t set, std::uint32_t loop);
 
   const Graph& graph_;
   std::vector<std::vector<NodeId>> folds_;    // by loop
@@ -67,7 +69,7 @@ class Loops {
   std::vector<std::optional<NodeId>> steps_;  // by loop
   std::vector<Progress> progress_;            // by node
   std::vector<std::uint32_t> setOf_;          // by node
-  std::vector<Set> sets_{{outside, 0}};       // the first one is empty
+  std::vector<Set> sets_{{outside, 0}};       // set 0 is empty
   std::vector<NodeId> order_;
 };
 

@@ -1,5 +1,5 @@
-// What a graph has once a name: inputs, functions and their calls. Apart from graph.cpp, so that it
-// can be compiled for size.
+// The named parts of a graph: inputs, functions and their calls. Separate from graph.cpp so that
+// this file can be compiled for size.
 #include <utility>
 
 #include "graph/graph.hpp"
@@ -17,7 +17,7 @@ std::uint32_t Graph::input(std::string_view label, Shape shape) {
   return number;
 }
 
-std::optional<std::uint32_t> Graph::inputLabelled(std::string_view label) const {
+std::optional<std::uint32_t> Graph::findInput(std::string_view label) const {
   const auto known = inputNumbers_.lower_bound(label);
   if (known == inputNumbers_.end() || known->first != label) return std::nullopt;
   return known->second;
@@ -38,7 +38,7 @@ std::uint32_t Graph::addFunction(Function function) {
   return number;
 }
 
-std::optional<std::uint32_t> Graph::functionNamed(std::string_view name) const {
+std::optional<std::uint32_t> Graph::findFunction(std::string_view name) const {
   const auto known = functionNumbers_.find(name);
   if (known == functionNumbers_.end()) return std::nullopt;
   return known->second;

@@ -12,10 +12,10 @@ namespace warpjet {
 
 namespace {
 
-// Small, since most warps are, and every one has a table to clear; it doubles where it has to.
+// Small, since most warps are small and each has a table to clear; it doubles when needed.
 constexpr std::size_t initialTableSize = 256;
 
-// Tables of bytes by operation: they are read for each operand of each node.
+// Lookup tables of one byte per operation, read for each operand of each node.
 constexpr auto resultTypes = [] {
   std::array<ops::Type, arities.size()> all{};
   all.fill(ops::Type::Float);
@@ -30,7 +30,7 @@ constexpr auto isCommutative = [] {
   return all;
 }();
 
-// x + y and y + x have the same hash.
+// Commutative operations hash equally in both orders: x + y and y + x.
 std::size_t hash(const Node& node) {
   // Multiply and xor-shift, as in Steele and Vigna's splitmix64.
   const auto [x, y, z] = node.operands;
@@ -51,15 +51,15 @@ To bitCast(From from) {
   return to;
 }
 
-// By operation, whether `known` may have a value of it: most operands are none, and are seen so by
-// one byte.
+// True for operations for which `known` may return a value. Most operands are not known, and one
+// byte rules them out.
 constexpr auto mayBeKnown = [] {
   std::array<bool, arities.size()> all{};
   for (const Op op : {constantOp, ops::find("bool"), ops::find("int")}) all[index(op)] = true;
   return all;
 }();
 
-// A constant as a shader reads it.
+// A constant rounded as a shader reads it.
 double asFloat32(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 bool fitsFloat32(double value) {
@@ -111,7 +111,7 @@ std::size_t Graph::slotOf(const Node& node) const {
 NodeId Graph::intern(const Node& node) {
   const std::size_t slot = slotOf(node);
   if (table_[slot] != 0) return NodeId{table_[slot] - 1};
-  if (full()) return NodeId(nodes_.size() - 1);
+  if (isFull()) return NodeId(nodes_.size() - 1);
 
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
@@ -132,7 +132,7 @@ NodeId Graph::constant(double value) {
       {{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)}, constantOp});
 }
 
-NodeId Graph::whole(double value) {
+NodeId Graph::intConstant(double value) {
   return intern(Node{{index(constant(value))}, ops::find("int")});
 }
 
@@ -151,7 +151,7 @@ NodeId Graph::component(std::uint32_t input, int component) {
 
 ops::Type Graph::type(NodeId id) const { return resultTypes[index(node(id).op)]; }
 
-// Seldom needed, and so kept out of `apply`.
+// Rarely needed, hence kept out of `apply`.
 [[gnu::noinline]] NodeId Graph::convert(NodeId id, ops::Type wanted) {
   if (type(id) == wanted) return id;
   if (type(id) == ops::Type::Int) {
@@ -191,13 +191,13 @@ std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
     case ops::Type::Bool:
       return intern(Node{{index(constant(result))}, ops::find("bool")});
     case ops::Type::Int:
-      return whole(result);
+      return intConstant(result);
   }
   return std::nullopt;
 }
 
 NodeId Graph::apply(Op op, Operands<NodeId> operands) {
-  if (full()) return NodeId(nodes_.size() - 1);
+  if (isFull()) return NodeId(nodes_.size() - 1);
   const ops::Declaration& info = ops::declaration(op);
   for (int i = 0; i < info.arity; ++i) {
     const ops::Type wanted = info.signature.operands[i];
@@ -213,7 +213,8 @@ NodeId Graph::apply(Op op, Operands<NodeId> operands) {
   return intern(node);
 }
 
-[[gnu::noinline, gnu::cold]] std::optional<NodeId> Graph::found(Op op, NodeId x, NodeId y) const {
+[[gnu::noinline, gnu::cold]] std::optional<NodeId> Graph::findNode(Op op, NodeId x,
+                                                                   NodeId y) const {
   const std::uint32_t entry = table_[slotOf({{index(x), index(y)}, op})];
   return entry == 0 ? std::nullopt : std::optional(NodeId{entry - 1});
 }

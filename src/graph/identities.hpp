@@ -1,21 +1,22 @@
-// THE identities: one a row. A row says what is replaced, by what, what the replacement keeps of
-// the value, and on which condition.
+// THE identities, one per row. A row gives the pattern to replace, its replacement, how exactly the
+// replacement keeps the value, and a condition.
 //
-// x, y, z, t and c stand for any node, v for anything but a constant, a, b and n for constants.
-// What is computed from constants alone is a constant, in the replacement and in the condition. A
-// sum or product matches in either order, unless both orders have a row; a constant comes last in
-// it. Of several rows that match, the first counts.
+// x, y, z, t and c stand for any node; v for anything but a constant; a, b and n for constants.
+// Parts computed from constants alone become constants, in replacements and in conditions. A sum or
+// product matches in either order, unless both orders have a row; its constant comes last. If
+// several rows match, the first one wins.
 //
-// Why a row may keep less than the bits:
-//   ifNumber: every structural zero of a Jacobian would stay for the NaN of an infinite x * 0, and
-//     a derivative of moved - position for that of x - x.
-//   value: shaders promise no sign of a zero.
-//   rounding: fewer operations and a result nearer to the true one, as of a chain of constant
-//     factors or of an offset that turns about a point, which it takes away and adds again. An
-//     intermediate result that overflows or underflows in one order may not in the other.
+// Reasons why a row may keep less than the bits:
+//   ifNumber: otherwise every structural zero of a Jacobian would remain because of the NaN of an
+//   infinite x * 0, and a derivative of moved - position because of that of x - x. value: shaders
+//   don't guarantee the sign of a zero. rounding: fewer operations and a result closer to the exact
+//   one, as for a chain of constant factors, or for an offset that rotates about a point, which
+//   subtracts the point and adds it again. An intermediate result may overflow or underflow in one
+//   order and not in the other.
 //
-// Nothing but its row knows an identity. tests/cpp/identities_test.cpp loops over the table: each
-// row keeps what it says, and no two replace each other for ever. `npm run reference` prints it.
+// Identities are defined only here. tests/cpp/identities_test.cpp loops over the table and checks
+// that each row keeps what it claims and that no two rows replace each other forever. `npm run
+// reference` prints the table.
 #pragma once
 
 #include <array>
@@ -32,7 +33,7 @@ inline constexpr Pattern x{Kind::Anything, 'x'}, y{Kind::Anything, 'y'}, z{Kind:
 
 namespace detail {
 
-// Of a float32 that is neither subnormal nor infinite.
+// True for a float32 that is neither subnormal nor infinite.
 inline double isNormal(double number) {
   using Limits = std::numeric_limits<float>;
   return std::abs(number) >= Limits::min() && std::abs(number) <= Limits::max();
@@ -40,12 +41,13 @@ inline double isNormal(double number) {
 
 inline double isNormalOrZero(double number) { return number == 0 || isNormal(number) != 0; }
 
-// Of the whole powers that are products: GLSL's pow is undefined for a negative base.
+// True for the integer exponents that are expanded to products: GLSL's pow is undefined for a
+// negative base.
 inline double isExponent(double number) {
   return number == std::floor(number) && number >= 1 && number <= 16;
 }
 
-// The greatest power of two up to an exponent.
+// The greatest power of two that doesn't exceed the exponent.
 inline double powerOfTwo(double exponent) {
   return exponent < 2 ? 1 : exponent < 4 ? 2 : exponent < 8 ? 4 : exponent < 16 ? 8 : 16;
 }
@@ -63,7 +65,7 @@ inline constexpr Function isNormal{"isNormal", detail::isNormal},
 
 // clang-format off
 inline constexpr std::array identities{
-    // minus and not
+    // negation
     Identity{-(-x), x, bits},
     Identity{!!c, c, bits},
 
@@ -84,8 +86,7 @@ inline constexpr std::array identities{
     Identity{(x - a) - b, x + (-a - b), rounding, isNormalOrZero(-a - b)},
     Identity{x - a, x + -a, bits, a < 0},
 
-    // products; those with a choice first, so that nothing moves the infinity of the branch that is
-    // not taken next to its zero
+    // products; those with a conditional come first, so that no other row moves the infinity of the branch not taken next to its zero
     Identity{x * 0, 0, ifNumber(value)},
     Identity{x * 1, x, bits},
     Identity{x * -1, -x, bits},
@@ -112,7 +113,7 @@ inline constexpr std::array identities{
     Identity{pow(x, n), pow(x, n - powerOfTwo(n)) * pow(x, powerOfTwo(n)), rounding, isExponent(n)},
     Identity{pow(x, n), 1 / pow(x, -n), rounding, isExponent(-n)},
 
-    // choices
+    // conditionals
     Identity{ifElse(c, x, x), x, bits},
     Identity{ifElse(true, x, y), x, bits},
     Identity{ifElse(false, x, y), y, bits},
@@ -125,8 +126,7 @@ inline constexpr std::array identities{
     Identity{intIfElse(false, x, y), y, bits},
     Identity{intIfElse(!c, x, y), intIfElse(c, y, x), bits},
 
-    // bounds; languages leave a clamp undefined where its bounds cross, and WGSL refuses constants
-    // that do
+    // bounds; languages leave clamp undefined if low > high, and WGSL rejects constants of that kind
     Identity{clamp(x, a, b), b, ifNumber(bits), a > b},
     Identity{clamp(x, v, y), min(max(x, v), y), bits},
     Identity{clamp(x, y, v), min(max(x, y), v), bits},

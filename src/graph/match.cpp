@@ -32,7 +32,7 @@ bool matches(const Graph& graph, const Rule& rule, int arity, const Operands<Nod
   bindings.clear();
   const Item* item = &rules.items[rule.from] + 1;
   for (int i = 0; i < arity; ++i, item += item->size) {
-    // A number that is named is there, or the rule were no candidate.
+    // A named number needs no check: findCandidates has compared it already.
     if (item->kind == Kind::Literal && item->type == ops::Type::Float) continue;
     const bool isMatch = item->kind == Kind::Anything ? bindings.bind(item->number, operands[i])
                                                       : matches(graph, item, operands[i], bindings);

@@ -1,4 +1,4 @@
-// Matching: an operation on nodes enters, the identity that simplifies it leaves.
+// Pattern matching: takes an operation on nodes, finds the identity that simplifies it.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace warpjet::patterns {
 
-// The nodes that the variables of a pattern stand for, by letter.
+// The nodes that the variables of a pattern are bound to, by letter.
 class Bindings {
  public:
   void clear() { bound_ = 0; }
   NodeId operator[](std::uint8_t variable) const { return nodes_[variable]; }
 
-  // False if the variable stands for another node.
+  // Returns false if the variable is already bound to another node.
   bool bind(std::uint8_t variable, NodeId node) {
     const std::uint32_t bit = std::uint32_t{1} << variable;
     if ((bound_ & bit) != 0) return nodes_[variable] == node;
@@ -28,7 +28,7 @@ class Bindings {
   std::array<NodeId, 26> nodes_;
 };
 
-// The rules that the operands' kinds leave, by bits; most operations have none.
+// The rules that the kinds of the operands admit, as bits; 0 for most operations.
 inline std::uint32_t findCandidates(const Graph& graph, Op op, const Operands<NodeId>& operands) {
   const std::uint8_t number = rules.bucketOf[index(op)];
   if (number == Rules::noBucket) return 0;
@@ -39,14 +39,14 @@ inline std::uint32_t findCandidates(const Graph& graph, Op op, const Operands<No
   return candidates;
 }
 
-// The first of these that matches, or null.
+// The first candidate that matches, or null.
 const Rule* findRule(const Graph& graph, Op op, const Operands<NodeId>& operands,
                      std::uint32_t candidates, Bindings& bindings);
 
-// The value of what is known: of a literal, of constants, and of what is computed from them.
+// The value of a known item: a literal, a constant, or a function of known items.
 double valueOf(const Graph& graph, const Item* item, const Bindings& bindings);
 
-// A pattern as nodes; `apply` makes those of operations.
+// Builds the nodes of a pattern; `apply` builds those of operations.
 template <class Apply>
 NodeId build(Graph& graph, const Item* item, const Bindings& bindings, const Apply& apply) {
   if (item->isVariable()) return bindings[item->number];

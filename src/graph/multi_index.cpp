@@ -17,16 +17,16 @@ void MultiIndices::extend(int order) {
   }
 }
 
-int MultiIndices::derived(int number, int variable) {
+int MultiIndices::derivative(int number, int variable) {
   extend(all_[number].order + 1);
   const auto child = [&](int of, int by) { return all_[of].firstChild + by - all_[of].last; };
   const int last = lastVariable(number);
   if (last <= variable) return child(number, variable);
-  return child(derived(origin(number), variable), last);
+  return child(derivative(origin(number), variable), last);
 }
 
 int MultiIndices::countUpTo(int variables, int order) {
-  int count = 1;  // the binomial coefficient (variables + order) over order
+  int count = 1;  // binomial coefficient of (variables + order) over order
   for (int i = 1; i <= order; ++i) count = count * (variables + i) / i;
   return count;
 }

@@ -1,5 +1,5 @@
-// Partial derivatives by number. They commute, so each is named by its variables in ascending
-// order, and all of one order come before those of the next: f, fx, fy, fxx, fxy, fyy, fxxx …
+// Numbers of partial derivatives. Partial derivatives commute, so each is named by its variables in
+// ascending order, and all of one order precede those of the next: f, fx, fy, fxx, fxy, fyy, fxxx …
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@ namespace warpjet {
 
 class MultiIndices {
  public:
-  // Of a function of so many variables, up to an order, and those of the next if they are asked
-  // for.
+  // The derivatives up to an order of a function of `variables` variables; those of the next order
+  // are added on demand.
   MultiIndices(int variables, int order);
 
   int count() const { return static_cast<int>(all_.size()); }
-  // The derivative by one variable more.
-  int derived(int number, int variable);
-  // The derivative that this one is a derivative of, by its last variable.
+  // The derivative of `number` with respect to one more variable.
+  int derivative(int number, int variable);
+  // The derivative that this one was derived from, with respect to `lastVariable`.
   int origin(int number) const { return all_[number].origin; }
   int lastVariable(int number) const { return all_[number].last; }
 

@@ -1,4 +1,4 @@
-// Where things are told by their numbers, what stands for none of them.
+// The index that means "none".
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Patterns of operations, written as what they match: `x + -y` is a tree of constants that the
-// compiler builds. The rows of identities.hpp are made of them.
+// Patterns of operations, written like the expression they match: `x + -y` builds a constexpr tree.
+// The rows of identities.hpp consist of them.
 #pragma once
 
 #include <array>
@@ -13,22 +13,22 @@ namespace warpjet::patterns {
 
 struct Function;
 
-// An operation or a leaf of a pattern. An operation's operands follow it.
+// An operation or a leaf of a pattern. The items of an operation's operands follow it.
 struct Item {
   enum class Kind : std::uint8_t {
-    Anything,   // a variable: any node, and the same one wherever the variable stands
+    Anything,   // a variable: any node, the same one in all places of the variable
     Computed,   // a variable: any node but a constant
     Constant,   // a variable: a constant
-    Factor,     // a variable: a common factor, which may be missing; see turns.hpp
+    Factor,     // a variable: a common factor, which may be missing; see rotations.hpp
     Literal,    // a known number or condition
     Operation,  //
-    Function,   // a function of what is known
+    Function,   // a function of known items
   };
 
   Kind kind = Kind::Literal;
   std::uint8_t number = 0;  // of the variable or the operation
-  std::uint8_t size = 1;    // how many items it has with its operands
-  bool isKnown = true;      // whether its value is known when it is matched
+  std::uint8_t size = 1;    // number of items, including those of its operands
+  bool isKnown = true;      // true if its value is known when the pattern is matched
   ops::Type type = ops::Type::Float;
   double value = 0;
   const Function* function = nullptr;
@@ -44,7 +44,7 @@ struct Item {
 
 using Kind = Item::Kind;
 
-// Its first item is the root.
+// The first item is the root.
 struct Pattern {
   static constexpr std::size_t maxSize = 40;
 
@@ -78,7 +78,7 @@ struct Pattern {
   }
 };
 
-// A function that only patterns know, of a known number.
+// A function of a known number, available only in patterns.
 struct Function {
   std::string_view name;
   double (*of)(double);
@@ -138,26 +138,27 @@ constexpr Pattern intIfElse(const Pattern& condition, const Pattern& yes, const 
   return operation(ops::find("intIfElse"), condition, yes, no);
 }
 
-// How exactly an identity keeps values, of double as of float32.
+// The precision to which an identity keeps values, in double as well as in float32.
 enum class Precision : std::uint8_t {
-  Bits,      // all bits, of zeros, infinities and NaN too
+  Bits,      // all bits, also those of zeros, infinities and NaN
   Value,     // all but the sign of a zero
-  Rounding,  // to a few roundings of the largest intermediate result, if none leaves the range
+  Rounding,  // up to a few roundings of the largest intermediate result, if none overflows or
+             // underflows
 };
 
 struct Keeps {
   Precision precision;
-  // It may give a number where there was none, as x * 0 = 0 does of an infinite x.
+  // The replacement may be a number where the original is NaN, as with x * 0 = 0 for an infinite x.
   bool onlyNumbers = false;
 };
 
 inline constexpr Keeps bits{Precision::Bits}, value{Precision::Value},
     rounding{Precision::Rounding};
 
-// What an identity keeps where its left side is a number.
+// Keeps the same precision, but only where the left side is a number.
 constexpr Keeps ifNumber(Keeps keeps) { return {keeps.precision, true}; }
 
-// A row: what is replaced, by what, what that keeps, and the condition on the constants.
+// A row: pattern, replacement, precision, and a condition on the constants.
 struct Identity {
   Pattern from, to;
   Keeps keeps;

@@ -1,4 +1,4 @@
-// Patterns as people read them: for tests and for the documentation.
+// Patterns in readable form, for tests and the documentation.
 #pragma once
 
 #include <cstdio>
@@ -10,7 +10,7 @@ namespace warpjet::patterns {
 
 namespace detail {
 
-// Unlike shader code, which may move a minus out of a product, this shows where it is.
+// Shader code may move a minus out of a product; this text shows where it is.
 inline bool isMinus(const Item& item) { return item.is(ops::find("neg")); }
 
 inline ops::Precedence precedence(const Item& item) {

@@ -28,7 +28,7 @@ std::string inputName(const Graph& graph, const Node& node) {
   return label + "[" + std::to_string(component) + "]";
 }
 
-std::string joined(const Graph& graph, const std::vector<NodeId>& ids) {
+std::string joinNames(const Graph& graph, const std::vector<NodeId>& ids) {
   std::string all;
   for (const NodeId id : ids) all += (all.empty() ? "" : ", ") + nameOf(graph, id);
   return all;
@@ -37,7 +37,7 @@ std::string joined(const Graph& graph, const std::vector<NodeId>& ids) {
 std::string line(const Graph& graph, NodeId id) {
   const Node& node = graph.node(id);
   if (graph.isCall(id))
-    return "call " + graph.function(id).name + "(" + joined(graph, graph.arguments(id)) + ")";
+    return "call " + graph.function(id).name + "(" + joinNames(graph, graph.arguments(id)) + ")";
   if (graph.isResult(id))
     return "result " + std::to_string(graph.resultNumber(id)) + " of " +
            nameOf(graph, graph.operand(id, 0));
@@ -52,7 +52,7 @@ std::string line(const Graph& graph, NodeId id) {
   }
   std::vector<NodeId> operands;
   for (int i = 0; i < graph.arity(id); ++i) operands.push_back(graph.operand(id, i));
-  return std::string(ops::declaration(node.op).name) + "(" + joined(graph, operands) + ")";
+  return std::string(ops::declaration(node.op).name) + "(" + joinNames(graph, operands) + ")";
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ std::string nameOf(const Graph& graph, NodeId id) {
 std::string print(const Graph& graph, std::span<const NodeId> roots) {
   std::string all;
   for (const NodeId id : reachable(graph, roots)) {
-    const bool isInline = graph.isLeaf(id) || graph.isList(id) || graph.isOfStates(id);
+    const bool isInline = graph.isLeaf(id) || graph.isList(id) || graph.isStateOrList(id);
     if (!isInline) all += nameOf(graph, id) + " = " + line(graph, id) + "\n";
   }
   return all;

@@ -1,9 +1,9 @@
-// Nodes as text, one a line, for debugging and for tests:
+// Prints nodes, one per line, for debugging and for tests:
 //
 //   n4 = mult(p.x, 2)
 //   n5 = sin(n4)
 //
-// Constants, inputs and the variables of loops stand where they are read.
+// Constants, inputs and loop variables are printed in place.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@
 
 namespace warpjet {
 
-// What a node is called in such a text.
+// The name of a node in that output.
 std::string nameOf(const Graph& graph, NodeId id);
 
-// All nodes that the roots need.
+// Prints all nodes that the roots need.
 std::string print(const Graph& graph, std::span<const NodeId> roots);
 
 }  // namespace warpjet

@@ -1,4 +1,4 @@
-// What the nodes of a graph can be.
+// Intervals that contain all values of a node.
 #include <cmath>
 #include <limits>
 
@@ -11,14 +11,14 @@ namespace {
 constexpr Op Mult = ops::find("mult"), Gt = ops::find("gt"), Sqrt = ops::find("sqrt"),
              IfElse = ops::find("ifElse");
 
-// Above zero, as float32 knows it.
-constexpr double leastPositive = std::numeric_limits<float>::denorm_min();
+// The smallest float32 above zero.
+constexpr double minPositive = std::numeric_limits<float>::denorm_min();
 
 }  // namespace
 
 Interval Graph::range(NodeId id) {
   for (std::size_t i = ranges_.size(); i <= index(id); ++i)
-    ranges_.push_back(findRange(NodeId{static_cast<std::uint32_t>(i)}, usualSize, ranges_));
+    ranges_.push_back(findRange(NodeId{static_cast<std::uint32_t>(i)}, assumedMagnitude, ranges_));
   return ranges_[index(id)];
 }
 
@@ -38,7 +38,7 @@ Interval Graph::findRange(NodeId id, double inputSize, const std::vector<Interva
   for (int i = 0; i < arity(id); ++i) x[i] = ranges[index(operand(id, i))];
   if (op == Mult && operand(id, 0) == operand(id, 1)) return square(x[0]);
 
-  // x > 0 ? y : …, where y divides by x or by its root: neither is zero then.
+  // x > 0 ? y : …, where y divides by x or by its root: the divisor isn't zero in that branch.
   const NodeId condition = operand(id, 0), yes = operand(id, 1);
   if (op == IfElse && is(condition, Gt) && isConstant(operand(condition, 1), 0) &&
       isOperation(yes)) {
@@ -48,8 +48,8 @@ Interval Graph::findRange(NodeId id, double inputSize, const std::vector<Interva
       const NodeId part = operand(yes, i);
       const bool isRoot = is(part, Sqrt) && operand(part, 0) == positive;
       y[i] = ranges[index(part)];
-      if (part == positive) y[i] = limited(y[i], leastPositive, Interval::infinity);
-      if (isRoot) y[i] = limited(y[i], std::sqrt(leastPositive), Interval::infinity);
+      if (part == positive) y[i] = clipTo(y[i], minPositive, Interval::infinity);
+      if (isRoot) y[i] = clipTo(y[i], std::sqrt(minPositive), Interval::infinity);
     }
     x[1] = ops::rangeOf(node(yes).op, y);
   }

@@ -1,4 +1,5 @@
-// Which nodes a result needs: roots enter, all that they are computed from leaves, operands first.
+// Finds the nodes that results depend on: takes roots, returns every node they are computed from,
+// operands first.
 #pragma once
 
 #include <bit>
@@ -10,13 +11,13 @@
 
 namespace warpjet {
 
-// The nodes that `roots` need, in ascending order, hence operands before users. The search does not
-// enter a node for which `skip(id)` holds.
+// The nodes that `roots` need, in ascending order, hence operands before users. The search doesn't
+// enter nodes for which `skip(id)` holds.
 template <class Skip>
 std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots, Skip skip) {
   constexpr std::uint32_t wordSize = 64;
   std::vector<NodeId> pending(roots.begin(), roots.end());
-  // A bit each, by words, since most of a large graph may not be needed.
+  // One bit per node, scanned by words, since most of a large graph may be unneeded.
   std::vector<std::uint64_t> needed(graph.size() / wordSize + 1);
   std::size_t count = 0;
   while (!pending.empty()) {

@@ -1,5 +1,5 @@
-// The identities, laid out by the compiler for matching: all their items in one array, the rules of
-// an operation side by side, and for each of its operands the rules that this operand can match.
+// The identities, arranged by the compiler for matching: all items in one array, the rules of an
+// operation side by side, and for each of its operands the rules that the operand can match.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace warpjet::patterns {
 
-// An identity, or the same in the other order of a sum or product: where its patterns begin.
+// An identity, or its mirror image for a sum or product: the offsets of its patterns in `items`.
 struct Rule {
   std::uint8_t identity;
   bool hasCondition;
   std::uint16_t from, to, when;
 };
 
-// What an operand can be: of an operation, or one of the numbers that identities name.
+// The kind of an operand: its operation, or one of the numbers that identities name.
 inline constexpr std::array<double, 3> namedNumbers{0, 1, -1};
 inline constexpr std::size_t operandKinds = arities.size() + namedNumbers.size();
 
@@ -31,9 +31,9 @@ inline std::size_t kindOf(const Graph& graph, NodeId id) {
   return index(constantOp);
 }
 
-// The rules that replace an operation, which begin at `first`. `candidates` has a bit for each of
-// them that can match an operand, by the operand's place and kind; `ofEqual` has those that match
-// only if the first two operands are one node.
+// The rules that replace an operation, starting at `first`. `candidates` has one bit per rule, set
+// if the rule can match an operand of that kind in that place; `ofEqual` marks rules that match
+// only if the first two operands are the same node.
 struct Bucket {
   std::uint8_t first = 0;
   std::uint32_t ofEqual = 0;
@@ -42,7 +42,7 @@ struct Bucket {
 
 namespace detail {
 
-constexpr Pattern swapped(const Pattern& pattern) {
+constexpr Pattern swapOperands(const Pattern& pattern) {
   Pattern other = pattern;
   const std::size_t first = pattern.items[1].size, second = pattern.size() - 1 - first;
   for (std::size_t i = 0; i < second; ++i) other.items[1 + i] = pattern.items[1 + first + i];
@@ -50,7 +50,7 @@ constexpr Pattern swapped(const Pattern& pattern) {
   return other;
 }
 
-// Whether they are the same but for the names of variables.
+// True if the patterns are equal up to the names of variables.
 constexpr bool areAlike(const Pattern& p, const Pattern& q) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Item &left = p.items[i], &right = q.items[i];
@@ -61,12 +61,12 @@ constexpr bool areAlike(const Pattern& p, const Pattern& q) {
   return true;
 }
 
-// Not if a constant comes last, as everywhere, nor if there is a row for it.
+// False if a constant comes last, as it always does, or if the swapped order has a row of its own.
 constexpr bool matchesSwapped(const Pattern& pattern) {
   const Item& root = pattern.root();
   if (!ops::has(root.op(), ops::Trait::Commutative)) return false;
   if (pattern.items[1 + pattern.items[1].size].isKnown) return false;
-  const Pattern other = swapped(pattern);
+  const Pattern other = swapOperands(pattern);
   for (const Identity& identity : identities) {
     if (areAlike(identity.from, other)) return false;
   }
@@ -108,13 +108,13 @@ constexpr bool allNameNumbers() {
 }
 static_assert(allNameNumbers(), "namedNumbers lacks a number that is an operand in identities.hpp");
 
-// Calls `visit` with the number of each identity that replaces the operation, and with its pattern.
+// Calls `visit` with the number and pattern of each identity that replaces the operation.
 template <class Visit>
 constexpr void forEachRule(Op op, Visit visit) {
   for (std::size_t i = 0; i < identities.size(); ++i) {
     if (!identities[i].from.root().is(op)) continue;
     visit(i, identities[i].from);
-    if (matchesSwapped(identities[i].from)) visit(i, swapped(identities[i].from));
+    if (matchesSwapped(identities[i].from)) visit(i, swapOperands(identities[i].from));
   }
 }
 

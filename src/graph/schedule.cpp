@@ -39,9 +39,9 @@ class Scheduler {
 
  private:
   struct State {
-    std::uint32_t undone = 0;   // tasks that it reads and that are not done yet
-    std::uint32_t readers = 0;  // tasks that are not done yet and read it
-    std::uint32_t height = 0;   // of the longest way to a result
+    std::uint32_t undone = 0;   // unfinished tasks that it reads
+    std::uint32_t readers = 0;  // unfinished tasks that read it
+    std::uint32_t height = 0;   // length of the longest path to a result
     bool isDone = false;
   };
 
@@ -52,7 +52,7 @@ class Scheduler {
     }
   }
 
-  // A value dies with its last reader, a result never.
+  // A value dies with its last reader; results never die.
   bool diesWithNext(std::uint32_t i) const {
     return states_[i].readers == 1 && !work_.tasks[i].isResult;
   }
@@ -76,8 +76,8 @@ class Scheduler {
     }
   }
 
-  // The last reader of a value has become a better candidate; what it was stays in the heap, and
-  // is passed over.
+  // The last reader of a value has become a better candidate. Its old entry stays in the heap and
+  // is skipped later.
   void offerAgain(std::uint32_t read) {
     for (const std::uint32_t reader : readers_.of(read)) {
       if (!states_[reader].isDone && states_[reader].undone == 0) offer(reader);
@@ -88,14 +88,14 @@ class Scheduler {
   std::uint32_t size_;
   std::vector<State> states_;
   Readers readers_;
-  // Candidates, the best at the top, each as one number: how many values die with it, its height,
-  // and the complement of its own number.
+  // Candidates, best on top. Each is one number: how many values die with the task, its height, and
+  // the complement of its task number.
   std::vector<std::uint64_t> heap_;
 };
 
 }  // namespace
 
-// Counted, then put where those of the tasks before end.
+// Counting sort: count the readers, then place each after those of the preceding tasks.
 Readers::Readers(const Work& work) : ends_(work.tasks.size() + 2) {
   const auto size = static_cast<std::uint32_t>(work.tasks.size());
   for (std::uint32_t i = 0; i < size; ++i) {

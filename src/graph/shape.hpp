@@ -1,12 +1,12 @@
-// How the components of a value are arranged: a number, a vector, or a matrix.
+// The shape of a value: a number, a vector, or a matrix.
 #pragma once
 
 #include <cstdint>
 
 namespace warpjet {
 
-// A number is 1 by 1, a vector is one column. Components count down the columns, as in GLSL. An
-// image of the host, which is only an argument of our functions, is one node in no column.
+// A number is 1 by 1, a vector is one column. Components are numbered column by column, as in GLSL.
+// An image of the host, which is only an argument of our functions, is one node and has 0 columns.
 struct Shape {
   std::uint8_t columns = 1;
   std::uint8_t rows = 1;

@@ -3,13 +3,13 @@
 #include <utility>
 
 #include "graph/match.hpp"
-#include "graph/turns.hpp"
+#include "graph/rotations.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Apart, since most operations are not replaced.
+// Out of line, since most operations are not replaced.
 [[gnu::noinline]] std::optional<NodeId> replace(Graph& graph, Op op,
                                                 const Operands<NodeId>& operands,
                                                 std::uint32_t candidates) {
@@ -23,7 +23,7 @@ namespace {
 }  // namespace
 
 std::optional<NodeId> simplify(Graph& graph, Op op, Operands<NodeId>& operands) {
-  // A constant comes last in a sum or product, as artists write it.
+  // The constant of a sum or product comes last, as people write it.
   if (graph.isConstant(operands[0]) && ops::has(op, ops::Trait::Commutative))
     std::swap(operands[0], operands[1]);
 
@@ -31,7 +31,7 @@ std::optional<NodeId> simplify(Graph& graph, Op op, Operands<NodeId>& operands) 
     if (const auto found = replace(graph, op, operands, candidates)) return found;
   }
   if (op == ops::find("add") || op == ops::find("sub"))
-    return turnedBack(graph, op, operands[0], operands[1]);
+    return cancelRotation(graph, op, operands[0], operands[1]);
   return {};
 }
 

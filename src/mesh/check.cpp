@@ -4,24 +4,24 @@
 #include <cmath>
 #include <vector>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// `width` numbers a vertex are expected; all but positions may also be missing.
+// `width` is the number of floats per vertex; all arrays but positions may be empty.
 std::string problemOf(const char* name, const std::vector<float>& numbers, std::size_t width,
                       std::size_t vertices) {
   if (!numbers.empty() && numbers.size() != vertices * width)
     return std::string(name) + " must hold " + std::to_string(width) + " numbers a vertex, " +
-           grouped(vertices * width) + " for " + grouped(vertices) + " vertices, but hold " +
-           grouped(numbers.size()) + '.';
+           groupDigits(vertices * width) + " for " + groupDigits(vertices) +
+           " vertices, but hold " + groupDigits(numbers.size()) + '.';
   const auto odd = std::find_if_not(numbers.begin(), numbers.end(),
                                     [](float number) { return std::isfinite(number); });
   if (odd != numbers.end())
     return std::string(name) + " must be finite numbers, but vertex " +
-           grouped((odd - numbers.begin()) / width) + " has " +
+           groupDigits((odd - numbers.begin()) / width) + " has " +
            (std::isnan(*odd) ? "NaN" : "Infinity") + '.';
   return {};
 }
@@ -31,15 +31,15 @@ std::string problemOfIndices(const Mesh& mesh) {
   if (mesh.indices.empty()) {
     if (vertices % 3 == 0) return {};
     return "without indices every three vertices make a triangle, but there are " +
-           grouped(vertices) + " vertices.";
+           groupDigits(vertices) + " vertices.";
   }
   if (mesh.indices.size() % 3 != 0)
-    return "every three indices make a triangle, but there are " + grouped(mesh.indices.size()) +
-           " indices.";
+    return "every three indices make a triangle, but there are " +
+           groupDigits(mesh.indices.size()) + " indices.";
   const std::uint32_t highest = *std::max_element(mesh.indices.begin(), mesh.indices.end());
   if (highest < vertices) return {};
-  return "index " + grouped(highest) + " has no vertex; there are only " + grouped(vertices) +
-         " vertices, counted from 0.";
+  return "index " + groupDigits(highest) + " has no vertex; there are only " +
+         groupDigits(vertices) + " vertices, counted from 0.";
 }
 
 }  // namespace
@@ -47,8 +47,8 @@ std::string problemOfIndices(const Mesh& mesh) {
 std::string problemOf(const Mesh& mesh) {
   const std::size_t vertices = mesh.vertexCount();
   if (mesh.positions.size() % 3 != 0)
-    return "positions must hold 3 numbers a vertex, but hold " + grouped(mesh.positions.size()) +
-           '.';
+    return "positions must hold 3 numbers a vertex, but hold " +
+           groupDigits(mesh.positions.size()) + '.';
   for (const std::string& problem :
        {problemOf("positions", mesh.positions, 3, vertices),
         problemOf("normals", mesh.normals, 3, vertices), problemOf("uvs", mesh.uvs, 2, vertices),

@@ -1,4 +1,4 @@
-// Whether the arrays of a mesh fit together.
+// Checks that the arrays of a mesh are consistent.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace warpjet {
 
-// What is wrong, as the end of a sentence to be put behind "subdivide: ", or nothing. Checked are
-// the lengths, that every number is finite, and that every index has its vertex. A mesh of no
-// vertices is right.
+// Returns the problem as the end of a message such as "subdivide: …", or an empty string. Checks
+// the lengths, that every number is finite, and that every index has its vertex. A mesh without
+// vertices is valid.
 std::string problemOf(const Mesh& mesh);
 
 }  // namespace warpjet

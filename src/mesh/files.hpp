@@ -1,4 +1,4 @@
-// What all readers of files share: the bytes, the files beside them, and how much may be read.
+// Shared by all readers of files: the bytes, the files beside them, and the limit of memory.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@ namespace warpjet {
 
 using Bytes = std::span<const std::uint8_t>;
 
-// The files that a .gltf names, by their URIs as it writes them ("my%20buffer.bin").
+// The files that a .gltf refers to, by their URIs as written in it ("my%20buffer.bin").
 using Files = std::map<std::string, std::vector<std::uint8_t>>;
 
-// All the arrays of a mesh together may take so much: 10 million triangles without indices, with
-// positions, normals and uvs, fit. A file that says more is refused before its arrays are
+// The max size of all arrays of a mesh together: 10 million triangles without indices, with
+// positions, normals and uvs, fit. A file that declares more is rejected before its arrays are
 // allocated, as are 2^20 parts (primitives times the nodes that show them), 2^22 elements without
 // bytes of their own, and descriptions of 2^20 JSON objects, 2^23 values or 64 levels. A program
-// may define a limit of its own in place of that in limits.cpp, as tests/fuzz, which must reach it,
-// does.
-extern const std::size_t mostMeshBytes;
+// may define its own limit in place of the one in limits.cpp; tests/fuzz does, since it has to
+// reach the limit.
+extern const std::size_t maxMeshBytes;
 
 }  // namespace warpjet

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/stl/stl.hpp"
 #include "mesh/text/encoding.hpp"
 
@@ -22,7 +22,7 @@ Format formatOf(Bytes bytes) {
         "this is a web page or XML, not a .glb, .gltf, .obj or .stl file; check the address of the "
         "model.");
   if (text.find('\0') != text.npos)
-    throw FileProblem("this is no .glb, .gltf, .obj or .stl file; export the model as .glb.");
+    throw FileProblem("this is not a .glb, .gltf, .obj or .stl file; export the model as .glb.");
   return isTextStl(text) ? Format::TextStl : Format::Obj;
 }
 

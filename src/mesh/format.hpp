@@ -1,4 +1,4 @@
-// Which format a file has, by its bytes.
+// Detects the format of a file from its bytes.
 #pragma once
 
 #include "mesh/files.hpp"
@@ -7,7 +7,7 @@ namespace warpjet {
 
 enum class Format { Glb, Gltf, Obj, TextStl, BinaryStl };
 
-// Throws a FileProblem for what is none of them.
+// Throws a FileProblem for unknown formats.
 Format formatOf(Bytes bytes);
 
 }  // namespace warpjet

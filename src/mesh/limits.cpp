@@ -1,4 +1,4 @@
 #include "mesh/files.hpp"
 
-// Alone in its file: the linker takes it only where a program defines no other.
-const std::size_t warpjet::mostMeshBytes = std::size_t{1} << 30;
+// In a file of its own: the linker uses it only if a program doesn't define the limit.
+const std::size_t warpjet::maxMeshBytes = std::size_t{1} << 30;

@@ -15,7 +15,7 @@
 #include "mesh/gltf/packed.hpp"
 #include "mesh/obj/obj.hpp"
 #include "mesh/obj/paints.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/stl/stl.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/uri.hpp"
@@ -43,7 +43,7 @@ ModelFile::Description& ModelFile::description() {
     const bool isGlb = formatOf(bytes_) == Format::Glb;
     const Chunks chunks = isGlb ? chunksOfGlb(bytes_) : Chunks{textOf(bytes_), std::nullopt};
     description_ = std::make_unique<Description>(
-        Description{describedGltf(chunks.json), chunks.binary, false, {}});
+        Description{parseDescription(chunks.json), chunks.binary, false, {}});
   }
   return *description_;
 }
@@ -80,7 +80,7 @@ Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
   }
   Gltf& gltf = readyDescription(files).gltf;
   refusePacked(gltf);
-  Mesh mesh = mergedMesh(gltf, files);
+  Mesh mesh = mergeDraws(gltf, files);
   warnings = gltf.warnings;
   return mesh;
 }

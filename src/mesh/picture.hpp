@@ -1,4 +1,4 @@
-// What kind of picture some bytes are.
+// Detects image formats.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ constexpr std::array<std::uint8_t, 256> base64Digits() {
   values.fill(noDigit);
   for (std::size_t i = 0; i < digits.size(); ++i)
     values[static_cast<unsigned char>(digits[i])] = static_cast<std::uint8_t>(i);
-  values['-'] = 62;  // the alphabet for uris, RFC 4648, section 5
+  values['-'] = 62;  // the URL-safe alphabet, RFC 4648, section 5
   values['_'] = 63;
   return values;
 }
@@ -50,7 +50,7 @@ int hexDigit(char c) {
   return -1;
 }
 
-// Whether a text starts with another one, which is in small letters, in any letters.
+// True if a text starts with `start`, which is lowercase; case-insensitive.
 bool startsLike(std::string_view text, std::string_view start) {
   return std::equal(start.begin(), start.end(), text.begin(),
                     text.begin() + std::min(text.size(), start.size()), [](char small, char c) {

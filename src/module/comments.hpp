@@ -1,4 +1,4 @@
-// Comments: lines for above the statements of nodes.
+// Comments to write above the statements of nodes.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 namespace warpjet {
 
 struct Comments {
-  // For the nodes from `first` to before `end`.
+  // Applies to the nodes from `first` up to but excluding `end`.
   struct Range {
     NodeId first, end;
     std::uint32_t text;
   };
 
   std::vector<std::string> texts;
-  std::vector<Range> ranges;  // in the order of the nodes, none of them in two
+  std::vector<Range> ranges;  // in the order of nodes, disjoint
 
   const Range* find(NodeId id) const {
     const auto at =

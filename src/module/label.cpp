@@ -17,38 +17,38 @@ bool endsOperand(std::string_view token) {
   return isWordPart(token.back()) || token == ")" || token == "]";
 }
 
-// Without parentheses around what is an operand by itself, such as (p).x
-Tokens withoutIdleParentheses(std::string_view text) {
+// Removes parentheses around a single operand, as in (p).x.
+Tokens removeRedundantParentheses(std::string_view text) {
   struct Level {
     std::size_t open;
     bool isGroup;  // neither a call nor an index
     bool isOperand = true;
   };
-  Tokens kept;
+  Tokens result;
   std::vector<Level> levels;
   for (const std::string_view token : tokensOf(text)) {
     if (token == "(" || token == "[") {
-      levels.push_back({kept.size(), kept.empty() || !endsOperand(kept.back())});
-      kept.push_back(token);
+      levels.push_back({result.size(), result.empty() || !endsOperand(result.back())});
+      result.push_back(token);
       continue;
     }
     if (token != ")" && token != "]") {
-      kept.push_back(token);
+      result.push_back(token);
       if (!endsOperand(token) && token != "." && !levels.empty()) levels.back().isOperand = false;
       continue;
     }
     const Level level = levels.back();
     levels.pop_back();
     if (level.isGroup && level.isOperand)
-      kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(level.open));
+      result.erase(result.begin() + static_cast<std::ptrdiff_t>(level.open));
     else
-      kept.push_back(token);
+      result.push_back(token);
   }
-  return kept;
+  return result;
 }
 
-// Without those around all of it.
-std::span<const std::string_view> unwrapped(std::span<const std::string_view> tokens) {
+// Removes parentheses around the whole expression.
+std::span<const std::string_view> unwrap(std::span<const std::string_view> tokens) {
   if (tokens.size() < 3 || tokens.front() != "(" || tokens.back() != ")") return tokens;
   int depth = 0;
   for (const std::string_view token : tokens.first(tokens.size() - 1)) {
@@ -58,7 +58,7 @@ std::span<const std::string_view> unwrapped(std::span<const std::string_view> to
   return tokens.subspan(1, tokens.size() - 2);
 }
 
-// `xz` as 0 and 2, in one of the three alphabets; or a member of that name.
+// Parses `xz` as 0 and 2, in one of three alphabets; other names are members.
 Selector selectorOf(std::string_view name) {
   for (const std::string_view letters : {"xyzw", "rgba", "stpq"}) {
     std::vector<int> indices;
@@ -71,23 +71,23 @@ Selector selectorOf(std::string_view name) {
   return {std::string(name), {}, false};
 }
 
-// The selector at the end, and where it begins.
-struct Found {
+// The last selector, and the index of its first token.
+struct LastSelector {
   Selector selector;
   std::size_t begin;
 };
 
-std::optional<Found> lastSelector(std::span<const std::string_view> tokens) {
+std::optional<LastSelector> lastSelector(std::span<const std::string_view> tokens) {
   const std::size_t n = tokens.size();
   if (n >= 3 && tokens[n - 2] == "." && isWordStart(tokens[n - 1][0]))
-    return Found{selectorOf(tokens[n - 1]), n - 2};
+    return LastSelector{selectorOf(tokens[n - 1]), n - 2};
   if (n >= 4 && tokens[n - 1] == "]" && tokens[n - 3] == "[" && tokens[n - 2].size() == 1 &&
       isDigit(tokens[n - 2][0]))
-    return Found{{{}, {tokens[n - 2][0] - '0'}, true}, n - 3};
+    return LastSelector{{{}, {tokens[n - 2][0] - '0'}, true}, n - 3};
   return {};
 }
 
-std::string joined(std::span<const std::string_view> tokens, std::string_view between) {
+std::string join(std::span<const std::string_view> tokens, std::string_view between) {
   std::string text;
   for (const std::string_view token : tokens) {
     if (!text.empty()) text += between;
@@ -96,8 +96,8 @@ std::string joined(std::span<const std::string_view> tokens, std::string_view be
   return text;
 }
 
-// Whether no operator stands outside of all brackets, so that a selector at the end is of all of
-// it.
+// True if there is no operator outside of brackets, so that a selector at the end applies to the
+// whole expression.
 bool isOneOperand(std::span<const std::string_view> tokens) {
   int depth = 0;
   for (const std::string_view token : tokens) {
@@ -116,8 +116,8 @@ bool isReference(std::span<const std::string_view> root) {
 }  // namespace
 
 Label readLabel(std::string_view text) {
-  const Tokens tokens = withoutIdleParentheses(text);
-  std::span<const std::string_view> root = unwrapped(tokens);
+  const Tokens tokens = removeRedundantParentheses(text);
+  std::span<const std::string_view> root = unwrap(tokens);
   Label label;
   while (isOneOperand(root)) {
     auto found = lastSelector(root);
@@ -125,8 +125,8 @@ Label readLabel(std::string_view text) {
     label.selectors.insert(label.selectors.begin(), std::move(found->selector));
     root = root.first(found->begin);
   }
-  label.text = isReference(root) ? joined(unwrapped(tokens), "") : std::string(text);
-  label.root = joined(unwrapped(root), " ");
+  label.text = isReference(root) ? join(unwrap(tokens), "") : std::string(text);
+  label.root = join(unwrap(root), " ");
   return label;
 }
 
@@ -135,7 +135,7 @@ bool isWithin(const Label& part, const Label& whole) {
          std::equal(whole.selectors.begin(), whole.selectors.end(), part.selectors.begin());
 }
 
-// Of p.zx, p.x is the second.
+// The position of components in a selection: of p.zx, p.x is the second.
 static std::optional<std::vector<int>> partOfSelection(const Label& whole, const Label& part) {
   const std::size_t last = whole.selectors.size() - 1;
   const bool isBeside =
@@ -179,7 +179,7 @@ std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const La
   return components;
 }
 
-bool mayMeet(const Label& a, const Label& b) {
+bool mayOverlap(const Label& a, const Label& b) {
   if (a.root != b.root) return false;
   for (std::size_t i = 0; i < std::min(a.selectors.size(), b.selectors.size()); ++i) {
     const Selector &x = a.selectors[i], &y = b.selectors[i];

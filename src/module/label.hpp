@@ -1,5 +1,5 @@
-// An expression of the host, as far as it tells what it stands for: a variable, and which part of
-// it. Spaces and parentheses that mean nothing are gone.
+// The meaning of a host's expression, as far as it can be parsed: a variable, and which part of it.
+// Spaces and redundant parentheses are removed.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@
 
 namespace warpjet {
 
-// `.position`, `.xz`, `[2]`: what stands behind a variable and selects a part of it.
+// A selector after a variable: `.position`, `.xz`, `[2]`.
 struct Selector {
-  std::string name;          // of a member; empty for components
-  std::vector<int> indices;  // components, or a column of a matrix
-  bool isIndex;              // `[2]`, which a vector has as `.z`
+  std::string name;          // name of a member; empty for components
+  std::vector<int> indices;  // components, or the column of a matrix
+  bool isIndex;              // written as `[2]`, which is the same as `.z` for a vector
 
   bool operator==(const Selector& other) const {
     return name == other.name && indices == other.indices;
@@ -25,19 +25,19 @@ struct Selector {
 struct Label {
   std::string root;
   std::vector<Selector> selectors;
-  std::string text;  // as it is to be written
+  std::string text;  // normalized
 };
 
-// The text must be a syntactically right expression.
+// The text must be a syntactically valid expression.
 Label readLabel(std::string_view text);
 
-// Which components of `whole`, of that shape, the expression `part` reads, if it reads some.
+// The components of `whole`, which has that shape, that the expression `part` reads, if any.
 std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const Label& part);
 
-// Whether the one begins as the other does, so that it is a part of it.
+// True if `part` starts like `whole`, which makes it a part of it.
 bool isWithin(const Label& part, const Label& whole);
 
-// Whether both may read the same number.
-bool mayMeet(const Label& a, const Label& b);
+// True if both may read the same number.
+bool mayOverlap(const Label& a, const Label& b);
 
 }  // namespace warpjet

@@ -1,5 +1,5 @@
-// What a sketch's function becomes, once: a graph, its results, and all that is needed to write
-// them in any language or to run them. It knows no language; whoever reads it changes nothing.
+// The compiled offset function: a graph, its results, and everything needed to write them in any
+// language or to run them. It is independent of languages; readers never modify it.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace warpjet {
 
-// A result. `method` asked for it and is to blame for its name.
+// A result. `method` is the method that requested it, which messages about its name refer to.
 struct Output {
   std::string name;
   Shape shape;
@@ -23,7 +23,7 @@ struct Output {
   std::string method = {};
 };
 
-// A function of the host is a text of each family of languages that the sketch gave it in.
+// The source of a host function in a family of languages.
 struct HostText {
   std::string family, text;
 
@@ -32,9 +32,9 @@ struct HostText {
 
 struct Module {
   Graph graph;
-  std::vector<std::string> methods;            // by input, what asked for it
-  std::vector<std::vector<HostText>> sources;  // by function; of ours none
-  Library library;                             // what ours are
+  std::vector<std::string> methods;            // by input: the method that requested it
+  std::vector<std::vector<HostText>> sources;  // by function; empty for our own
+  Library library;                             // definitions of our own functions
   std::vector<Output> outputs;
   Comments comments;
 
@@ -44,16 +44,17 @@ struct Module {
 // The numbers of the inputs that these results depend on, in ascending order.
 std::vector<std::uint32_t> inputsRead(const Module& module, std::span<const std::uint32_t> results);
 
-// Plain words that say the same, without what no output needs; they need neither the module nor
-// its memory.
+// Serializes the module to plain words, without anything that no output needs. The words are
+// independent of the module and its memory.
 std::vector<std::uint32_t> save(const Module& module);
 
-// The function whose module these words are, by its first `variables` arguments; what it calls is
-// added to the library.
-[[gnu::noinline]] Definition recordedFrom(std::string_view name, std::uint32_t variables,
-                                          std::vector<std::uint32_t> words, Library& library);
+// Returns the function of a serialized module, whose `variables` are its first arguments, and adds
+// the functions that it calls to the library.
+[[gnu::noinline]] Definition readRecordedFunction(std::string_view name, std::uint32_t variables,
+                                                  std::vector<std::uint32_t> words,
+                                                  Library& library);
 
-// From words of `save`. Nothing can be added to its graph but in a copy.
+// Deserializes words of `save`. The graph can't grow; its copies can.
 Module load(std::span<const std::uint32_t> words);
 
 }  // namespace warpjet

@@ -1,4 +1,4 @@
-// A module as text, one node a line and then its results, for debugging and for tests.
+// Prints a module, one node per line, then its results, for debugging and for tests.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace warpjet {
 
 namespace {
 
-// Who makes functions of ours, by number. A room that makes others stands here too.
+// Creates our own functions, by number. Other modules that create functions must be added here.
 constexpr std::array<Definition::Maker, 2> makers{noiseFrom, samplingFrom};
 
 std::size_t numberOf(Definition::Maker maker) {
@@ -23,9 +23,9 @@ constexpr std::size_t wordsOfNode = 1 + ops::maxArity;
 class Saver {
  public:
   explicit Saver(const Module& module)
-      : module_(module), graph_(module.graph), kept_(reachable(graph_, module.roots())) {
+      : module_(module), graph_(module.graph), retained_(reachable(graph_, module.roots())) {
     places_.resize(graph_.size() + 1);
-    for (const NodeId id : kept_) places_[index(id) + 1] = 1;
+    for (const NodeId id : retained_) places_[index(id) + 1] = 1;
     for (std::size_t i = 1; i < places_.size(); ++i) places_[i] += places_[i - 1];
   }
 
@@ -41,9 +41,9 @@ class Saver {
 
  private:
   void nodes() {
-    words_.number(kept_.size());
-    std::uint32_t* word = words_.room(kept_.size() * wordsOfNode);
-    for (const NodeId id : kept_) {
+    words_.number(retained_.size());
+    std::uint32_t* word = words_.room(retained_.size() * wordsOfNode);
+    for (const NodeId id : retained_) {
       const auto& [operands, op] = graph_.node(id);
       *word++ = static_cast<std::uint32_t>(index(op));
       const int arity = graph_.arity(id);
@@ -127,8 +127,8 @@ class Saver {
 
   const Module& module_;
   const Graph& graph_;
-  std::vector<NodeId> kept_;
-  std::vector<std::uint32_t> places_;  // by node, how many before it are kept
+  std::vector<NodeId> retained_;
+  std::vector<std::uint32_t> places_;  // by node: the number of retained nodes before it
   WordWriter words_;
 };
 
@@ -205,7 +205,7 @@ class Loader {
     }
     for (std::uint32_t& word : words) word = words_.number();
     const std::string name{words_.text()};
-    return recordedFrom(name, words_.number(), std::move(words), library);
+    return readRecordedFunction(name, words_.number(), std::move(words), library);
   }
 
   std::vector<Loop> loops() {
@@ -256,8 +256,8 @@ std::vector<NodeId> Module::roots() const {
   return nodes;
 }
 
-Definition recordedFrom(std::string_view name, std::uint32_t variables,
-                        std::vector<std::uint32_t> words, Library& library) {
+Definition readRecordedFunction(std::string_view name, std::uint32_t variables,
+                                std::vector<std::uint32_t> words, Library& library) {
   const Module module = load(words);
   library.addAll(module.library);
   return {.function = {std::string(name), static_cast<int>(module.graph.inputCount()),

@@ -49,8 +49,8 @@ std::size_t tokenLength(std::string_view text, bool operandDue) {
   return isPair(text.substr(0, 2)) ? 2 : 1;
 }
 
-// Reads an expression from left to right. Operands and operators take turns, and every bracket and
-// every question mark waits for its partner.
+// Parses an expression from left to right. Operands and operators alternate, and every bracket and
+// question mark requires its counterpart.
 class Reader {
  public:
   Reader(std::string_view text, std::string_view operators) : rest_(text), operators_(operators) {}
@@ -139,17 +139,17 @@ class Reader {
 
     const bool isLogical = two == "&&" || two == "||" || two == "^^";
     const bool isShift = two == "<<" || two == ">>";
-    // Only GLSL has ^^, as it alone has ?:
+    // ^^ exists only in GLSL, like ?:
     const std::string_view needed = two == "^^" ? "?" : isShift ? "&" : isLogical ? "" : single;
     if (allOperators.find(needed) != allOperators.npos &&
         operators_.find(needed) == operators_.npos)
-      return quoted(single) + " cannot stand in it";
+      return quoted(single) + " is not allowed in it";
     if (std::find(forbidden.begin(), forbidden.end(), two) != forbidden.end())
-      return quoted(two) + " cannot stand in it";
+      return quoted(two) + " is not allowed in it";
     const bool isTwo = isPair(two);
-    if (single[0] < ' ' || single[0] > '~') return "only letters from a to z can stand in it";
+    if (single[0] < ' ' || single[0] > '~') return "only ASCII characters are allowed in it";
     if (!isTwo && singles.find(single) == singles.npos)
-      return quoted(single) + " cannot stand in it";
+      return quoted(single) + " is not allowed in it";
     if (operandDue_ && (isTwo || prefixes.find(single) == prefixes.npos)) return operandMissing;
     if (!operandDue_ && (single == "!" || single == "~") && !isTwo) return operatorMissing;
 
@@ -157,7 +157,7 @@ class Reader {
     if (single == ":" || single == ",") {
       const char partner = single == ":" ? ':' : ')';
       if (awaited_.empty() || awaited_.back() != partner)
-        return quoted(single) + " cannot stand there";
+        return quoted(single) + " is not allowed there";
       if (single == ":") awaited_.pop_back();
     }
     operandDue_ = true;

@@ -1,5 +1,5 @@
-// The grammar of an expression in a C-like shading language, as far as it decides whether a text
-// can stand where an operand is expected.
+// The grammar of expressions in C-like shading languages, as far as needed to decide whether a text
+// can be used as an operand.
 #pragma once
 
 #include <string>
@@ -16,17 +16,17 @@ constexpr bool isWordPart(char c) { return isWordStart(c) || isDigit(c); }
 
 inline std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-// The operators that not every language has; << and >> go with &.
+// The operators that some languages lack; << and >> are available together with &.
 inline constexpr std::string_view allOperators = "%&|^~?:";
 
-// Why a text is not one complete expression, or nothing. `operators` are those of
+// Returns why a text is not one complete expression; empty if it is. `operators` is the subset of
 // `allOperators` that the language has.
 std::string syntaxProblem(std::string_view text, std::string_view operators);
 
 // The numbers, words, brackets and operators of a complete expression.
 std::vector<std::string_view> tokensOf(std::string_view text);
 
-// The identifiers in a text. Members behind a dot are not among them.
+// The identifiers in a text, without members after a dot.
 std::vector<std::string_view> identifiers(std::string_view text);
 
 }  // namespace warpjet

@@ -1,4 +1,4 @@
-// Words one after the other: what `save` writes and `load` reads.
+// A stream of words: written by `save`, read by `load`.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace warpjet {
 
 class WordWriter {
  public:
-  // Room for so many words, to be filled before the next call.
+  // Returns space for that many words, which must be filled before the next call.
   std::uint32_t* room(std::size_t words) {
     words_.resize(words_.size() + words);
     return words_.data() + (words_.size() - words);

@@ -1,5 +1,5 @@
-// The noise functions, each as nodes: `p` is a point, `seed` a hash, and one value leaves unless
-// said otherwise.
+// The noise functions as nodes: `p` is a point, `seed` a hash. They return one value unless their
+// comment says otherwise.
 #pragma once
 
 #include "functions/library.hpp"
@@ -7,50 +7,52 @@
 
 namespace warpjet {
 
-// Whole numbers may be told apart from the rest, so that float32 keeps where in its cell it is.
+// A point whose coordinates may be split into integer cells and remainders, so that float32 keeps
+// the position within the cell precise.
 struct Point : Numbers {
-  Numbers cells;  // as many, or none
+  Numbers cells;  // one per coordinate, or empty
 
-  // From the cell of coordinate `i` as far as the rest tells it.
+  // The cell of coordinate `i`, given the cell of its remainder.
   Expression cell(std::size_t i, Expression found) const {
     return cells.size() > 0 ? found + cells[i] : found;
   }
 };
 
-// Perlin's gradient noise, "Improving Noise" (2002), with random directions of length 1 at the
-// corners of a grid and his fifth-degree blend: twice continuously differentiable, 0 at the
-// corners, from -1 to 1.
+// Perlin's gradient noise, "Improving Noise" (2002), with random unit vectors at the corners of a
+// grid and his fifth-degree blend: twice continuously differentiable, 0 at the corners, from -1
+// to 1.
 Expression gradientNoise(Library& library, const Point& p, Expression seed);
-// Above what the size of each first derivative can be, in so many dimensions.
-double steepestGradientNoise(int dimensions);
+// An upper bound of the magnitude of each first derivative, by dimension.
+double maxSlopeOfGradientNoise(int dimensions);
 
-// A random number at each corner, blended alike; from -1 to 1.
+// Blends a random number per corner in the same way; from -1 to 1.
 Expression valueNoise(Library& library, const Point& p, Expression seed);
-double steepestValueNoise();
+double maxSlopeOfValueNoise();
 
 // Simplex noise (Perlin, "Noise hardware", 2001; Gustavson, "Simplex noise demystified", 2005) with
-// kernels that end where their simplices do, three times continuously differentiable; from -1 to 1.
+// kernels whose support ends with their simplices, three times continuously differentiable; from -1
+// to 1.
 Expression simplexNoise(Library& library, const Numbers& p, Expression seed);
-double steepestSimplexNoise(int dimensions);
+double maxSlopeOfSimplexNoise(int dimensions);
 
-// The distances to the nearest and to the second nearest of points strewn one a cell (Worley, "A
+// The distances to the nearest and to the second nearest of random points, one per cell (Worley, "A
 // cellular texture basis function", 1996): two values.
 Numbers worleyNoise(const Point& p, Expression seed);
 
-// The curl of three noises of kind `base`, a vector field without divergence (Bridson, Hourihan,
+// The curl of three noises of kind `base`, a divergence-free vector field (Bridson, Hourihan,
 // Nordenstam, "Curl-noise for procedural fluid flow", 2007, equation 1): three values. A fourth
 // coordinate is time.
 Numbers curlNoise(Library& library, NoiseKind base, const Point& p, Expression seed);
 
-// Octaves of a noise, each `lacunarity` times as fine and `gain` times as strong as the one before:
-// their sum, from -1 to 1; of their absolute values, from 0 to 1 (Perlin, "An image synthesizer",
-// 1985); or of the squares of what these lack to 1, from 0 to 1 (after Musgrave's ridged
-// multifractal, "Texturing and Modeling", chapter 16). Divided by the sum of all strengths.
-// `shaped` is done to each octave; the parameters are a hash, lacunarity and gain.
+// Sums octaves of a noise, each `lacunarity` times as fine and `gain` times as strong as the
+// preceding one: plain values, from -1 to 1; absolute values, from 0 to 1 (Perlin, "An image
+// synthesizer", 1985); or (1 - |n|)², from 0 to 1 (after Musgrave's ridged multifractal, "Texturing
+// and Modeling", chapter 16). Divides by the sum of all strengths. `shape` is applied to each
+// octave; the parameters are a hash, lacunarity and gain.
 Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
-                        const Expression* parameters, Expression (*shaped)(Expression));
+                        const Expression* parameters, Expression (*shape)(Expression));
 
-// A call of a noise of one value.
+// Calls a noise with a single value.
 Expression callBase(Library& library, NoiseKind base, const Point& p, Expression seed);
 
 }  // namespace warpjet

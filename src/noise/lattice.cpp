@@ -1,4 +1,4 @@
-// Noise on a grid: a function of each corner of the cell, blended across it.
+// Noise on a grid: a function of each corner of the cell, blended across the cell.
 #include <cmath>
 
 #include "functions/fold.hpp"
@@ -13,7 +13,7 @@ namespace {
 // 6t⁵ - 15t⁴ + 10t³: its first and second derivatives are 0 at 0 and 1.
 Expression fade(Expression t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
-// The value at a corner, from its hash and from where the point lies, seen from there.
+// The value of a corner, computed from its hash and the offset of the point from it.
 using Corner = Expression (*)(Library& library, Expression cellHash, const Numbers& offset);
 
 class Lattice {
@@ -26,10 +26,10 @@ class Lattice {
     }
   }
 
-  // From three dimensions on, a loop goes over the two sides of the cell: frames become slower by a
-  // tenth to a third, and the first picture, for which one waits, comes in half the time. Compared
-  // with all corners in the text (SwiftShader, warps with their normals of fbm of 5 octaves in
-  // space, least of 7 rounds, as milliseconds of the first draw, and of a frame of 14,000 points):
+  // In three and more dimensions, a loop iterates over the two sides of the cell: frames are slower
+  // by a tenth to a third, and the first frame takes half the time. Compared with all corners
+  // written out (SwiftShader, warps with their normals of fbm with 5 octaves in 3D, minimum of 7
+  // rounds, in milliseconds of the first draw, and of a frame of 14,000 points):
   //
   //                                    all corners       a loop
   //   one level, GLSL 3.00               95    23        47    27
@@ -41,7 +41,7 @@ class Lattice {
     if (cell_.size() < 3) return valueFrom(0, seed);
     const Expression zero{seed.graph, seed.graph->constant(0)};
     const Expression inside = offset_[0];
-    // The first side makes place as the second one comes.
+    // The first step puts the first side in states[1], the second step moves it to states[0].
     const Numbers sides = fold(2, {zero, zero}, [&](const Numbers& states, Expression side) {
       offset_[0] = inside - side;
       return Numbers{states[1], valueFrom(1, hash(seed, cell_[0] + side))};
@@ -51,7 +51,7 @@ class Lattice {
   }
 
  private:
-  // The blend along this axis and all that follow.
+  // Blends along this axis and all following axes.
   Expression valueFrom(std::size_t axis, Expression cellHash) {
     if (axis == cell_.size()) return corner_(library_, cellHash, offset_);
     const Expression inside = offset_[axis];
@@ -79,30 +79,30 @@ Expression level(Library&, Expression cellHash, const Numbers&) {
   return cellHash * (2 / (ops::hashPrime - 1)) - 1.0;
 }
 
-// The largest derivative of the blend, in the middle.
-constexpr double steepestFade = 15.0 / 8;
+// The max derivative of the blend, at its middle.
+constexpr double maxSlopeOfFade = 15.0 / 8;
 
 }  // namespace
 
-// Noise is s Σ w (g · o) over the corners: s the scale, w the weight of a corner, a product of
-// blends, which sum to 1; g its direction and o the offset from it. Its derivative along an axis is
-// s Σ w g' + s Σ w' (g · o), where g' is a component of g. The first sum is at most 1, as |g| is.
-// In the second, w' is ±fade'(t) times the weight w₂ of the corner along the other axes, which sum
-// to 1 on each side, so that it is at most fade'(t) (Σ w₂ |o| + Σ w₂ |o₁|) for both sides. Along an
-// axis the mean square of an offset, (1 - fade) t² + fade (1 - t)², is at most 1/4; so by Jensen's
-// inequality Σ w₂ |o| <= √(t² + (n - 1) / 4). With u = 2t - 1, both sums are together at most
-// √(n + u²) <= √n (1 + u² / 2), and fade'(t) is 15/8 (1 - u²)², so that their product is largest at
-// u = 0: 15/8 √n.
-double steepestGradientNoise(int dimensions) {
+// Noise is s Σ w (g · o) over the corners: s is the scale; w the weight of a corner, a product of
+// blends, which add up to 1; g its direction and o the offset from it. Its derivative along an axis
+// is s Σ w g' + s Σ w' (g · o), where g' is a component of g. The first sum is at most 1, as |g|
+// is. In the second, w' is ±fade'(t) times the weight w₂ of the corner along the other axes, which
+// add up to 1 on each side, so the sum is at most fade'(t) (Σ w₂ |o| + Σ w₂ |o₁|) for both sides.
+// Along an axis the mean square of an offset, (1 - fade) t² + fade (1 - t)², is at most 1/4; so by
+// Jensen's inequality Σ w₂ |o| <= √(t² + (n - 1) / 4). With u = 2t - 1, both sums together are at
+// most √(n + u²) <= √n (1 + u² / 2), and fade'(t) is 15/8 (1 - u²)², so their product has its
+// maximum at u = 0: 15/8 √n.
+double maxSlopeOfGradientNoise(int dimensions) {
   const double root = std::sqrt(dimensions);
-  return 2 / root * (1 + steepestFade * root);
+  return 2 / root * (1 + maxSlopeOfFade * root);
 }
 
-// The derivative is fade'(t) Σ w₂ (high - low), where both values are from -1 to 1.
-double steepestValueNoise() { return steepestFade * 2; }
+// The derivative is fade'(t) Σ w₂ (high - low), where both values are between -1 and 1.
+double maxSlopeOfValueNoise() { return maxSlopeOfFade * 2; }
 
 Expression gradientNoise(Library& library, const Point& p, Expression seed) {
-  // In the middle of a cell, where all directions may point to it, lies the largest value.
+  // The maximum is in the middle of a cell, when all directions point to it.
   const double scale = 2 / std::sqrt(static_cast<double>(p.size()));
   return Lattice(library, p, ramp).value(seed) * scale;
 }

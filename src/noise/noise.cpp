@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t cellsFlag = std::uint32_t{1} << 31;
 
-// A noise and its dimensions in one number, for Definition::settings.
+// Packs a noise and its dimension into one number, for Definition::settings.
 constexpr std::uint32_t pack(const Noise& noise, int dimensions) {
   return static_cast<std::uint32_t>(noise.kind) | static_cast<std::uint32_t>(noise.base) << 8 |
          static_cast<std::uint32_t>(noise.octaves) << 16 |
@@ -40,13 +40,14 @@ Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments)
   return row(noise.kind).body(library, noise, p, arguments.begin() + p.size());
 }
 
-constexpr std::string_view withoutOctaves[] = {"seed", "cellX", "cellY", "cellZ", "cellW"};
+constexpr std::string_view namesWithoutOctaves[] = {"seed", "cellX", "cellY", "cellZ", "cellW"};
 
 // warpjetNoise3, warpjetCurl4Simplex, warpjetFbm2Noise5
 std::string functionName(const Noise& noise, int dimensions) {
-  std::string name = "warpjet" + capitalized(row(noise.kind).name) + std::to_string(dimensions);
+  std::string name = "warpjet" + capitalize(row(noise.kind).name) + std::to_string(dimensions);
   const NoiseUse use = row(noise.kind).use;
-  if (use == NoiseUse::Made || use == NoiseUse::Fractal) name += capitalized(row(noise.base).name);
+  if (use == NoiseUse::Composed || use == NoiseUse::Fractal)
+    name += capitalize(row(noise.base).name);
   if (isFractal(noise.kind)) name += std::to_string(noise.octaves);
   if (noise.hasCells) name += "Cells";
   return name;
@@ -63,8 +64,8 @@ Definition definitionOf(const Noise& noise, int dimensions) {
       pack(noise, dimensions)};
   made.low = kind.low;
   made.high = kind.high;
-  if (kind.steepest) made.steepest = kind.steepest(dimensions);
-  if (!isFractal(noise.kind)) made.parameters = withoutOctaves;
+  if (kind.maxSlope) made.maxSlope = kind.maxSlope(dimensions);
+  if (!isFractal(noise.kind)) made.parameters = namesWithoutOctaves;
   made.maker = noiseFrom;
   return made;
 }
@@ -78,9 +79,9 @@ Definition withCells(const Definition& definition) {
   return noiseFrom(definition.settings | cellsFlag);
 }
 
-bool knowsCells(const Definition& definition, std::optional<double> lacunarity) {
+bool canTakeCells(const Definition& definition, std::optional<double> lacunarity) {
   if (noisePeriod(definition, lacunarity) != ops::hashPrime) return false;
-  // Of what is no fractal there is no lacunarity.
+  // Other kinds than fractals have no lacunarity.
   return std::pow(lacunarity.value_or(1), unpack(definition.settings).noise.octaves) < 0x1p13;
 }
 
@@ -88,12 +89,14 @@ double noisePeriod(const Definition& definition, std::optional<double> lacunarit
   if (definition.maker != noiseFrom) return 0;
   const auto [noise, dimensions] = unpack(definition.settings);
   const NoiseUse use = row(noise.kind).use;
-  // Then octaves are whole numbers of periods too.
-  const bool isWhole = lacunarity && *lacunarity == std::floor(*lacunarity);
-  if (use == NoiseUse::Fractal && noise.octaves > 1 && !isWhole) return 0;
-  const bool hasBase = use == NoiseUse::Fractal || use == NoiseUse::Made;
+  // With an integer lacunarity, a shift by one period moves every octave by an integer number of
+  // periods.
+  const bool isInteger = lacunarity && *lacunarity == std::floor(*lacunarity);
+  if (use == NoiseUse::Fractal && noise.octaves > 1 && !isInteger) return 0;
+  const bool hasBase = use == NoiseUse::Fractal || use == NoiseUse::Composed;
   if ((hasBase ? noise.base : noise.kind) != noiseNamed("simplex")) return ops::hashPrime;
-  // In space its grid is skewed by a third of each coordinate, elsewhere by irrational shares.
+  // In 3D the grid is skewed by a third of each coordinate, in other dimensions by irrational
+  // shares.
   return dimensions == 3 ? 3 * ops::hashPrime : 0;
 }
 

@@ -1,4 +1,4 @@
-// The noise functions, as those see them who call them.
+// The public interface of the noise functions.
 #pragma once
 
 #include <array>
@@ -10,41 +10,41 @@
 
 namespace warpjet {
 
-// A row of noise/table.hpp, by its number.
+// A row of noise/table.hpp, by number.
 enum class NoiseKind : std::uint8_t {};
 
-// What a kind is made of, and so what it takes.
+// The composition of a kind, which determines its options.
 enum class NoiseUse : std::uint8_t {
-  Base,    // what others may be made of
-  Plain,   // nothing but itself
-  Made,    // one base
-  Fractal  // octaves of a base
+  Base,      // the base of others
+  Plain,     // not composed of others
+  Composed,  // composed of one base
+  Fractal    // octaves of a base
 };
 
-// Whole numbers up to here are exact in a float of the shader.
-inline constexpr int mostSeed = 1 << 23;
-inline constexpr int mostOctaves = 16;
+// Integers up to this limit are exact in a shader's float.
+inline constexpr int maxSeed = 1 << 23;
+inline constexpr int maxOctaves = 16;
 
 struct Noise {
   NoiseKind kind;
-  NoiseKind base = {};  // of fractals and curls
+  NoiseKind base = {};  // of fractals and curl
   int octaves = 1;      // of fractals
-  // Whether whole numbers follow that are to be added to the point, which may lie so far away then
-  // that float32 would not tell where in its cell it is.
+  // True if integer cells are passed, too, which are added to the point. It may then be so far away
+  // that float32 couldn't represent its position within a cell.
   bool hasCells = false;
 };
 
-// A function of a point of so many dimensions and of a hash; of fractals, also of lacunarity and
-// gain.
+// A function of a point with that many dimensions and of a hash; for fractals, also of lacunarity
+// and gain.
 Definition definitionOf(const Noise& noise, int dimensions);
-// The same with such whole numbers, at most half of `ops::hashPrime` from 0.
+// The variant that takes integer cells, each within ±`ops::hashPrime` / 2.
 Definition withCells(const Definition& definition);
-// Whether there is such a one, and float32 has the cells of its finest octave.
-bool knowsCells(const Definition& definition, std::optional<double> lacunarity);
-// By how much each coordinate may be moved without any change; 0 if nothing is known, as of what is
-// no noise. Cells have one of `ops::hashPrime` hashes, one after the other.
+// True if there is such a function, and float32 can represent the cells of its finest octave.
+bool canTakeCells(const Definition& definition, std::optional<double> lacunarity);
+// The period of each coordinate; 0 if it is unknown, or if the definition isn't a noise. Cells have
+// one of `ops::hashPrime` hashes, cyclically.
 double noisePeriod(const Definition& definition, std::optional<double> lacunarity);
-// The same from its settings.
+// Recreates the definition from its settings.
 Definition noiseFrom(std::uint32_t settings);
 
 }  // namespace warpjet

@@ -1,5 +1,5 @@
-// What looks random in noise: numbers and directions from the hash of a cell. All of it is locally
-// constant, so derivatives pass it by.
+// Pseudorandom numbers and directions from the hash of a cell. They are locally constant, so
+// derivatives ignore them.
 #pragma once
 
 #include "functions/library.hpp"
@@ -11,10 +11,10 @@ inline Expression hash(Expression h, double i) {
   return hash(h, Expression{h.graph, h.graph->constant(i)});
 }
 
-// So many numbers from 0 up to below 1 from a hash, which fill a square or cube evenly.
+// Returns `count` numbers from 0 to below 1 for a hash, which fill a square or cube evenly.
 Numbers randomNumbers(Expression hash, int count);
 
-// A vector of length 1 in so many dimensions; in one, a number from -1 to 1.
+// A unit vector with that many dimensions; in one dimension, a number from -1 to 1.
 Numbers randomDirection(Library& library, Expression hash, int dimensions);
 
 inline Expression fract(Expression x) { return build(ops::find("fract"), x); }

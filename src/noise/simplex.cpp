@@ -7,12 +7,12 @@ namespace warpjet {
 
 namespace {
 
-// One over the largest value that directions of length 1 can give, by dimensions: the maximum of
-// the sum of (reach - d²)⁴ d over a simplex, d being the distances from its corners.
+// The inverse of the max value that unit vectors can give, by dimension: the maximum of the sum of
+// (reach - d²)⁴ d over a simplex, where d are the distances from its corners.
 constexpr double scales[] = {0, 3.16049, 99.2043, 107.6534, 108.5678};
 
-// How far the kernel of a corner reaches, squared: the square of the height of such a simplex,
-// whatever its dimension; of one dimension, its own.
+// The squared radius of a corner's kernel: the squared height of such a simplex, which is the same
+// in all dimensions but the first.
 constexpr double reachOf(int dimensions) { return dimensions == 1 ? 1 : 0.5; }
 
 Expression sum(const Numbers& x) {
@@ -21,7 +21,8 @@ Expression sum(const Numbers& x) {
   return total;
 }
 
-// How many coordinates each is at least as large as; of equal ones the first is the largest.
+// The number of coordinates that each is at least as large as; of equal ones the first is the
+// largest.
 Numbers ranks(const Numbers& x) {
   Graph& graph = *x[0].graph;
   Numbers all;
@@ -36,17 +37,17 @@ Numbers ranks(const Numbers& x) {
   return all;
 }
 
-// Whether the way to a corner, counted from 0 to n, has gone along the coordinate of this rank: 1
-// or 0.
+// 1 if the path to the given corner, numbered from 0 to n, includes a step along the coordinate of
+// this rank, else 0.
 Expression isTaken(Expression rank, int corner, int n) {
   if (corner == 0 || corner == n) return {rank.graph, rank.graph->constant(corner == n ? 1 : 0)};
   return step(static_cast<double>(n - corner), rank);
 }
 
-// A point in a grid of cubes, which its diagonal is pressed along until the simplices of each cube
-// are regular; of one dimension, the grid as it is. Large numbers cancel beforehand, so that a
-// point far away is as exact as one nearby: with cells P + f of the point, skew S of their sum, and
-// S = s + s' of a whole number and a fraction, p - (cell - unskew * sum(cell)) is a sum of
+// A point in a grid of cubes that is compressed along its diagonal until the simplices of each cube
+// are regular; in one dimension, the grid is unchanged. Large numbers cancel first, so that a
+// distant point is as precise as a near one: with cells P + f of the point, skew S of their sum,
+// and S = s + s' of an integer and a fraction, p - (cell - unskew * sum(cell)) is a sum of
 // fractions.
 struct Skewed {
   Numbers whole, inside, step;
@@ -58,7 +59,7 @@ struct Skewed {
       whole.push_back(floor(x));
       inside.push_back(fract(x));
     }
-    // A product of this and of a whole number of up to 4096 is exact in float.
+    // Its product with an integer of up to 4096 is exact in float.
     const double coarse = std::round(skew * 4096) / 4096;
     const Expression cells = sum(whole), product = cells * coarse;
     shift = floor(product);
@@ -72,14 +73,14 @@ struct Skewed {
 
 }  // namespace
 
-// With r the reach, o the offset from a corner, and m = r - |o|² where that is above zero, the
-// gradient of m⁴ (g · o) is m⁴ g - 8 m³ (g · o) o: at most m⁴ long where g is square to o, and m³
-// |m
-// - 8 |o|²| where it is along o. Neither is above r³ m, since m <= r and since m² (8 r - 9 m) has
-// its maximum 2048/2187 r³ at m = 16/27 r. What is left is the sum of m. Where it is above zero at
-// k corners, the squares of the distances from them sum to at least those from their middle, k (k -
-// 1) e² / (2k), e being the edge: so the sum is at most k r - (k - 1) e² / 2, most for all n + 1.
-double steepestSimplexNoise(int dimensions) {
+// With r the reach, o the offset from a corner, and m = r - |o|² where that is positive, the
+// gradient of m⁴ (g · o) is m⁴ g - 8 m³ (g · o) o. Its length is at most m⁴ if g is orthogonal to
+// o, and m³ |m - 8 |o|²| if it is parallel to o. Neither exceeds r³ m, since m <= r and since m² (8
+// r - 9 m) has its maximum 2048/2187 r³ at m = 16/27 r. It remains to bound the sum of m. If m is
+// positive at k corners, the squared distances from them add up to at least those from their
+// centroid, k (k - 1) e² / (2k), where e is the edge: so the sum is at most k r - (k - 1) e² / 2,
+// with its maximum for all n + 1 corners.
+double maxSlopeOfSimplexNoise(int dimensions) {
   const double n = dimensions, r = reachOf(dimensions);
   const double edge = dimensions == 1 ? 1 : n / (n + 1);  // squared
   return scales[dimensions] * r * r * r * ((n + 1) * r - n * edge / 2);
@@ -90,14 +91,14 @@ Expression simplexNoise(Library& library, const Numbers& p, Expression seed) {
   const double root = std::sqrt(n + 1.0);
   const double skew = n == 1 ? 0 : (root - 1) / n, unskew = n == 1 ? 0 : (1 - 1 / root) / n;
   const Skewed skewed(p, skew);
-  // Where the point lies, seen from the first corner of its simplex.
+  // The position of the point relative to the first corner of its simplex.
   const Expression moved =
       skewed.fraction * (n == 1 ? 0 : unskew / skew) + sum(skewed.step) * unskew;
   Numbers first;
   for (int i = 0; i < n; ++i) first.push_back(skewed.inside[i] - skewed.step[i] + moved);
 
-  // From one corner of the simplex to the next goes a step along the largest coordinate that is
-  // left.
+  // The path from each corner of the simplex to the next is a step along the largest remaining
+  // coordinate.
   const Numbers rank = ranks(first);
   Expression total{seed.graph, seed.graph->constant(0)};
   for (int corner = 0; corner <= n; ++corner) {

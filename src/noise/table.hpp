@@ -1,4 +1,4 @@
-// Which noise functions there are: one row each.
+// The noise functions, one per row.
 #pragma once
 
 #include <array>
@@ -10,22 +10,22 @@
 namespace warpjet {
 
 struct NoiseRow {
-  // From a point and what follows it: a hash, and of a fractal lacunarity and gain.
+  // Takes a point and its parameters: a hash, and for fractals lacunarity and gain.
   using Body = Numbers (*)(Library&, const Noise&, const Point& p, const Expression* parameters);
 
   std::string_view name;
   NoiseUse use;
   int values;
-  double low, high;         // what each value lies between
-  int fewest, most;         // dimensions of the point
-  std::string_view points;  // what they are called, unless any will do
+  double low, high;                  // bounds of each value
+  int minDimensions, maxDimensions;  // dimensions of the point
+  std::string_view points;           // the name of valid points in messages, unless all are valid
   Body body;
-  // By dimensions, what the size of each first derivative does not exceed; of those that are made
-  // of others nothing is said.
-  double (*steepest)(int) = nullptr;
+  // The bound of the magnitude of each first derivative, by dimension; null for noises composed of
+  // others.
+  double (*maxSlope)(int) = nullptr;
 };
 
-// As much as float32 may round.
+// Covers the rounding of float32.
 inline constexpr double slack = 1.001;
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -35,23 +35,23 @@ inline constexpr std::array noises{
              [](auto& library, auto&, auto& p, auto* x) {
                return Numbers{gradientNoise(library, p, x[0])};
              },
-             [](int dimensions) { return slack * steepestGradientNoise(dimensions); }},
+             [](int dimensions) { return slack * maxSlopeOfGradientNoise(dimensions); }},
     NoiseRow{"simplex", NoiseUse::Base, 1, -1, 1, 1, 4, "",
              [](auto& library, auto&, auto& p, auto* x) {
                return Numbers{simplexNoise(library, p, x[0])};
              },
-             [](int dimensions) { return slack * steepestSimplexNoise(dimensions); }},
+             [](int dimensions) { return slack * maxSlopeOfSimplexNoise(dimensions); }},
     NoiseRow{"valueNoise", NoiseUse::Base, 1, -1, 1, 1, 4, "",
              [](auto& library, auto&, auto& p, auto* x) {
                return Numbers{valueNoise(library, p, x[0])};
              },
-             [](int) { return slack * steepestValueNoise(); }},
+             [](int) { return slack * maxSlopeOfValueNoise(); }},
     NoiseRow{"worley", NoiseUse::Plain, 2, -unbounded, unbounded, 1, 3,
              "a number, a vec2 or a vec3",
              [](auto&, auto&, auto& p, auto* x) { return worleyNoise(p, x[0]); },
-             // A distance changes by no more than the way.
+             // A distance changes by no more than the distance moved.
              [](int) { return slack; }},
-    NoiseRow{"curl", NoiseUse::Made, 3, -unbounded, unbounded, 3, 4,
+    NoiseRow{"curl", NoiseUse::Composed, 3, -unbounded, unbounded, 3, 4,
              "a vec3, or a vec4 whose last number is time",
              [](auto& library, auto& noise, auto& p, auto* x) {
                return curlNoise(library, noise.base, p, x[0]);
@@ -74,10 +74,10 @@ inline constexpr std::array noises{
              }},
 };
 
-// Not constexpr, so that reaching it while compiling is an error.
+// Not constexpr, so that reaching it at compile time is an error.
 void noSuchNoise();
 
-// The kind of that name. A name that the table lacks does not compile.
+// The kind with that name. An unknown name doesn't compile.
 consteval NoiseKind noiseNamed(std::string_view name) {
   for (std::size_t i = 0; i < noises.size(); ++i) {
     if (noises[i].name == name) return static_cast<NoiseKind>(i);

@@ -1,6 +1,6 @@
-// Every operation: its name, its types and its traits, one a line. Most files need no more of an
-// operation than this. Its spelling and formulas are its row of table.hpp, what people read of it
-// is its row of documentation.hpp; both have the same names in the same order.
+// Declares every operation, one per line: name, types and traits. Most files need no more of an
+// operation than this. table.hpp has its spelling and formulas, documentation.hpp its description;
+// both have the same names in the same order.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace warpjet::ops {
 
-// What the other rooms ask of an operation.
+// Properties of an operation that other modules need.
 enum class Trait : std::uint8_t {
   Chained,      // takes any number of operands, from left to right
-  OnMatrices,   // matrices have it by component, but for products, and quotients by a matrix
-  Commutative,  // x and y may change places
-  Branches,     // its value is that of one operand, and what the others are does not matter
+  OnMatrices,   // works on matrices componentwise, except products and quotients by a matrix
+  Commutative,  // x and y may be swapped
+  Branches,     // its value is that of one operand, and the other operands don't matter
   Divides,      // its second operand must not be 0
-  Rising,       // of one operand, with which its value never falls
-  Hidden,       // no sketch calls it by its name
-  ForText,      // only what reads shader text does
+  Increasing,   // monotonically increasing in its only operand
+  Hidden,       // has no public method of its name
+  GlslOnly,     // only the GLSL front end uses it
 };
 
 class Traits {
@@ -98,7 +98,7 @@ inline constexpr std::array declarations{
     unary("acosh", floats),
     unary("atanh", floats),
 
-    // pieces
+    // piecewise functions
     unary("abs", floats),
     unary("sign", floats),
     unary("floor", floats),
@@ -128,35 +128,35 @@ inline constexpr std::array declarations{
     // noise
     binary("hash", floats, Hidden),
 
-    // conversions, inserted where a condition is used as a number or a number as a condition
+    // conversions, inserted where a condition is used as a number or vice versa
     unary("float", toFloat, Hidden),
     unary("bool", toBool, Hidden),
 
-    // whole numbers; with `bits` they are taken to have no sign
-    unary("int", toWhole, ForText),
-    unary("bitsOf", toWhole, ForText),
-    unary("intToFloat", wholeToFloat, ForText),
-    unary("bitsToFloat", wholeToFloat, ForText),
-    unary("floatBitsToInt", toWhole, ForText),
-    unary("intBitsToFloat", wholeToFloat, ForText),
-    binary("intAdd", wholes, ForText, Commutative),
-    binary("intSub", wholes, ForText),
-    binary("intMult", wholes, ForText, Commutative),
-    binary("intDiv", wholes, ForText),
-    binary("intMod", wholes, ForText),
-    binary("bitsDiv", wholes, ForText),
-    binary("bitsMod", wholes, ForText),
-    binary("bitAnd", wholes, ForText, Commutative),
-    binary("bitOr", wholes, ForText, Commutative),
-    binary("bitXor", wholes, ForText, Commutative),
-    unary("bitNot", wholes, ForText),
-    binary("shiftLeft", wholes, ForText),
-    binary("shiftRight", wholes, ForText),
-    binary("bitsShiftRight", wholes, ForText),
-    binary("intLt", wholeComparison, ForText),
-    binary("bitsLt", wholeComparison, ForText),
-    binary("intEq", wholeComparison, ForText),
-    ternary("intIfElse", wholeChoice, ForText, Branches),
+    // integers; operations named `bits` treat them as unsigned
+    unary("int", toInt, GlslOnly),
+    unary("bitsOf", toInt, GlslOnly),
+    unary("intToFloat", fromInt, GlslOnly),
+    unary("bitsToFloat", fromInt, GlslOnly),
+    unary("floatBitsToInt", toInt, GlslOnly),
+    unary("intBitsToFloat", fromInt, GlslOnly),
+    binary("intAdd", ints, GlslOnly, Commutative),
+    binary("intSub", ints, GlslOnly),
+    binary("intMult", ints, GlslOnly, Commutative),
+    binary("intDiv", ints, GlslOnly),
+    binary("intMod", ints, GlslOnly),
+    binary("bitsDiv", ints, GlslOnly),
+    binary("bitsMod", ints, GlslOnly),
+    binary("bitAnd", ints, GlslOnly, Commutative),
+    binary("bitOr", ints, GlslOnly, Commutative),
+    binary("bitXor", ints, GlslOnly, Commutative),
+    unary("bitNot", ints, GlslOnly),
+    binary("shiftLeft", ints, GlslOnly),
+    binary("shiftRight", ints, GlslOnly),
+    binary("bitsShiftRight", ints, GlslOnly),
+    binary("intLt", intComparison, GlslOnly),
+    binary("bitsLt", intComparison, GlslOnly),
+    binary("intEq", intComparison, GlslOnly),
+    ternary("intIfElse", intChoice, GlslOnly, Branches),
 };
 
 }  // namespace warpjet::ops

@@ -8,24 +8,24 @@ using namespace intervals;
 
 namespace {
 
-// 0 times infinity counts as 0, its limit at the corners of a box.
+// 0 times infinity is 0 here, the limit at the corners of a box.
 double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
 
-// What a product or a quotient has in common.
-Interval multiplied(Binary f, const Interval& x, const Interval& y, double share) {
+// Shared by products and quotients.
+Interval scaledCorners(Binary f, const Interval& x, const Interval& y, double share) {
   Interval result = corners(f, x, y, share);
-  // Keeps what is not negative so: a product of lengths.
+  // Keeps the zero positive for nonnegative factors: a product of lengths.
   if (result.low == 0 && !isNegative(x.low) && !isNegative(y.low)) result.low = 0.0;
   return result;
 }
 
 }  // namespace
 
-Interval rising(Unary f, const Interval& x, double share) {
+Interval increasing(Unary f, const Interval& x, double share) {
   if (x.isEmpty()) return x;
   const double low = f(x.low), high = f(x.high);
   if (std::isnan(low) || std::isnan(high)) return Interval::anything(true);
-  return withZeros(widened(low, high, share, x.canBeNaN));
+  return withZeros(widen(low, high, share, x.canBeNaN));
 }
 
 Interval withFloat32(const Interval& x) {
@@ -50,25 +50,25 @@ Interval join(const Interval& x, const Interval& y) {
           canBeNaN};
 }
 
-Interval limited(const Interval& x, double low, double high) {
+Interval clipTo(const Interval& x, double low, double high) {
   return {std::max(x.low, low), std::min(x.high, high), x.canBeNaN};
 }
 
 Interval operator-(const Interval& x) { return {-x.high, -x.low, x.canBeNaN}; }
 
 Interval operator+(const Interval& x, const Interval& y) {
-  if (x.isEmpty() || y.isEmpty()) return nothing();
+  if (x.isEmpty() || y.isEmpty()) return emptyInterval();
   const bool canCancel =
       (x.high == infinity && y.low == -infinity) || (x.low == -infinity && y.high == infinity);
   if (canCancel) return Interval::anything(true);
-  return widened(x.low + y.low, x.high + y.high, rounding, x.canBeNaN || y.canBeNaN);
+  return widen(x.low + y.low, x.high + y.high, rounding, x.canBeNaN || y.canBeNaN);
 }
 
 Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
 Interval operator*(const Interval& x, const Interval& y) {
-  if (x.isEmpty() || y.isEmpty()) return nothing();
-  Interval result = multiplied(product, x, y, rounding);
+  if (x.isEmpty() || y.isEmpty()) return emptyInterval();
+  Interval result = scaledCorners(product, x, y, rounding);
   result.canBeNaN |= (x.has(0) && y.canBeInfinite()) || (y.has(0) && x.canBeInfinite());
   return result;
 }
@@ -76,20 +76,21 @@ Interval operator*(const Interval& x, const Interval& y) {
 Interval square(const Interval& x) {
   if (x.isEmpty()) return x;
   const double low = std::max({x.low, -x.high, 0.0}), high = std::max(-x.low, x.high);
-  return widened(low * low, high * high, rounding, x.canBeNaN);
+  return widen(low * low, high * high, rounding, x.canBeNaN);
 }
 
 Interval operator/(const Interval& x, const Interval& y) {
-  if (x.isEmpty() || y.isEmpty()) return nothing();
+  if (x.isEmpty() || y.isEmpty()) return emptyInterval();
   const bool canBeNaN = x.canBeNaN || y.canBeNaN || (x.has(0) && y.has(0)) ||
                         (x.canBeInfinite() && y.canBeInfinite());
   const bool hasBothSigns = isNegative(y.low) != isNegative(y.high);
   if (hasBothSigns || (y.low == 0 && y.high == 0)) return Interval::anything(canBeNaN);
-  // The limits at the corners; where there is none, the other corners hold what lies around.
+  // Takes the limits at the corners; where there is none, the other corners bound the values around
+  // it.
   const auto quotient = [](double a, double b) {
     return a == 0 || std::abs(b) == infinity ? 0 : a / b;
   };
-  Interval result = multiplied(quotient, x, y, division);
+  Interval result = scaledCorners(quotient, x, y, division);
   result.canBeNaN = canBeNaN;
   return result;
 }

@@ -1,30 +1,30 @@
-// Interval arithmetic: all values that a number can have, as a scalar that the rows of the table
-// can be computed in.
+// Interval arithmetic: the set of values that a number can have, as a scalar type in which the rows
+// of the table can be evaluated.
 //
-// A result holds every value that the operation has for operands within theirs, whether computed in
-// double or in float32: each operation widens its result outward by more than float32 rounds, so
-// that cancellation is widened as it happens, and by infinity or zero where float32 overflows or
-// underflows. Source of the rules: R. E. Moore, R. B. Kearfott, M. J. Cloud, "Introduction to
-// Interval Analysis", 2009.
+// A result contains every value of the operation for operands within their intervals, whether
+// computed in double or in float32: each operation widens its result by more than float32 rounds,
+// so that cancellation is accounted for as it happens, and to infinity or zero where float32
+// overflows or underflows. Source of the rules: R. E. Moore, R. B. Kearfott, M. J. Cloud,
+// "Introduction to Interval Analysis", 2009.
 #pragma once
 
 #include <limits>
 
 namespace warpjet {
 
-// What a condition can be.
+// The possible values of a condition.
 struct Truth {
   bool canBeTrue, canBeFalse;
 };
 
-// From `low` to `high`, which may be infinite. A bound that is zero counts with its sign: from 0.0
-// up there is no -0.0, so that the inverse of a length is positive.
+// The range from `low` to `high`, which may be infinite. A bound of zero has a sign: a range from
+// 0.0 excludes -0.0, so that the inverse of a length is positive.
 struct Interval {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   double low = infinity, high = -infinity;
-  // Whether it may also be no number, like the root of a negative one. If it is nothing else, the
-  // interval is empty, with low above high.
+  // True if the value may be NaN, like the root of a negative number. If it can only be NaN, the
+  // interval is empty, with low > high.
   bool canBeNaN = true;
 
   Interval() = default;
@@ -40,24 +40,24 @@ struct Interval {
   bool canBeInfinite() const { return low == -infinity || high == infinity; }
 };
 
-// The share of a value that an operation widens it by: two roundings of float32.
+// The relative amount by which an operation widens its result: two roundings of float32.
 inline constexpr double rounding = 0x1p-23;
 
-// The least that holds both.
+// The smallest interval that contains both.
 Interval join(const Interval& x, const Interval& y);
 
-// With what float32 makes of it: what is too large is infinite there, what is too small may be
+// Accounts for the range of float32: too large values become infinite, too small ones may become
 // zero.
 Interval withFloat32(const Interval& x);
 
-// Of a function of numbers that never falls and gives no number for none, to within a share of its
-// value: shaders err by as much in a function (see interval.cpp). One copy for all functions, since
-// each of its own made a third more of this room's code.
-[[gnu::noinline]] Interval rising(double (*function)(double), const Interval& x,
-                                  double share = 8 * rounding);
+// Applies a monotonically increasing function that maps NaN to NaN; the result is widened by a
+// share of its value, since functions in shaders have errors of that size (see interval_parts.hpp).
+// One copy for all functions: a copy for each made the code of this module a third larger.
+[[gnu::noinline]] Interval increasing(double (*function)(double), const Interval& x,
+                                      double share = 8 * rounding);
 
-// What is known to lie between two numbers.
-Interval limited(const Interval& x, double low, double high);
+// Restricts a value that is known to be between two numbers.
+Interval clipTo(const Interval& x, double low, double high);
 
 Interval operator-(const Interval& x);
 Interval operator+(const Interval& x, const Interval& y);

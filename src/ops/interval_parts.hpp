@@ -1,6 +1,6 @@
-// What the parts of interval arithmetic have in common: interval.cpp has arithmetic,
-// interval_functions.cpp has powers, angles and their like, interval_steps.cpp has what is made of
-// pieces. Nothing else includes this file.
+// Shared by the three files of interval arithmetic: interval.cpp has the arithmetic operations,
+// interval_functions.cpp powers, angles and the like, interval_steps.cpp piecewise functions.
+// Nothing else includes this file.
 #pragma once
 
 #include <algorithm>
@@ -13,27 +13,31 @@ namespace warpjet::intervals {
 inline constexpr double infinity = Interval::infinity;
 inline constexpr double pi = 3.14159265358979323846;
 
-// A share of the value, to widen by: what shaders may err by in a division and in a function (GLSL
-// ES 3.00 leaves it open; WGSL, section 15.7.4, has 2.5 ulp for a division and 3 to 4 ulp for most
-// functions near 1).
+// The relative errors to widen by: those that shaders may have in a division and in a function.
+// GLSL ES 3.00 leaves them open; WGSL, section 15.7.4, has 2.5 ulp for a division and 3 to 4 ulp
+// for most functions near 1.
 inline constexpr double division = 4 * rounding, function = 8 * rounding;
 
-inline double below(double low, double share) { return low * (low < 0 ? 1 + share : 1 - share); }
-inline double above(double high, double share) { return high * (high < 0 ? 1 - share : 1 + share); }
-
-inline Interval widened(double low, double high, double share, bool canBeNaN) {
-  return withFloat32({below(low, share), above(high, share), canBeNaN});
+inline double lowerBound(double low, double share) {
+  return low * (low < 0 ? 1 + share : 1 - share);
+}
+inline double upperBound(double high, double share) {
+  return high * (high < 0 ? 1 - share : 1 + share);
 }
 
-// With zeros that may have either sign.
+inline Interval widen(double low, double high, double share, bool canBeNaN) {
+  return withFloat32({lowerBound(low, share), upperBound(high, share), canBeNaN});
+}
+
+// Lets zeros have either sign.
 inline Interval withZeros(const Interval& x) {
   return {x.low == 0 ? -0.0 : x.low, x.high == 0 ? 0.0 : x.high, x.canBeNaN};
 }
 
-inline Interval nothing() { return {}; }
+inline Interval emptyInterval() { return {}; }
 
-// What is left between two numbers; whatever is cut off is no number.
-inline Interval within(const Interval& x, double low, double high) {
+// Clips to an interval; values outside become NaN.
+inline Interval clipToDomain(const Interval& x, double low, double high) {
   const bool cut = x.low < low || x.high > high;
   return {std::max(x.low, low), std::min(x.high, high), x.canBeNaN || cut};
 }
@@ -43,13 +47,13 @@ using Binary = double(double, double);
 
 inline bool isNegative(double x) { return std::signbit(x); }
 
-// The hull of f at the corners of a box.
+// The hull of the values of f at the corners of a box.
 inline Interval corners(Binary f, const Interval& x, const Interval& y, double share) {
   const double a = f(x.low, y.low), b = f(x.low, y.high);
   const double c = f(x.high, y.low), d = f(x.high, y.high);
   const double low = std::min(std::min(a, b), std::min(c, d));
   const double high = std::max(std::max(a, b), std::max(c, d));
-  return withZeros(widened(low, high, share, x.canBeNaN || y.canBeNaN));
+  return withZeros(widen(low, high, share, x.canBeNaN || y.canBeNaN));
 }
 
 }  // namespace warpjet::intervals

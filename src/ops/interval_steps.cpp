@@ -1,4 +1,4 @@
-// What is made of pieces, of intervals: steps, bounds, blends and conditions.
+// Piecewise functions of intervals: steps, bounds, blends and conditions.
 #include "ops/interval_parts.hpp"
 #include "ops/scalar.hpp"
 
@@ -8,26 +8,25 @@ using namespace intervals;
 
 namespace {
 
-// Of operations whose result may be the other operand where one is no number.
-Interval orOther(Interval result, const Interval& x, const Interval& y) {
+// For operations that may return the other operand if one is NaN.
+Interval joinOtherIfNaN(Interval result, const Interval& x, const Interval& y) {
   if (x.canBeNaN) result = join(result, y);
   if (y.canBeNaN) result = join(result, x);
   return result;
 }
 
-// By f = floor(x / y), the result is x - y f: from 0 to y, and where f is the same everywhere, as
-// wide as x.
+// With f = floor(x / y), the result is x - y f: from 0 to y, and as wide as x if f is constant.
 Interval modulo(const Interval& x, const Interval& y) {
   const Interval quotient = x / y;
   if (quotient.canBeInfinite()) return Interval::anything(true);
-  const double wholes = std::floor(quotient.low);
+  const double ints = std::floor(quotient.low);
   double low = std::min(y.low, 0.0), high = std::max(y.high, 0.0);
-  if (wholes == std::floor(quotient.high)) {
-    const Interval rest = x - y * wholes;
+  if (ints == std::floor(quotient.high)) {
+    const Interval rest = x - y * ints;
     low = std::clamp(rest.low, low, high);
     high = std::clamp(rest.high, low, high);
   }
-  // The product is rounded by its own size, so that the result may leave the divisor's range.
+  // The product is rounded relative to its own size, so the result may exceed the divisor's range.
   const double error = (std::max(-x.low, x.high) + std::max(-y.low, y.high)) * 2 * rounding;
   return withZeros({low - error, high + error, x.canBeNaN || y.canBeNaN});
 }
@@ -41,21 +40,21 @@ Interval abs(const Interval& x) {
 
 Interval sign(const Interval& x) {
   const auto f = [](double y) { return static_cast<double>((y > 0) - (y < 0)); };
-  const Interval result = rising(f, x, 0);
+  const Interval result = increasing(f, x, 0);
   return x.canBeNaN ? join(result, {-0.0, 0.0, true}) : result;
 }
 
-Interval floor(const Interval& x) { return rising(std::floor, x, 0); }
+Interval floor(const Interval& x) { return increasing(std::floor, x, 0); }
 
-Interval ceil(const Interval& x) { return rising(std::ceil, x, 0); }
+Interval ceil(const Interval& x) { return increasing(std::ceil, x, 0); }
 
-Interval round(const Interval& x) { return rising(std::nearbyint, x, 0); }
+Interval round(const Interval& x) { return increasing(std::nearbyint, x, 0); }
 
-Interval trunc(const Interval& x) { return rising(std::trunc, x, 0); }
+Interval trunc(const Interval& x) { return increasing(std::trunc, x, 0); }
 
 Interval hash(const Interval& h, const Interval& i) {
   const Interval from = floor(h), cell = floor(i);
-  // Beyond, float32 has no room for a cell and a place in it.
+  // Beyond that, float32 can't represent a cell and a position within it.
   for (const Interval& x : {from, cell}) {
     if (x.low < -0x1p24 || x.high > 0x1p24) return Interval::anything(true);
   }
@@ -66,27 +65,28 @@ Interval hash(const Interval& h, const Interval& i) {
 
 Interval fract(const Interval& x) {
   if (x.isEmpty()) return x;
-  const double wholes = std::floor(x.low);
-  const bool jumps = wholes != std::floor(x.high);
+  const double ints = std::floor(x.low);
+  const bool jumps = ints != std::floor(x.high);
   if (jumps || x.canBeInfinite()) return {-0.0, 1, x.canBeNaN || x.canBeInfinite()};
-  return withZeros(limited(x - wholes, 0, 1));
+  return withZeros(clipTo(x - ints, 0, 1));
 }
 
 Interval mod(const Interval& x, const Interval& y) {
-  if (x.isEmpty() || y.isEmpty()) return nothing();
+  if (x.isEmpty() || y.isEmpty()) return emptyInterval();
   if (y.has(0) || x.canBeInfinite() || y.canBeInfinite()) return Interval::anything(true);
   return modulo(x, y);
 }
 
 Interval min(const Interval& x, const Interval& y) {
   const bool canBeNaN = x.canBeNaN || y.canBeNaN;
-  if (x.isEmpty() || y.isEmpty()) return orOther(nothing(), x, y);
-  return orOther(withZeros({std::min(x.low, y.low), std::min(x.high, y.high), canBeNaN}), x, y);
+  if (x.isEmpty() || y.isEmpty()) return joinOtherIfNaN(emptyInterval(), x, y);
+  return joinOtherIfNaN(withZeros({std::min(x.low, y.low), std::min(x.high, y.high), canBeNaN}), x,
+                        y);
 }
 
 Interval max(const Interval& x, const Interval& y) { return -min(-x, -y); }
 
-// Linear in each operand, so that the extremes are where the amount is at one of its ends.
+// Linear in each operand, so the extremes are at the ends of the amount's range.
 Interval mix(const Interval& x, const Interval& y, const Interval& amount) {
   if (amount.isEmpty()) return amount;
   const auto at = [&](double t) { return x * (1.0 - Interval(t)) + y * t; };
@@ -97,7 +97,7 @@ Interval mix(const Interval& x, const Interval& y, const Interval& amount) {
 
 Interval step(const Interval& edge, const Interval& x) { return ifElse(lt(x, edge), 0.0, 1.0); }
 
-// Comparisons with what is no number are left open, since compilers may turn them round.
+// Comparisons with NaN may give either result, since compilers may invert them.
 Truth lt(const Interval& x, const Interval& y) {
   if (x.canBeNaN || y.canBeNaN) return {true, true};
   return {x.low < y.high, x.high >= y.low};

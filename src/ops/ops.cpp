@@ -4,7 +4,7 @@ namespace warpjet::ops {
 
 namespace {
 
-// The operand as the row wants it: a condition as `bool`.
+// Converts an operand to the type that the row takes: a condition to `bool`.
 template <Type type>
 auto operandAs(double x) {
   if constexpr (type == Type::Bool) {
@@ -17,14 +17,14 @@ auto operandAs(double x) {
 template <std::size_t Row>
 double valueOfRow(const Operands<double>& operands) {
   constexpr auto value =
-      std::get<Row>(table).value;  // a copy, so that the texts stay out of the program
+      std::get<Row>(table).value;  // a copy, so that the strings stay out of the program
   constexpr auto types = declarations[Row].signature.operands;
-  return numbered<declarations[Row].arity>(
+  return withIndices<declarations[Row].arity>(
       [&](auto... i) { return static_cast<double>(value(operandAs<types[i]>(operands[i])...)); });
 }
 
 constexpr auto values =
-    numbered<count>([](auto... row) { return std::array{&valueOfRow<row>...}; });
+    withIndices<count>([](auto... row) { return std::array{&valueOfRow<row>...}; });
 
 constexpr auto steps = std::apply(
     [](const auto&... row) {

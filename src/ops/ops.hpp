@@ -1,5 +1,5 @@
-// Operations by number: what most files see of the table. Formulas are seen by rows.hpp alone, so
-// that a change of one compiles few files again.
+// Operations by number: the part of the table that most files see. Only rows.hpp includes the
+// formulas, so that a change of a formula recompiles few files.
 #pragma once
 
 #include <array>
@@ -23,15 +23,15 @@ constexpr const Declaration& declaration(Op op) {
   return declarations[static_cast<std::size_t>(op)];
 }
 constexpr bool has(Op op, Trait trait) { return declaration(op).traits.has(trait); }
-// Whether it chooses the second or the third operand by the first.
+// True if the first operand selects the second or the third one.
 constexpr bool isChoice(Op op) {
   return declaration(op).arity == 3 && declaration(op).signature.operands[0] == Type::Bool;
 }
 
-// Not constexpr, so that reaching it while compiling is an error.
+// Not constexpr, so that reaching it at compile time is an error.
 void noSuchOperation();
 
-// The operation of that name. A name that the table lacks does not compile.
+// The operation with that name. An unknown name doesn't compile.
 consteval Op find(std::string_view name) {
   for (std::size_t i = 0; i < count; ++i) {
     if (declarations[i].name == name) return static_cast<Op>(i);
@@ -40,7 +40,7 @@ consteval Op find(std::string_view name) {
   return {};
 }
 
-// Whether these rows have the names of the declarations, in their order.
+// True if these rows have the names of the declarations, in the same order.
 template <class Rows>
 consteval bool haveDeclaredNames(const Rows& rows) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,16 +50,16 @@ consteval bool haveDeclaredNames(const Rows& rows) {
 }
 
 const Spelling& spelling(Op op, Language language);
-// The functions that the spelling calls; empty if it calls none.
+// The source of the helper functions that the spelling calls; empty if it calls none.
 std::string_view helpers(Op op, Language language);
 
-// Whether it has no partials, so that it changes only in jumps.
+// True if it has no partials, which means that it is piecewise constant.
 bool isStep(Op op);
 
 // The value of an operation on numbers; conditions are 1 and 0.
 double valueOf(Op op, const Operands<double>& operands);
 
-// What it can be where the operands are within theirs.
+// The range of the result for operands within their ranges.
 Interval rangeOf(Op op, const Operands<Interval>& operands);
 
 }  // namespace ops

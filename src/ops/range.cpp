@@ -1,11 +1,12 @@
-// The rows of the table in interval arithmetic.
+// Evaluates the rows of the table in interval arithmetic.
 #include "ops/rows.hpp"
 
 namespace warpjet::ops {
 
 namespace {
 
-// A condition among intervals: 1 where it can be true, 0 where it can be false.
+// A condition as an interval: its upper bound is 1 if it can be true, its lower bound 0 if it can
+// be false.
 Interval asInterval(const Interval& x) { return x; }
 Interval asInterval(Truth x) { return {x.canBeFalse ? 0.0 : 1.0, x.canBeTrue ? 1.0 : 0.0}; }
 
@@ -21,16 +22,16 @@ auto operandAs(const Interval& x) {
 template <std::size_t Row>
 Interval rangeOfRow(const Operands<Interval>& operands) {
   constexpr auto value =
-      std::get<Row>(table).value;  // a copy, so that the texts stay out of the program
+      std::get<Row>(table).value;  // a copy, so that the strings stay out of the program
   constexpr auto types = declarations[Row].signature.operands;
-  return numbered<declarations[Row].arity>([&](auto... i) {
+  return withIndices<declarations[Row].arity>([&](auto... i) {
     using Value = decltype(value);
     if constexpr (std::is_invocable_v<Value, decltype(operandAs<types[i]>(operands[i]))...>) {
       return asInterval(value(operandAs<types[i]>(operands[i])...));
-    } else if constexpr (declarations[Row].traits.has(Trait::Rising)) {
-      return rising(value, operands[0]);
+    } else if constexpr (declarations[Row].traits.has(Trait::Increasing)) {
+      return increasing(value, operands[0]);
     } else if constexpr (declarations[Row].signature.result == Type::Int) {
-      return anyWhole();
+      return anyInt();
     } else {
       return declarations[Row].signature.result == Type::Bool ? Interval(0, 1)
                                                               : Interval::anything(true);
@@ -39,7 +40,7 @@ Interval rangeOfRow(const Operands<Interval>& operands) {
 }
 
 constexpr auto ranges =
-    numbered<count>([](auto... row) { return std::array{&rangeOfRow<row>...}; });
+    withIndices<count>([](auto... row) { return std::array{&rangeOfRow<row>...}; });
 
 }  // namespace
 

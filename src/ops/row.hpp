@@ -1,4 +1,4 @@
-// What one row of the operation table is made of.
+// The structure of a row of the operation table.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct Extent {
   double low, high;
 };
 
-// Where an operation may be sampled.
+// The domain on which tests sample an operation.
 using Domain = Operands<Extent>;
 
 inline constexpr Extent anywhere{-4, 4};
@@ -26,18 +26,19 @@ inline constexpr Extent aboveOne{1.02, 4};
 
 inline constexpr Domain everywhere{anywhere, anywhere, anywhere};
 
-// In the place of a formula: every language has the operation, or what lacks it refuses it by name.
+// For rows without a formula: every language has the operation, or languages without it reject it
+// by name.
 struct NoFormula {};
 
-// Functions that an operation's spelling calls and that stand above it, by language.
+// Functions that an operation's spelling calls, to be placed before their use, by language.
 using Helpers = std::array<std::string_view, languageCount>;
 
-// `value` maps operands to the result. It is generic in the scalar: numbers, intervals, and as many
-// lanes as a SIMD register has. Written for `double` alone it will do too: lanes are then computed
-// one by one, and an interval is anything, unless the row is `Rising`. `partials` holds one
-// function an operand, from the operands and the result to the partial derivative, or from those
-// and the derivative of the operand to the product of both; an operation without partials is
-// locally constant. `lowered` says the operation by others, for languages that lack it.
+// `value` maps operands to the result. It is generic in the scalar type: numbers, intervals, and
+// SIMD registers of several lanes. A function of `double` works, too: lanes are then computed one
+// by one, and the interval is unbounded unless the row is `Increasing`. `partials` has one function
+// per operand: it takes the operands and the result and returns the partial derivative, or takes
+// the derivative of the operand, too, and returns their product. An operation without partials is
+// locally constant. `lowered` expresses the operation by others, for languages that lack it.
 template <class Value, class Lowered, class... Partials>
 struct Row {
   std::string_view name;
@@ -48,14 +49,14 @@ struct Row {
   Lowered lowered;
   Helpers helpers = {};
 
-  constexpr Row helpedBy(const Helpers& texts) const {
+  constexpr Row withHelpers(const Helpers& texts) const {
     Row row = *this;
     row.helpers = texts;
     return row;
   }
 
   template <class Formula>
-  constexpr Row<Value, Formula, Partials...> loweredTo(Formula formula) const {
+  constexpr Row<Value, Formula, Partials...> lowersTo(Formula formula) const {
     return {name, spellings, domain, value, partials, formula, helpers};
   }
 };

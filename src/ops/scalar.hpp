@@ -18,7 +18,7 @@ inline constexpr double ln2 = 0.69314718055994530942;
 
 inline double exp2(double x) { return std::pow(2, x); }
 inline double log2(double x) { return std::log(x) / ln2; }
-// A half goes to the even neighbour.
+// Rounds half to even.
 inline double round(double x) { return std::nearbyint(x); }
 
 inline double inversesqrt(double x) { return 1 / std::sqrt(x); }
@@ -43,20 +43,20 @@ inline bool logicalNot(bool x) { return !x; }
 
 inline double ifElse(bool condition, double yes, double no) { return condition ? yes : no; }
 
-// A term of a derivative, or 0 where the condition does not hold and the factor may be infinite.
-inline double countedWhere(bool condition, double, double term) { return condition ? term : 0; }
+// A term of a derivative; 0 where the condition is false and the factor may be infinite.
+inline double maskTerm(bool condition, double, double term) { return condition ? term : 0; }
 
-// A whole number from 0 to 4090 that looks random, from another such number and any whole number.
+// A pseudorandom integer from 0 to 4090, computed from another such number and any integer.
 //
-// The cube is a permutation of the numbers modulo a prime that is 2 modulo 3, as unlike a line as
-// one can be: differentially 2-uniform (Nyberg, "Differentially uniform mappings for cryptography",
-// 1994). No product here reaches 2^24, so that float has every step exactly, as integers do.
+// Cubing permutes the numbers modulo a prime that is 2 modulo 3, and is as far from linear as
+// possible: differentially 2-uniform (Nyberg, "Differentially uniform mappings for cryptography",
+// 1994). No product here reaches 2^24, so float computes every step as exactly as integers do.
 inline constexpr double hashPrime = 4091, hashFactor = 1597, hashSummand = 823;
 
 template <class Scalar>
 Scalar hashRemainder(Scalar x) {
   const Scalar prime = hashPrime, r = x - prime * floor(x / prime);
-  // Where float rounds x / prime to the next whole number.
+  // Corrects the cases in which float rounds x / prime to the next integer.
   return ifElse(lt(r, Scalar(0.0)), r + prime, ifElse(ge(r, prime), r - prime, r));
 }
 

@@ -1,4 +1,4 @@
-// How the rows of the table are written.
+// Spellings and helper functions of the rows of the table.
 #include "ops/rows.hpp"
 
 namespace warpjet::ops {

@@ -1,4 +1,4 @@
-// How operations are written in each language.
+// The spelling of operations in each language.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace warpjet::ops {
 
-// From the loosest binding to the tightest, as in GLSL ES 3.00, section 5.1.
+// From lowest to highest precedence, as in GLSL ES 3.00, section 5.1.
 enum class Precedence : std::uint8_t {
   Ternary,
   Logical,
@@ -21,14 +21,14 @@ enum class Precedence : std::uint8_t {
   Primary,
 };
 
-// Some of the operands, by bits.
+// A subset of the operands, as bits.
 using SomeOperands = std::uint8_t;
 inline constexpr SomeOperands noOperand = 0, firstOperand = 1, secondOperand = 2, thirdOperand = 4;
 
-// How an operation is written: `$0`, `$1`, `$2` stand for the operands. An operand that binds
-// looser than its `operands` entry gets parentheses. Without a text the language lacks it. The same
-// text does an operation on the components of vectors, beside which `numbers` may stay single ones:
-// of two either, of three all of them or none.
+// The code of an operation; `$0`, `$1`, `$2` stand for the operands. An operand of lower precedence
+// than its `operands` entry gets parentheses. If the text is empty, the language lacks the
+// operation. The same text applies an operation to vectors, where the operands in `numbers` may
+// stay scalars: with two operands either one, with three either all of them or none.
 struct Spelling {
   std::string_view text;
   Precedence result = Precedence::Primary;
@@ -42,7 +42,7 @@ enum class Language : std::uint8_t { Glsl300, Glsl100, Wgsl };
 
 inline constexpr int languageCount = 3;
 
-// The spelling in each language; most are the same in all.
+// The spelling in each language; the same in all for most operations.
 struct Spellings {
   std::array<Spelling, languageCount> byLanguage;
 
@@ -59,14 +59,14 @@ struct Spellings {
     return other;
   }
 
-  // Otherwise, but as tightly bound.
+  // Replaces the text, but keeps the precedence.
   constexpr Spellings withText(Language language, std::string_view text) const {
     Spellings other = *this;
     other.byLanguage[static_cast<std::size_t>(language)].text = text;
     return other;
   }
 
-  // A row with a missing spelling must say what it is lowered to, or is refused.
+  // A row with a missing spelling must define how it is lowered, or the language rejects it.
   constexpr Spellings missingIn(Language language) const { return with(language, ""); }
 };
 
@@ -74,17 +74,17 @@ constexpr Spellings call(std::string_view text, SomeOperands numbers = noOperand
   return Spelling{text, Precedence::Primary, {}, numbers};
 }
 
-// For what built-in functions get wrong: every language has it lowered.
+// For built-in functions that are inaccurate: the operation is lowered in every language.
 inline constexpr Spellings nowhere = Spelling{""};
 
-// Left-associative: an equally tight left operand needs no parentheses, a right one does. They
-// matter, since the addition of floats is not associative.
+// Left-associative: a left operand of the same precedence needs no parentheses, a right one does.
+// They matter, since floating-point addition isn't associative.
 constexpr Spellings infix(std::string_view text, Precedence level) {
   const auto tighter = static_cast<Precedence>(static_cast<int>(level) + 1);
   return Spelling{text, level, {level, tighter, tighter}, firstOperand | secondOperand};
 }
 
-// WGSL takes no && beside || without parentheses.
+// WGSL doesn't allow && and || to be mixed without parentheses.
 constexpr Spellings logical(std::string_view text) {
   return Spelling{text, Precedence::Logical, {Precedence::Equality, Precedence::Equality, {}}};
 }
@@ -93,7 +93,7 @@ constexpr Spellings logical(std::string_view text) {
 inline constexpr Spellings negation =
     Spelling{"-$0", Precedence::Multiplicative, {Precedence::Multiplicative, {}, {}}};
 
-// On bits; with parentheses around whatever is no single value, as WGSL wants them.
+// Bitwise operations; operands that are not primary expressions get parentheses, as WGSL requires.
 constexpr Spellings bits(std::string_view text) {
   return Spelling{text, Precedence::Logical, {Precedence::Unary, Precedence::Unary, {}}};
 }

@@ -1,5 +1,5 @@
-// What people read of an operation or a composition: its name, its operands in order, and what it
-// gives.
+// The description of an operation or a composition: its name, its operands in order, and its
+// meaning.
 #pragma once
 
 #include <string_view>

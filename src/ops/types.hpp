@@ -7,14 +7,14 @@
 
 namespace warpjet::ops {
 
-// Int is 32 bits, which some rows take to have no sign; see whole.hpp.
+// Int has 32 bits; some rows treat it as unsigned, see ints.hpp.
 enum class Type : std::uint8_t { Float, Bool, Int };
 
 inline constexpr std::size_t typeCount = 3;
 
 inline constexpr int maxArity = 3;
 
-// The operands of one operation, as scalars of any kind, or what is said of each of them.
+// An array with one entry per operand of an operation.
 template <class Each>
 using Operands = std::array<Each, maxArity>;
 
@@ -23,8 +23,8 @@ struct Signature {
   Type result;
   Operands<Type> operands;
 
-  // Whether it has to do with whole numbers.
-  constexpr bool hasWhole() const {
+  // True if an operand or the result is an integer.
+  constexpr bool hasInt() const {
     return result == Type::Int || operands[0] == Type::Int || operands[1] == Type::Int;
   }
 };
@@ -35,10 +35,10 @@ inline constexpr Signature logic{Type::Bool, {Type::Bool, Type::Bool, Type::Bool
 inline constexpr Signature choice{Type::Float, {Type::Bool, Type::Float, Type::Float}};
 inline constexpr Signature toFloat{Type::Float, {Type::Bool, Type::Bool, Type::Bool}};
 inline constexpr Signature toBool{Type::Bool, {Type::Float, Type::Float, Type::Float}};
-inline constexpr Signature wholes{Type::Int, {Type::Int, Type::Int, Type::Int}};
-inline constexpr Signature wholeComparison{Type::Bool, {Type::Int, Type::Int, Type::Int}};
-inline constexpr Signature wholeChoice{Type::Int, {Type::Bool, Type::Int, Type::Int}};
-inline constexpr Signature wholeToFloat{Type::Float, {Type::Int, Type::Int, Type::Int}};
-inline constexpr Signature toWhole{Type::Int, {Type::Float, Type::Float, Type::Float}};
+inline constexpr Signature ints{Type::Int, {Type::Int, Type::Int, Type::Int}};
+inline constexpr Signature intComparison{Type::Bool, {Type::Int, Type::Int, Type::Int}};
+inline constexpr Signature intChoice{Type::Int, {Type::Bool, Type::Int, Type::Int}};
+inline constexpr Signature fromInt{Type::Float, {Type::Int, Type::Int, Type::Int}};
+inline constexpr Signature toInt{Type::Int, {Type::Float, Type::Float, Type::Float}};
 
 }  // namespace warpjet::ops

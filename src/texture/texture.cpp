@@ -8,8 +8,8 @@ namespace {
 
 constexpr int channels = 4, reach = 4;
 
-// By filter and texel, its weight times the divisor as a polynomial of where the point lies between
-// the middle two, from 0 to 1; the highest power first.
+// The weights by filter and texel, times the divisor, as polynomials of the position between the
+// two middle texels, from 0 to 1; the highest power first.
 constexpr std::int8_t weights[5][reach][4] = {
     {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}},
     {{-1, 2, -1, 0}, {3, -5, 0, 2}, {-3, 4, 1, 0}, {1, -1, 0, 0}},
@@ -18,7 +18,7 @@ constexpr std::int8_t weights[5][reach][4] = {
     {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}}};
 constexpr double divisors[] = {1, 2, 6, 1, 1};
 
-// Formulas in half as many bytes of wasm as the operators of Expression take.
+// Formulas in half as many bytes of wasm as with the operators of Expression.
 struct Calculation {
   Graph& graph;
 
@@ -28,42 +28,43 @@ struct Calculation {
 };
 
 constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("mult");
-constexpr Op least = ops::find("min"), most = ops::find("max");
+constexpr Op minOp = ops::find("min"), maxOp = ops::find("max");
 
-NodeId clamped(Calculation make, NodeId i, NodeId size) {
-  return make(least, make(most, i, 0.0), make(sub, size, 1.0));
+NodeId clampIndex(Calculation make, NodeId i, NodeId size) {
+  return make(minOp, make(maxOp, i, 0.0), make(sub, size, 1.0));
 }
 
-// Returns i modulo the period. The half keeps a quotient that a GPU rounds away from whole numbers.
-NodeId repeated(Calculation make, NodeId i, NodeId period) {
+// Returns i modulo the period. Adding a half guards against quotients that a GPU rounds to below an
+// integer.
+NodeId repeatIndex(Calculation make, NodeId i, NodeId period) {
   const NodeId times = make(ops::find("floor"), make(ops::find("div"), make(add, i, 0.5), period));
   return make(sub, i, make(mult, period, times));
 }
 
-// The second half of two sizes runs backwards. What lies in the first half stays.
-NodeId mirrored(Calculation make, NodeId inside, NodeId size) {
-  return make(least, inside, make(sub, make(sub, make(mult, size, 2.0), 1.0), inside));
+// Reflects the second half of two sizes. The first half is unchanged.
+NodeId mirrorIndex(Calculation make, NodeId inside, NodeId size) {
+  return make(minOp, inside, make(sub, make(sub, make(mult, size, 2.0), 1.0), inside));
 }
 
-// `way` is the host's: 0 clamps, 1 repeats and 2 mirrors.
-NodeId wrappedByHost(Calculation make, NodeId i, NodeId size, NodeId way) {
-  const NodeId clamps = make(most, make(sub, make.graph.constant(1), way), 0.0);
-  const NodeId kept = make(add, i, make(mult, clamps, make(sub, clamped(make, i, size), i)));
-  const NodeId period = make(mult, size, make(most, way, 1.0));
-  return mirrored(make, repeated(make, kept, period), size);
+// `mode` is the host's: 0 clamps, 1 repeats and 2 mirrors.
+NodeId wrapByHost(Calculation make, NodeId i, NodeId size, NodeId mode) {
+  const NodeId clamps = make(maxOp, make(sub, make.graph.constant(1), mode), 0.0);
+  const NodeId kept = make(add, i, make(mult, clamps, make(sub, clampIndex(make, i, size), i)));
+  const NodeId period = make(mult, size, make(maxOp, mode, 1.0));
+  return mirrorIndex(make, repeatIndex(make, kept, period), size);
 }
 
-// A whole number of any size as the number of a texel.
-NodeId wrapped(Calculation make, NodeId i, NodeId size, Wrap wrap, NodeId way) {
+// Wraps an integer of any size to the index of a texel.
+NodeId wrapIndex(Calculation make, NodeId i, NodeId size, Wrap wrap, NodeId mode) {
   switch (wrap) {
     case Wrap::Clamp:
-      return clamped(make, i, size);
+      return clampIndex(make, i, size);
     case Wrap::Repeat:
-      return repeated(make, i, size);
+      return repeatIndex(make, i, size);
     case Wrap::Mirror:
-      return mirrored(make, repeated(make, i, make(mult, size, 2.0)), size);
+      return mirrorIndex(make, repeatIndex(make, i, make(mult, size, 2.0)), size);
     case Wrap::Host:
-      return wrappedByHost(make, i, size, way);
+      return wrapByHost(make, i, size, mode);
     case Wrap::Sampler:
       break;
   }
@@ -74,11 +75,11 @@ struct HostSettings {
   NodeId wrapX{}, wrapY{}, isNearest{};
 };
 
-// Along one side of the image, the texels near a point, and how much of each there is.
+// The texels near a point along one axis of the image, and the weight of each.
 struct Axis {
   NodeId texels[reach], shares[reach];
 
-  Axis(Calculation make, NodeId x, NodeId size, Sampling sampling, NodeId way, NodeId isNearest) {
+  Axis(Calculation make, NodeId x, NodeId size, Sampling sampling, NodeId mode, NodeId isNearest) {
     const auto [filterKind, wrap] = sampling;
     const auto filter = static_cast<std::size_t>(filterKind);
     constexpr Op floor = ops::find("floor");
@@ -90,7 +91,7 @@ struct Axis {
       inside = make(add, inside, make(mult, isNearest, make(sub, nearest, inside)));
     }
     for (int i = 0; i < reach; ++i) {
-      texels[i] = wrapped(make, make(add, first, i - 1.0), size, wrap, way);
+      texels[i] = wrapIndex(make, make(add, first, i - 1.0), size, wrap, mode);
       shares[i] = make.graph.constant(0);
       for (const double weight : weights[filter][i])
         shares[i] = make(add, make(mult, shares[i], inside), weight / divisors[filter]);
@@ -135,7 +136,7 @@ Definition definitionOf(const Sampling& sampling) {
   const auto filter = static_cast<std::uint32_t>(sampling.filter);
   const auto wrap = static_cast<std::uint32_t>(sampling.wrap);
   const std::string name =
-      "warpjet" + capitalized(filterNames[filter]) + capitalized(wrapNames[wrap]);
+      "warpjet" + capitalize(filterNames[filter]) + capitalize(wrapNames[wrap]);
   return {.function = {name, sampling.isByHost() ? 8 : 5, channels, 2},
           .body = body,
           .settings = filter | wrap << 3,

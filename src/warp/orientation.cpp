@@ -16,20 +16,20 @@ namespace warpjet {
 
 namespace {
 
-// -1 or 1 where the sign is known; zero counts as positive.
+// -1 or 1 if the sign is known; zero counts as positive.
 std::optional<double> signOf(const Interval& range) {
   if (range.low >= 0) return 1;
   return range.high <= 0 ? std::optional<double>(-1) : std::nullopt;
 }
 
-// Marks the nodes that x is computed from and that are the same for all vertices.
+// Marks the nodes that x is computed from and that are equal for all vertices.
 Flags uniformNodes(Expression x, std::span<const NodeId> vertexInputs) {
   const Graph& graph = *x.graph;
   Flags isUniform(graph.size());
   for (const NodeId id : reachable(graph, std::array{x.id})) {
-    // A function of the host may read what it likes.
+    // A host function may read anything.
     bool all = !graph.isCall(id) || graph.isOurCall(id);
-    // The CPU, which computes the sign too, reads no images.
+    // The CPU also computes the sign, and it can't read images.
     if (graph.isInput(id))
       all = graph.input(graph.node(id).operands[0]).shape != oneImage &&
             std::find(vertexInputs.begin(), vertexInputs.end(), id) == vertexInputs.end();
@@ -39,7 +39,7 @@ Flags uniformNodes(Expression x, std::span<const NodeId> vertexInputs) {
   return isUniform;
 }
 
-// A product of numbers that are the same for all vertices, times 1 or -1.
+// A product of numbers that are equal for all vertices, times 1 or -1.
 struct Sign {
   double known = 1;
   std::vector<Expression> factors = {};
@@ -52,7 +52,7 @@ class SignOfPolynomial {
       : graph_(graph), atoms_(atoms), isUniform_(isUniform) {}
 
   std::optional<double> known(const Polynomial& terms) {
-    // A sign that is unknown for inputs of usual size is unknown for all.
+    // If the sign is unknown for inputs of moderate magnitude, it is unknown for all.
     if (!signOf(rangeOf(terms, [&](NodeId id) { return graph_.range(id); }))) return {};
     if (ranges_.empty()) ranges_ = graph_.rangesOfAll();
     return signOf(rangeOf(terms, [&](NodeId id) { return ranges_[index(id)]; }));
@@ -97,15 +97,15 @@ class SignOfPolynomial {
 
   static bool isBefore(const Monomial& x, const Monomial& y) { return x.factors < y.factors; }
 
-  // A cosine need not be among the nodes that were looked at, but the sine of the same angle was.
+  // A cosine need not be among the marked nodes, but the sine of the same angle is.
   bool isUniform(std::uint8_t factor) const {
     const NodeId node = atoms_[factor].node;
     return isUniform_[index(node)] ||
            (graph_.is(node, ops::find("cos")) && isUniform_[index(graph_.operand(node, 0))]);
   }
 
-  // Uniform factors that all terms have, which lose them; those that they have an odd number of
-  // times.
+  // Removes the uniform factors that all terms have in common; returns those that occur an odd
+  // number of times.
   std::vector<std::uint8_t> takeCommonFactors(Polynomial& terms) const {
     std::vector<std::uint8_t> common;
     for (std::size_t k = 0; k < Monomial::maxFactors;) {
@@ -147,7 +147,7 @@ class SignOfPolynomial {
     return {varying, uniform};
   }
 
-  // The number r with x = r y, if there is one; terms are in order.
+  // The number r with x = r y, if there is one; terms are sorted.
   static std::optional<double> ratioOf(const Polynomial& x, const Polynomial& y) {
     constexpr double share = 1e-9;
     if (x.size() != y.size()) return {};
@@ -187,7 +187,7 @@ class SignOfPolynomial {
       sign.factors.push_back(nodeOf(terms));
   }
 
-  // The sign of an inverse is that of the number.
+  // An inverse has the same sign as the number.
   Expression nodeOf(const Polynomial& terms) {
     Expression total{&graph_, graph_.constant(0)};
     for (const Monomial& each : terms) {
@@ -206,7 +206,7 @@ class SignOfPolynomial {
   Graph& graph_;
   const std::vector<Atom>& atoms_;
   const Flags& isUniform_;
-  std::vector<Interval> ranges_;  // once they are needed
+  std::vector<Interval> ranges_;  // computed on demand
 };
 
 std::optional<Sign> signOf(Expression x, std::span<const NodeId> vertexInputs) {

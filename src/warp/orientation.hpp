@@ -1,4 +1,5 @@
-// Finds out whether a warp mirrors space, so that cof(M) n points to the inner side of a surface.
+// Determines whether a warp mirrors space, which makes cof(M) n point to the inner side of a
+// surface.
 #pragma once
 
 #include <optional>
@@ -8,11 +9,11 @@
 
 namespace warpjet {
 
-// The sign of a determinant that is the same for all vertices, as a node: the constant 1 or -1
-// where the sign is known from its range, and a number of the host's uniforms where these decide
-// it, be it as a factor of something whose sign is known. It is 1 where the determinant is 0. The
-// result is empty if the determinant can have either sign within one frame, or if the sign is not
-// found. `vertexInputs` are the inputs that differ by vertex.
+// The sign of a determinant if it is equal for all vertices, as a node: the constant 1 or -1 if the
+// sign is known from the range, or an expression of the host's uniforms if these determine it,
+// possibly as a factor of something with a known sign. The sign is 1 where the determinant is 0.
+// Returns nullopt if the determinant can have both signs within a frame, or if the sign can't be
+// determined. `vertexInputs` are the inputs that vary per vertex.
 std::optional<Expression> orientation(Expression determinant, std::span<const NodeId> vertexInputs);
 
 }  // namespace warpjet

@@ -11,12 +11,12 @@ constexpr Op neg = ops::find("neg"), add = ops::find("add"), sub = ops::find("su
              mult = ops::find("mult"), divide = ops::find("div"), sine = ops::find("sin"),
              cosine = ops::find("cos");
 
-// A sum of two that is as small a share of them is what rounding left of zero.
+// A sum that is smaller than this share of its terms is a rounding error of zero.
 constexpr double rounding = 1e-13;
 
 bool isBefore(const Monomial& x, const Monomial& y) { return x.factors < y.factors; }
 
-// Sorted, each once.
+// Sorts the terms and merges equal ones.
 void collect(Polynomial& terms) {
   std::sort(terms.begin(), terms.end(), isBefore);
   std::size_t count = 0;
@@ -112,12 +112,12 @@ bool Expansion::replaceSquaredSine(Polynomial& terms, std::size_t i) {
     if (factors[k] != factors[k + 1]) continue;
     const auto [node, isInverse] = atoms_[factors[k]];
     if (isInverse || !graph_.is(node, sine)) continue;
-    const auto found = graph_.found(cosine, graph_.operand(node, 0), NodeId{0});
+    const auto found = graph_.findNode(cosine, graph_.operand(node, 0), NodeId{0});
     const auto other = found ? atom({*found}) : std::nullopt;
     if (!other) continue;
     std::copy(factors.begin() + k + 2, factors.end(), factors.begin() + k);
     factors[factors.size() - 2] = factors[factors.size() - 1] = Monomial::none;
-    // There is room for both, since two were taken out.
+    // There is space for both, since two factors were removed.
     const Monomial& factor = other->front();
     Monomial squared = *warpjet::product(*warpjet::product(terms[i], factor), factor);
     squared.coefficient = -squared.coefficient;

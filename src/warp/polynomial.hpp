@@ -1,5 +1,5 @@
-// A number as a polynomial of other nodes, in which what cancels is gone and common factors are
-// seen: (c - 1) + (u - 1) * c + 1 is u c.
+// A number as a polynomial of other nodes, which cancels terms and reveals common factors: (c - 1)
+// + (u - 1) * c + 1 is u c.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace warpjet {
 
-// A node that is no sum, product or quotient for the polynomial, or 1 divided by one.
+// A node that the polynomial doesn't expand, as it isn't a sum, product or quotient; or its
+// inverse.
 struct Atom {
   NodeId node;
   bool isInverse = false;
@@ -20,31 +21,31 @@ struct Atom {
   bool operator==(const Atom&) const = default;
 };
 
-// A product of atoms, by number and in order; one that counts twice is there twice.
+// A product of atoms, by number, sorted. Squares are listed twice.
 struct Monomial {
   static constexpr std::size_t maxFactors = 12;
   static constexpr std::uint8_t none = 0xff;
 
   double coefficient = 1;
-  std::array<std::uint8_t, maxFactors> factors = filled();
+  std::array<std::uint8_t, maxFactors> factors = emptyFactors();
 
-  static constexpr std::array<std::uint8_t, maxFactors> filled() {
+  static constexpr std::array<std::uint8_t, maxFactors> emptyFactors() {
     std::array<std::uint8_t, maxFactors> all{};
     all.fill(none);
     return all;
   }
 };
 
-// In the order of their factors, each once.
+// Sorted by their factors, without duplicates.
 using Polynomial = std::vector<Monomial>;
 
-// Writes nodes as polynomials, unless that would take long. The sum
-// of the squares of a sine and its cosine is 1.
+// Expands nodes to polynomials, up to a limit. Knows that the squares of sine and cosine add up
+// to 1.
 class Expansion {
  public:
   explicit Expansion(const Graph& graph) : graph_(graph) {}
 
-  // Empty if the expansion would take long.
+  // Empty if the expansion exceeds the limit.
   std::optional<Polynomial> of(NodeId id) {
     const Polynomial& terms = expand(id, maxLevels);
     return isTooLong_ ? std::nullopt : std::optional(terms);
@@ -66,8 +67,8 @@ class Expansion {
   const Graph& graph_;
   std::vector<Atom> atoms_;
   std::map<NodeId, Polynomial> known_;
-  // The number of terms that may still be made. A mirror, twisted about an oblique axis, takes 700;
-  // most warps that can have either sign are given up before.
+  // The number of terms that may still be created. A mirror that is twisted about an oblique axis
+  // takes 700; most warps whose determinant can have either sign are abandoned earlier.
   std::size_t left_ = 1500;
   bool isTooLong_ = false;
 };

@@ -17,8 +17,8 @@ namespace warpjet {
 namespace {
 
 // x + 1 if x is a sum with the term -1 within a few levels. An offset is often "moved - position",
-// and its derivative such a sum; adding 1 to it would cost digits where the rest is small. Of
-// -(a - b), which the graph keeps as it is, it reads b - a.
+// and its derivative is such a sum; adding 1 would cost digits where the rest is small. Treats -(a
+// - b), which the graph doesn't simplify, as b - a.
 std::optional<Expression> cancelMinusOne(Expression x, int levels = 4) {
   Graph& graph = *x.graph;
   if (graph.isConstant(x.id, -1)) return Expression{&graph, graph.constant(0)};
@@ -44,34 +44,35 @@ Expression plusOne(Expression x) {
   return x + 1.0;
 }
 
-// How large any component can be; infinite near a pole, or without bound.
-double mostOf(const Value& v) {
-  double most = 0;
+// The max magnitude of the components; infinite near a pole, or if unbounded.
+double maxMagnitude(const Value& v) {
+  double maxValue = 0;
   for (const NodeId node : v.nodes()) {
     const Interval range = v.graph().range(node);
     if (range.canBeNaN) return Interval::infinity;
-    most = std::max({most, -range.low, range.high});
+    maxValue = std::max({maxValue, -range.low, range.high});
   }
-  return most;
+  return maxValue;
 }
 
-// A sum stays NaN, where a maximum may drop it.
+// A sum propagates NaN; a maximum may drop it.
 Expression sizeOf(const Value& v) { return sum(byComponent(ops::find("abs"), std::array{v})); }
 
-// Squares of smaller numbers, or their cubes, and sums of a few of them fit into float32.
-constexpr double mostSquared = 1e18, mostCubed = 1e12;
+// Squares, or cubes, of numbers below these limits, and sums of a few of them, are finite in
+// float32.
+constexpr double maxSquarable = 1e18, maxCubable = 1e12;
 
-// Whether float32 holds all of these at inputs far beyond the usual ones, whose ranges Graph::range
-// takes: sums of a few such numbers are finite then.
-bool areTame(const Graph& graph, std::span<const NodeId> values) {
-  constexpr double farthest = 1e30, mostTame = 1e37;
+// True if float32 can represent all values for inputs far beyond the magnitude that Graph::range
+// assumes; sums of a few of them are then finite, too.
+bool stayFinite(const Graph& graph, std::span<const NodeId> values) {
+  constexpr double maxInput = 1e30, maxFinite = 1e37;
   std::vector<Interval> ranges(graph.size());
   for (const NodeId id : reachable(graph, values)) {
     Interval& range = ranges[index(id)];
     range = Interval::anything(true);
     if (graph.isConstant(id)) range = graph.value(id);
-    if (graph.isInput(id)) range = {-farthest, farthest};
-    if (graph.isResult(id)) range = {-Graph::usualSize, Graph::usualSize};
+    if (graph.isInput(id)) range = {-maxInput, maxInput};
+    if (graph.isResult(id)) range = {-Graph::assumedMagnitude, Graph::assumedMagnitude};
     if (!graph.isOperation(id)) continue;
     Operands<Interval> x;
     for (int i = 0; i < graph.arity(id); ++i) x[i] = ranges[index(graph.operand(id, i))];
@@ -79,26 +80,26 @@ bool areTame(const Graph& graph, std::span<const NodeId> values) {
   }
   return std::all_of(values.begin(), values.end(), [&](NodeId id) {
     const Interval& range = ranges[index(id)];
-    return !range.canBeNaN && -mostTame <= range.low && range.high <= mostTame;
+    return !range.canBeNaN && -maxFinite <= range.low && range.high <= maxFinite;
   });
 }
 
-// How large the components of a vector can be, about, and whether they stay finite in any case.
+// The approximate max magnitude of a vector's components, and whether they are finite for all
+// inputs.
 struct Size {
-  double most;
-  bool isTame;
+  double maxValue;
+  bool staysFinite;
 };
 
-// Length 1 in the same direction, or zero for zero and for what is infinite or no number. Scaled
-// before it is squared, unless it is known to be small. Inputs beyond the usual ones may make it
-// infinite nevertheless: then its components are chosen to be zero, for a factor of zero would
-// leave them NaN.
-Value unit(const Value& v, const Size& known) {
+// Normalizes a vector; zero, infinite and NaN vectors become zero. It is scaled before it is
+// squared, unless it is known to be small. Larger inputs than assumed may still make it infinite:
+// its components are then selected to be zero, since multiplying by zero would give NaN.
+Value normalizeOrZero(const Value& v, const Size& known) {
   const auto orZero = [&](Expression condition, const Value& x) {
     return fill(x.graph(), x.shape(), [&](int i) { return ifElse(condition, x[i], 0.0); });
   };
-  if (known.most <= mostSquared) {
-    if (known.isTame) return normalize(v);
+  if (known.maxValue <= maxSquarable) {
+    if (known.staysFinite) return normalize(v);
     const Expression squared = dot(v, v);
     return orZero(logicalAnd(gt(squared, 0.0), lt(squared, 1e38)), v * inversesqrt(squared));
   }
@@ -108,12 +109,12 @@ Value unit(const Value& v, const Size& known) {
                 scaled * inversesqrt(dot(scaled, scaled)));
 }
 
-// M, or the positive multiple of it whose entries add up to `limit`, if M is known to be larger
-// somewhere: its directions and sides are those of M. Near a pole, where nothing is known of the
-// size, M stays.
-Value sized(const Value& m, double limit) {
-  const double most = mostOf(m);
-  if (most <= limit || most == Interval::infinity) return m;
+// M, scaled down so that its entries add up to at most `limit`, if M is known to be larger
+// somewhere. Scaling by a positive factor keeps directions and orientation. If the size is
+// unbounded, as near a pole, M is unchanged.
+Value limitSize(const Value& m, double limit) {
+  const double maxValue = maxMagnitude(m);
+  if (maxValue <= limit || maxValue == Interval::infinity) return m;
   return m * Value(min(limit / sizeOf(m), 1.0));
 }
 
@@ -122,7 +123,7 @@ std::array<Expression, 5> varying(const WarpInputs& inputs) {
   return {normal[0], normal[1], normal[2], uv[0], uv[1]};
 }
 
-// Which nodes of `among` the values are computed from.
+// True for each node of `among` that the values depend on.
 Flags readBy(std::span<const NodeId> values, const Graph& graph, std::span<const NodeId> among) {
   const std::vector<NodeId> nodes = reachable(graph, values);
   Flags isRead(among.size());
@@ -131,16 +132,16 @@ Flags readBy(std::span<const NodeId> values, const Graph& graph, std::span<const
   return isRead;
 }
 
-Turned turn(const Value& m, const WarpInputs& inputs) {
+WarpedDirections warpDirections(const Value& m, const WarpInputs& inputs) {
   Graph& graph = m.graph();
   const Value& t = inputs.tangent;
   const Value along = fill(graph, vectorOf(3), [&](int i) { return t[i]; });
-  const Value normal = turnedNormal(m, inputs.normal), turned = turnedTangent(m, along, normal);
+  const Value normal = warpNormal(m, inputs.normal), turned = warpTangent(m, along, normal);
   const Value tangent = fill(graph, vectorOf(4), [&](int i) { return i < 3 ? turned[i] : t[3]; });
-  return {normal, tangent, multiply(m, along), determinant(sized(m, mostCubed))};
+  return {normal, tangent, multiply(m, along), determinant(limitSize(m, maxCubable))};
 }
 
-// Inputs that differ by vertex.
+// The inputs that vary per vertex.
 std::vector<NodeId> vertexInputs(const WarpInputs& inputs) {
   std::vector<NodeId> all;
   const auto add = [&](const Value& v) {
@@ -152,11 +153,11 @@ std::vector<NodeId> vertexInputs(const WarpInputs& inputs) {
   return all;
 }
 
-Expression orOne(std::optional<Expression> orientation, Graph& graph) {
+Expression valueOrOne(std::optional<Expression> orientation, Graph& graph) {
   return orientation.value_or(Expression{&graph, graph.constant(1)});
 }
 
-void orient(std::optional<Turned>& turned, Expression orientation) {
+void orient(std::optional<WarpedDirections>& turned, Expression orientation) {
   if (!turned) return;
   turned->normal = turned->normal * Value(orientation);
   turned->tangent.set(3, (turned->tangent[3] * orientation).id);
@@ -167,7 +168,7 @@ void orient(std::optional<Turned>& turned, Expression orientation) {
 Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInputs& inputs,
               const WarpOptions& options) {
   Warp warp{offset, inputs.position + offset};
-  if (!options.turns) return warp;
+  if (!options.needsDirections) return warp;
   Graph& graph = offset.graph();
   const Value constant = deformation(differentiator, offset, inputs.position);
   const std::array<Expression, 5> numbers = varying(inputs);
@@ -175,22 +176,22 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
   for (const Expression number : numbers) nodes.push_back(number.id);
   const Flags isRead = readBy(offset.nodes(), graph, nodes);
   const bool readsAny = std::find(isRead.begin(), isRead.end(), true) != isRead.end();
-  if (options.isFlat || !readsAny) warp.flat = turn(constant, inputs);
+  if (options.isFlat || !readsAny) warp.flat = warpDirections(constant, inputs);
   Value m = constant;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!isRead[i]) continue;
-    m = varied(differentiator, m, offset, numbers[i], inputs.gradients[i]);
+    m = varyInput(differentiator, m, offset, numbers[i], inputs.gradients[i]);
     const auto gradient = inputs.gradients[i].nodes();
     gradients.insert(gradients.end(), gradient.begin(), gradient.end());
   }
-  warp.surface = readsAny ? turn(m, inputs) : warp.flat;
+  warp.surface = readsAny ? warpDirections(m, inputs) : warp.flat;
   const Flags needed = readBy(m.nodes(), graph, gradients);
   warp.varies = std::find(needed.begin(), needed.end(), true) != needed.end();
 
-  // Also of the surface it is that of space: where gradients may be anything, the determinant can
-  // have either sign, and without any it is this one.
-  warp.orientation = orOne(
-      orientation(warp.flat ? warp.flat->determinant : determinant(sized(constant, mostCubed)),
+  // The orientation of space is also that of the surface: with arbitrary gradients, the determinant
+  // can have either sign, and without gradients it is this one.
+  warp.orientation = valueOrOne(
+      orientation(warp.flat ? warp.flat->determinant : determinant(limitSize(constant, maxCubable)),
                   vertexInputs(inputs)),
       graph);
   orient(warp.flat, *warp.orientation);
@@ -204,24 +205,24 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
   return m;
 }
 
-Value varied(Differentiator& differentiator, const Value& m, const Value& offset, Expression input,
-             const Value& gradient) {
+Value varyInput(Differentiator& differentiator, const Value& m, const Value& offset,
+                Expression input, const Value& gradient) {
   const Value slope = derivative(differentiator, offset, input);
   return fill(m.graph(), m.shape(), [&](int i) { return m[i] + slope[i % 3] * gradient[i / 3]; });
 }
 
-Value turnedNormal(const Value& given, const Value& normal) {
-  const Value m = sized(given, mostSquared);
+Value warpNormal(const Value& given, const Value& normal) {
+  const Value m = limitSize(given, maxSquarable);
   const Value a = cross(m.column(1), m.column(2)), b = cross(m.column(2), m.column(0)),
               c = cross(m.column(0), m.column(1));
-  const double most = mostOf(given);
+  const double maxValue = maxMagnitude(given);
   std::vector<NodeId> cofactors;
   for (const Value& column : {a, b, c}) {
     const auto nodes = column.nodes();
     cofactors.insert(cofactors.end(), nodes.begin(), nodes.end());
   }
-  return unit(a * normal[0] + b * normal[1] + c * normal[2],
-              {most * most, areTame(m.graph(), cofactors)});
+  return normalizeOrZero(a * normal[0] + b * normal[1] + c * normal[2],
+                         {maxValue * maxValue, stayFinite(m.graph(), cofactors)});
 }
 
 std::optional<Expression> orientationOf(const Value& m, const Value& normal,
@@ -230,17 +231,18 @@ std::optional<Expression> orientationOf(const Value& m, const Value& normal,
   for (const NodeId id : reachable(m.graph(), normal.nodes())) {
     if (m.graph().isInput(id)) vertexInputs.push_back(id);
   }
-  return orientation(determinant(sized(m, mostCubed)), vertexInputs);
+  return orientation(determinant(limitSize(m, maxCubable)), vertexInputs);
 }
 
 Value outwardNormal(const Value& m, const Value& normal, const Value& position) {
-  const Value turned = turnedNormal(m, normal);
-  return turned * Value(orOne(orientationOf(m, normal, position), m.graph()));
+  const Value turned = warpNormal(m, normal);
+  return turned * Value(valueOrOne(orientationOf(m, normal, position), m.graph()));
 }
 
-Value turnedTangent(const Value& given, const Value& tangent, const Value& normal) {
-  const Value m = sized(given, mostSquared), moved = multiply(m, tangent);
-  return unit(moved - normal * dot(normal, moved), {mostOf(given), areTame(m.graph(), m.nodes())});
+Value warpTangent(const Value& given, const Value& tangent, const Value& normal) {
+  const Value m = limitSize(given, maxSquarable), moved = multiply(m, tangent);
+  return normalizeOrZero(moved - normal * dot(normal, moved),
+                         {maxMagnitude(given), stayFinite(m.graph(), m.nodes())});
 }
 
 }  // namespace warpjet

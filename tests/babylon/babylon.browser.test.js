@@ -131,7 +131,7 @@ function byImage(material, scene) {
   const numbers = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
   const map = new RawTexture(numbers, 2, 2, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
     Constants.TEXTURE_NEAREST_SAMPLINGMODE, Constants.TEXTURETYPE_FLOAT)
-  new BabylonWarp(material, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), { uniforms: { map } })
+  new BabylonWarp(material, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), { uniforms: { map }, surfaceVariation: false })
 }
 
 /** The texture's own settings, or the same said by hand. */
@@ -146,7 +146,7 @@ function bySampling(material, scene, isByHand) {
       { wrap: 'mirror', filter: 'bilinear', transform: false })
   const byHost = ({ glsl, uv, uniforms }) => glsl.texture(uniforms.map, uv)
   const colour = isByHand ? byHand : byHost
-  new BabylonWarp(material, (inputs) => colour(inputs).xyz().mult(0.4), { uniforms: { map } })
+  new BabylonWarp(material, (inputs) => colour(inputs).xyz().mult(0.4), { uniforms: { map }, surfaceVariation: false })
 }
 
 window.draw = async (backend, kind, way) => {
@@ -373,13 +373,13 @@ test('mistakes are told in a sentence, and what was set before stays', async () 
   const { said, isKept } = await page.evaluate(() => mistakes())
   const expected = [
     /^WarpError: BabylonWarp: the warp has no uniform "linaer"; there are linear, shift\.$/,
-    /^WarpError: The warp's uniform "shift" is a vec3 and takes an array of 3 numbers, but the text "x" came/,
-    /^WarpError: The warp's uniform "shift" /,
-    /^WarpError: BabylonWarp: millis must be a number of milliseconds, .* is the text "x"\.$/,
+    /^WarpError: BabylonWarp: expected an array of 3 finite numbers for the uniform "shift", got the text "x"/,
+    /^WarpError: BabylonWarp: expected .* for the uniform "shift", /,
+    /^WarpError: BabylonWarp: expected a number of milliseconds for millis, got the text "x"; performance\.now\(\) gives one\.$/,
     /^WarpError: BabylonWarp: the material "standard" is warped already/,
     /^WarpError: BabylonWarp: the offset reads mouse, which Babylon\.js does not have; declare it, as in \{ uniforms: \{ myMouse: \[0, 0\] \} \}\.$/,
     /^WarpError: BabylonWarp: the offset reads "wind" by glsl\.param, which no shader of Babylon\.js declares; /,
-    /^WarpError: The warp's uniform "map" must be a texture of Babylon\.js, but is /,
+    /^WarpError: BabylonWarp: expected a texture of Babylon\.js for the uniform "map", got /,
   ]
   assert.equal(said.length, expected.length)
   said.forEach((text, i) => assert.match(text, expected[i]))

@@ -1,4 +1,4 @@
-// `npx warpjet`, as a shell starts it.
+// `npx warpjet`, started like from a shell.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import {
@@ -53,7 +53,7 @@ const material = {
 const model = { ...sphere(), material }
 write('model.glb', exportGLB(model))
 
-/** Starts the program in the folder; its exit code and all that it wrote. */
+/** Starts the program in the folder; returns its exit code and output. */
 function warpjet(...args) {
   const child = spawn(process.execPath, [program, ...args], { cwd: folder })
   const result = { stdout: '', stderr: '' }
@@ -62,7 +62,7 @@ function warpjet(...args) {
   return new Promise((resolve) => child.on('close', (code) => resolve({ code, ...result })))
 }
 
-/** Ends with this code, nothing on stdout, and one sentence on stderr. */
+/** Checks the exit code, an empty stdout, and one message on stderr. */
 async function fails(code, args, pattern) {
   const result = await warpjet(...args)
   assert.equal(result.stdout, '')
@@ -93,12 +93,12 @@ describe('the program', () => {
       assert.match((await works('bake', '-h')).stdout, new RegExp(option))
   })
 
-  test('wrong usage ends with 2', async () => {
+  test('wrong usage exits with 2', async () => {
     await usage([], /A command is missing\. `npx warpjet --help` shows how/)
     await usage(['bend'], /no command "bend"/)
     await usage(['toString'], /no command "toString"/)
     await usage(['emit'], /emit needs a warp\.js or a file of GLSL\. `npx warpjet emit --help`/)
-    await usage(['emit', 'wave.js', 'named.js'], /nothing more, but "named\.js" came/)
+    await usage(['emit', 'wave.js', 'named.js'], /nothing more, got "named\.js"/)
     await usage(
       ['emit', 'wave.js', '--target', 'hlsl'],
       /emit: expected 'glsl300', 'glsl100' or 'wgsl' for --target, got the text "hlsl"/,
@@ -107,10 +107,13 @@ describe('the program', () => {
     await usage(['info'], /info needs a model/)
     await usage(['bake', 'model.glb'], /bake needs a warp\.js/)
     await usage(['bake', 'model.glb', 'wave.js'], /bake needs -o/)
-    await usage(['bake', 'model.glb', 'wave.js', '-o', 'out.obj'], /bake writes \.glb files/)
+    await usage(
+      ['bake', 'model.glb', 'wave.js', '-o', 'out.obj'],
+      /bake: expected a \.glb file for -o, got "out\.obj"/,
+    )
     await usage(
       ['bake', 'model.glb', 'wave.js', '-o', './model.glb'],
-      /does not write over the model/,
+      /does not overwrite the model/,
     )
     for (const setting of ['millis', 'millis=', 'millis=x', '=1', 'mouse=1,'])
       await usage(
@@ -122,25 +125,25 @@ describe('the program', () => {
         ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--subdivide', tolerance],
         /bake: expected a number above 0 for --subdivide, got /,
       )
-    const limited = (most) => [...baking, '--subdivide', '1', '--max-triangles', most]
-    const baking = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
+    const bakeWithLimit = (most) => [...bakeArguments, '--subdivide', '1', '--max-triangles', most]
+    const bakeArguments = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
     for (const most of ['1.5', String(2 ** 28 + 1), '1e20'])
       await usage(
-        limited(most),
+        bakeWithLimit(most),
         /bake: expected a whole number from 1 to 268,435,456 for --max-triangles, got /,
       )
     for (const most of ['0', '-1', 'x'])
       await usage(
-        limited(most),
+        bakeWithLimit(most),
         /expected a whole number from 1 to .* for --max-triangles, got |ambiguous/,
       )
-    await usage([...baking, '--max-triangles', '9'], /--max-triangles is about what --subdivide/)
+    await usage([...bakeArguments, '--max-triangles', '9'], /--max-triangles needs --subdivide/)
   })
 })
 
-describe('how it ends', () => {
-  /** Whether it ends by itself, soon. */
-  async function ended(args, prepare = () => {}) {
+describe('how it exits', () => {
+  /** Returns whether it exits by itself, soon. */
+  async function exitsBySelf(args, prepare = () => {}) {
     const child = spawn(process.execPath, args, { cwd: folder, timeout: 20_000 })
     let stderr = ''
     child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
@@ -152,36 +155,41 @@ describe('how it ends', () => {
     return { code, stderr }
   }
 
-  test('whoever reads its output may leave', async () => {
+  test('a reader may close its output', async () => {
     const leave = ({ stdout }) => stdout.destroy()
-    assert.deepEqual(await ended([program, 'emit', 'named.js'], leave), { code: 0, stderr: '' })
+    assert.deepEqual(await exitsBySelf([program, 'emit', 'named.js'], leave), {
+      code: 0,
+      stderr: '',
+    })
   })
 
-  test('a timer of warp.js is not waited for', async () => {
+  test('it does not wait for a timer of warp.js', async () => {
     write('timer.js', 'setInterval(() => {}, 1000)\nexport { bend } from "./named.js"')
-    const { code } = await ended([program, 'emit', 'timer.js'], ({ stdout }) => stdout.resume())
+    const { code } = await exitsBySelf([program, 'emit', 'timer.js'], ({ stdout }) =>
+      stdout.resume(),
+    )
     assert.equal(code, 0)
   })
 
   const full = '/dev/full'
-  test('output that has no room is one sentence', { skip: !existsSync(full) }, async () => {
+  test('a full disk gives one message', { skip: !existsSync(full) }, async () => {
     const stdio = ['ignore', openSync(full, 'w'), 'pipe']
     const child = spawn(process.execPath, [program, 'emit', 'named.js'], { cwd: folder, stdio })
     let stderr = ''
     child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
     const code = await new Promise((resolve) => child.on('close', resolve))
-    assert.equal(stderr, 'warpjet: the output cannot be written: there is no room left.\n')
+    assert.equal(stderr, 'warpjet: the output cannot be written: the disk is full.\n')
     assert.equal(code, 1)
   })
 
-  test('a warp.js that awaits for ever is one sentence', async () => {
+  test('a warp.js that never resolves gives one message', async () => {
     write('waits.js', 'await new Promise(() => {})\nexport { bend } from "./named.js"')
-    await refuses(['emit', 'waits.js'], /waits\.js never ends: outside of its functions it awaits/)
+    await refuses(['emit', 'waits.js'], /waits\.js never finishes loading: its top-level await/)
   })
 
-  test('an error takes the unfinished line away', async () => {
+  test('an error clears the unfinished line', async () => {
     const terminal = 'data:text/javascript,process.stderr.isTTY = true'
-    const { code, stderr } = await ended([
+    const { code, stderr } = await exitsBySelf([
       ...['--import', terminal, program, 'bake', 'model.glb', 'named.js'],
       ...['-o', 'o.glb', '--subdivide', '0.1', '--set', 'speed=1'],
     ])
@@ -191,7 +199,7 @@ describe('how it ends', () => {
 })
 
 describe('emit', () => {
-  test('prints what compileWarp gives, in every language', async () => {
+  test('prints the result of compileWarp, in every language', async () => {
     const { default: offset } = await import(join(folder, 'wave.js'))
     for (const target of targets) {
       const { stdout, stderr } = await works('emit', 'wave.js', '--target', target)
@@ -205,7 +213,7 @@ describe('emit', () => {
     }
   })
 
-  test('glsl300 unless told; the only function that a file exports; into a file', async () => {
+  test('glsl300 by default; the only exported function of a file; into a file', async () => {
     const { bend } = await import(join(folder, 'named.js'))
     const { stdout } = await works('emit', 'named.js')
     assert.ok(stdout.includes(compileWarp(bend).code.trim()))
@@ -214,7 +222,7 @@ describe('emit', () => {
     assert.match((await works('emit', 'named.js', '--tangents')).stdout, /warpedTangent/)
   })
 
-  test('a warp that is none', async () => {
+  test('invalid warps', async () => {
     write('none.js', 'export const x = 1')
     write('two.js', 'export const a = () => 1, b = () => 2')
     write('broken.js', 'export default ({ glsl }) => {')
@@ -241,7 +249,7 @@ describe('emit', () => {
     await refuses(['emit', 'imports.js'], /imports\.js cannot be run: .*gone\.js/)
     await refuses(
       ['emit', 'wave.js', '-o', 'no/such/folder.glsl'],
-      /cannot be written: there is no such folder/,
+      /cannot be written: the folder does not exist/,
     )
   })
 })
@@ -249,7 +257,7 @@ describe('emit', () => {
 describe('bake', () => {
   const load = (name) => loadMesh(join(folder, name))
 
-  test('writes the warped model, and tells about it on stderr only', async () => {
+  test('writes the warped model, and progress only to stderr', async () => {
     const { stdout, stderr } = await works(
       'bake',
       'model.glb',
@@ -273,14 +281,14 @@ describe('bake', () => {
     assert.deepEqual(out.material, model.material)
   })
 
-  test('a mirror, by a uniform: triangles turn round with it, so that normals agree with their fronts', async () => {
+  test('a mirror, by a uniform: reverses triangles too, so that normals agree with their fronts', async () => {
     write(
       'flip.js',
       `export const uniforms = { flip: 1 }
 export default ({ glsl, position, uniforms }) =>
   glsl.vec3(position.x().mult(uniforms.flip.sub(1)), 0, 0)`,
     )
-    const agreeing = async (flip) => {
+    const countAgreeing = async (flip) => {
       await works('bake', 'model.glb', 'flip.js', '-o', 'flip.glb', '--set', `flip=${flip}`)
       const { positions, normals, indices } = await load('flip.glb')
       const at = (numbers, i) => [...numbers.slice(3 * i, 3 * i + 3)]
@@ -298,12 +306,12 @@ export default ({ glsl, position, uniforms }) =>
       }
       return count
     }
-    const before = await agreeing(1)
+    const before = await countAgreeing(1)
     assert.equal(Math.abs(before), 168)
-    assert.equal(await agreeing(-1), before)
+    assert.equal(await countAgreeing(-1), before)
   })
 
-  test('numbers of a vector, negative ones too; --quiet', async () => {
+  test('vectors, negative numbers; --quiet', async () => {
     const { stderr } = await works(
       'bake',
       'model.glb',
@@ -320,7 +328,7 @@ export default ({ glsl, position, uniforms }) =>
     assert.ok(Math.abs(out.positions[1] - model.positions[1] + 2.5) < 1e-6)
   })
 
-  test('uniforms that warp.js exports, and --set before them', async () => {
+  test('uniforms that warp.js exports, overridden by --set', async () => {
     write(
       'uniforms.js',
       `export const uniforms = { center: [1, -2.5, 0], follow: () => [10, 20] }
@@ -328,22 +336,22 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     )
     const bake = (...rest) =>
       works('bake', 'model.glb', 'uniforms.js', '-o', 'moved.glb', '-q', ...rest)
-    const moved = async () => {
+    const firstVertex = async () => {
       const { positions } = await load('moved.glb')
       return [0, 1].map((i) => Math.round((positions[i] - model.positions[i]) * 1000) / 1000)
     }
     await bake()
-    assert.deepEqual(await moved(), [11, 17.5])
+    assert.deepEqual(await firstVertex(), [11, 17.5])
     await bake('--set', 'follow=0,0', '--subdivide', '0.1')
-    assert.deepEqual(await moved(), [1, -2.5])
+    assert.deepEqual(await firstVertex(), [1, -2.5])
     const { stdout } = await works('emit', 'uniforms.js')
     assert.match(stdout, /^\/\/ uniforms: (vec3 center, vec2 follow|vec2 follow, vec3 center)\n/)
     await refuses(
       ['bake', 'model.glb', 'uniforms.js', '-q', '-o', 'bad.glb', '--set', 'center=1'],
-      /"center" is a vec3 and takes an array of 3 numbers, but a float came/,
+      /expected an array of 3 finite numbers for the uniform "center", got the number 1/,
     )
     write('wrong.js', 'export const uniforms = { a: "red" }\nexport default () => undefined')
-    await refuses(['emit', 'wrong.js'], /the uniform "a" must be .* but is the text "red"/)
+    await refuses(['emit', 'wrong.js'], /expected .* for the uniform "a", got the text "red"/)
   })
 
   test('--subdivide makes more triangles, up to --max-triangles', async () => {
@@ -359,7 +367,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     assert.ok((await load('fine.glb')).indices.length <= 3 * 300)
   })
 
-  test('a picture that no GLB may have is left out, with a note', async () => {
+  test('an image that a GLB may not have is left out, with a warning', async () => {
     const { json, chunks } = readGlb(exportGLB(model))
     json.images[0].mimeType = 'image/webp'
     const { byteOffset } = json.bufferViews[json.images[0].bufferView]
@@ -368,49 +376,60 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     const { stderr } = await works('bake', 'webp.glb', 'named.js', '-o', 'plain.glb')
     assert.match(
       stderr,
-      /^Note: The picture .*\(image\/webp\) is neither PNG nor JPEG; it is left out/,
+      /^Note: The image .*\(image\/webp\) is neither PNG nor JPEG; it is left out/,
     )
     assert.deepEqual((await load('plain.glb')).material, { baseColor: material.baseColor })
   })
 
-  test('never writes over what it reads, by whatever link', async () => {
+  test('never overwrites its input, through any link', async () => {
     const before = readFileSync(join(folder, 'model.glb'))
     symlinkSync('model.glb', join(folder, 'symbolic.glb'))
     linkSync(join(folder, 'model.glb'), join(folder, 'hard.glb'))
     for (const link of ['symbolic.glb', 'hard.glb'])
-      await usage(['bake', 'model.glb', 'named.js', '-o', link], /does not write over the model/)
+      await usage(['bake', 'model.glb', 'named.js', '-o', link], /does not overwrite the model/)
     assert.deepEqual(readFileSync(join(folder, 'model.glb')), before)
     symlinkSync('named.js', join(folder, 'linked.js'))
-    await usage(['emit', 'named.js', '-o', 'linked.js'], /does not write over the warp/)
+    await usage(['emit', 'named.js', '-o', 'linked.js'], /does not overwrite the warp/)
   })
 
-  test('what is wrong with files and warps', async () => {
+  test('mistakes in files and warps', async () => {
     write('text.glb', 'no model')
     write(
       'pole.js',
       'export default ({ glsl, position }) => glsl.vec3(glsl.div(1, position.x()), 0, 0)',
     )
     mkdirSync(join(folder, 'folder.glb'))
-    const baking = (model, warp, ...rest) => ['bake', model, warp, '-q', '-o', 'bad.glb', ...rest]
+    const bakeArguments = (model, warp, ...rest) => [
+      'bake',
+      model,
+      warp,
+      '-q',
+      '-o',
+      'bad.glb',
+      ...rest,
+    ]
     await refuses(
-      baking('model.glb', 'wave.js'),
+      bakeArguments('model.glb', 'wave.js'),
       /wave\.js reads millis; add --set millis=<number>; if it is an image, only a GPU can run this warp\./,
     )
     await refuses(
-      baking('model.glb', 'wave.js', '--set', 'millis=1', '--set', 'milis=1'),
+      bakeArguments('model.glb', 'wave.js', '--set', 'millis=1', '--set', 'milis=1'),
       /no uniform "milis"/,
     )
     await refuses(
-      baking('model.glb', 'mouse.js', '--set', 'mouse=1'),
+      bakeArguments('model.glb', 'mouse.js', '--set', 'mouse=1'),
       /expected an array of 2 finite numbers for the uniform "mouse"/,
     )
-    await refuses(baking('gone.glb', 'named.js'), /loadMesh: the file .*gone\.glb does not exist/)
     await refuses(
-      baking('model.glb', 'pole.js'),
-      /bakeWarp: the warp gives vertex 0 at \(0, 1, 0\) no finite position/,
+      bakeArguments('gone.glb', 'named.js'),
+      /loadMesh: the file .*gone\.glb does not exist/,
     )
-    await refuses(baking('text.glb', 'named.js'), /loadMesh: /)
-    await refuses(baking('model.glb', 'gone.js'), /gone\.js does not exist/)
+    await refuses(
+      bakeArguments('model.glb', 'pole.js'),
+      /bakeWarp: expected a finite position of vertex 0 at \(0, 1, 0\), got/,
+    )
+    await refuses(bakeArguments('text.glb', 'named.js'), /loadMesh: /)
+    await refuses(bakeArguments('model.glb', 'gone.js'), /gone\.js does not exist/)
     await refuses(
       ['bake', 'model.glb', 'named.js', '-q', '-o', 'folder.glb'],
       /folder\.glb cannot be written/,
@@ -420,7 +439,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
 })
 
 describe('info', () => {
-  test('shows nothing of a model that could steer a terminal', async () => {
+  test('shows nothing of a model that could control a terminal', async () => {
     const { json, chunks } = readGlb(exportGLB(model))
     json.images[0].mimeType = 'image/\x1b[2J\u009b1m\u202egpj\r\nnote'
     write('steering.glb', writeGlb(json, chunks[1].bytes))
@@ -430,11 +449,11 @@ describe('info', () => {
     chunks[1].bytes.set(new TextEncoder().encode('RIFF1234WEBP'), byteOffset)
     write('steering.glb', writeGlb(json, chunks[1].bytes))
     const { stderr } = await works('bake', 'steering.glb', 'named.js', '-o', 'plain.glb')
-    assert.match(stderr, /^Note: The picture of the base colour \(image\/\?\[2J\?1m/)
+    assert.match(stderr, /^Note: The image of the base colour \(image\/\?\[2J\?1m/)
     assert.doesNotMatch(stdout + stderr, /[^\n\P{Cc}]|\p{Cf}/u)
   })
 
-  test('says what is in a model', async () => {
+  test('describes a model', async () => {
     const { stdout } = await works('info', 'model.glb')
     assert.match(stdout, /^triangles +168$/m)
     assert.match(stdout, /^vertices +117$/m)
@@ -444,12 +463,12 @@ describe('info', () => {
     assert.match(stdout, /^texture +image\/png, \d+ bytes$/m)
   })
 
-  test('a path with signs of URLs', async () => {
+  test('a path with special characters of URLs', async () => {
     write('a#1?.glb', exportGLB(model))
     assert.match((await works('info', 'a#1?.glb')).stdout, /^triangles +168$/m)
   })
 
-  test('models in every format, compressed ones too', async () => {
+  test('models in every format, also compressed', async () => {
     const formats = {
       'text.stl': textVariants['a text STL'],
       'binary.stl': textVariants['a binary STL that begins with "solid"'],
@@ -465,13 +484,13 @@ describe('info', () => {
     assert.match((await works('info', 'unpacked.glb')).stdout, /^triangles +12$/m)
   })
 
-  test('a file that is none', async () => {
+  test('invalid files', async () => {
     await refuses(['info', 'wave.js'], /loadMesh: /)
     await refuses(['info', 'gone.glb'], /does not exist/)
   })
 })
 
-test('a warp along the normal is baked with how the normal varies, and its text reads that on request', async () => {
+test('a warp along the normal is baked with the gradients of the normal, and its code reads these on request', async () => {
   const { stderr } = await works('bake', 'model.glb', 'bumps.js', '-o', 'bumps.glb')
   assert.doesNotMatch(stderr, /constant/)
   const { default: bumps } = await import(join(folder, 'bumps.js'))
@@ -486,7 +505,7 @@ test('a warp along the normal is baked with how the normal varies, and its text 
   )
 })
 
-describe('shader text on the command line', () => {
+describe('GLSL on the command line', () => {
   write(
     'waves.glsl',
     `uniform float height;
@@ -523,14 +542,14 @@ vec3 offset(vec3 position, float millis) {
   )
   write('bad.frag', 'vec3 offset(vec3 p) {\n  return q;\n}\n')
 
-  test('emit takes it in the place of a warp.js', async () => {
+  test('emit accepts it instead of a warp.js', async () => {
     const { code, stdout } = await warpjet('emit', 'waves.glsl', '--target', 'wgsl')
     assert.equal(code, 0)
     assert.match(stdout, /uniforms: float height/)
     assert.match(stdout, /offset = vec3f\(0\.0f, height \* sin\(position\.x\), 0\.0f\);/)
   })
 
-  test('bake too, by any of its functions', async () => {
+  test('bake too, with any of its functions', async () => {
     const args = ['--function', 'up', '--returns', 'position', '-o', 'up.glb']
     const { code, stderr } = await warpjet('bake', 'model.glb', 'waves.glsl', ...args)
     assert.equal(code, 0, stderr)
@@ -552,7 +571,7 @@ vec3 offset(vec3 position, float millis) {
     assert.match(missing.stderr, /reads height; add --set height=/)
   })
 
-  test('bake moves positions by the uniforms that --set gives, of every type', async () => {
+  test('bake moves positions by the uniforms of --set, of every type', async () => {
     const settings = ['height=0.25', 'way=1,2,3', 'many=-3', 'bits=5', 'isOn=1', 'turn=0,1,-1,0']
     const others = ['heights[1]=0.5', 'waves[0].length=2', 'millis=2000']
     const all = [...settings, ...others]
@@ -565,7 +584,7 @@ vec3 offset(vec3 position, float millis) {
     )
     for (let i = 0; i < before.positions.length; i += 3) {
       const [x, y, z] = before.positions.subarray(i, i + 3)
-      // By a quarter turn, (x, y) becomes (-y, x).
+      // By a quarter turn, (x, y) maps to (-y, x).
       const expected = [
         x + 0.25 * Math.sin(x * 2) + 1 - y,
         y + 0.5 * y + 2 + x - 1,
@@ -592,7 +611,7 @@ vec3 offset(vec3 position, float millis) {
     )
     assert.match(
       wrong.stderr,
-      /the uniform way is a vec3 in the text, but a single number was given/,
+      /the uniform way: expected a vec3, as declared in the source, got a single number/,
     )
   })
 
@@ -602,7 +621,7 @@ vec3 offset(vec3 position, float millis) {
     assert.match(stdout, /^vec4 mapGradient\(vec3 p\) \{/)
   })
 
-  test('derive prints what differentiate gives, with each of its options, or writes it', async () => {
+  test('derive prints the result of differentiate, with each of its options, or writes it', async () => {
     const source = readFileSync(join(folder, 'spiral.glsl'), 'utf8')
     const expected = differentiate(source, {
       function: 'spiral',
@@ -636,7 +655,7 @@ vec3 offset(vec3 position, float millis) {
     )
   })
 
-  test('what is wrong in it is told with its line', async () => {
+  test('mistakes in it are reported with the line', async () => {
     const { code, stderr } = await warpjet('emit', 'bad.frag')
     assert.equal(code, 1)
     assert.match(stderr, /line 2, column 10: "q" is not declared/)

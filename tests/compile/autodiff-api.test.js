@@ -1,5 +1,5 @@
-// glsl-autodiff's API, row by row as its README documents it, through `gen`: each call in each documented form gives the
-// value and the derivatives that plain JavaScript gives. The statements run in support/run-glsl.js.
+// glsl-autodiff's API, row by row of its README, through `gen`: each call in each documented form has the value and the derivatives of
+// plain JavaScript. support/run-glsl.js evaluates the statements.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
@@ -22,7 +22,7 @@ function assertClose(actual, expected, tolerance, message) {
   }
 }
 
-test('what runs the statements here refuses what GLSL refuses', () => {
+test('the interpreter of the statements rejects invalid GLSL', () => {
   const code = 'float y; bool b = x > 1.0; { y = b ? -x : p.yx.x * 2.0; } // done'
   assert.deepEqual(runGlsl(code, { x: 3, p: [5, 7] }), { x: 3, p: [5, 7], b: true, y: -3 })
   for (const [text, message] of [
@@ -36,12 +36,12 @@ test('what runs the statements here refuses what GLSL refuses', () => {
     ['float y = x ? 1.0 : 2.0;', /float where bool belongs/],
     ['float y = p.z;', /\.z of vec2/],
     ['float y = sine(x);', /sine is no function/],
-    ['float y = 1.0', /; is missing/],
+    ['float y = 1.0', /expected ; after/],
   ])
     assert.throws(() => runGlsl(text, { x: 3, p: [5, 7] }), message)
 })
 
-// Numbers and nodes. A row: the forms of a call, the value, and the derivatives by x, y and z worked out by hand.
+// Numbers and nodes. A row has the forms of a call, the value, and the derivatives by x, y and z, derived by hand.
 
 const random = seededRandom(7)
 const anywhere = Array.from({ length: 40 }, () => [0, 1, 2].map(() => 4 * random() - 2))
@@ -149,7 +149,7 @@ const choice = (form, isTrue) => [
   grid,
 ]
 
-// glsl-autodiff's types have these; its README leaves them out.
+// These are in glsl-autodiff's types, but not in its README.
 const conditions = [
   choice(
     (ad, x, y, z) => x.lt(y).ifElse(z, 5),
@@ -221,7 +221,7 @@ for (const [title, rows] of Object.entries({ arithmetic, functions, conditions }
         })
   })
 
-// Vectors a, b, c and a number k. A row: the forms of a call, and the value, whose differences are the derivatives.
+// Vectors a, b, c and a number k. A row has the forms of a call, and the value, whose differences approximate the derivatives.
 
 const zip = (f, ...vectors) => vectors[0].map((_, i) => f(...vectors.map((vector) => vector[i])))
 const dot = (a, b) => zip(times, a, b).reduce(plus)
@@ -283,24 +283,24 @@ const vectorRows = [
     ({ a }) => a,
   ],
 
-  // A vector is an Op too: these are a number's, by component.
+  // A vector is an Op too: these operations of numbers apply by component.
   [[({ a, b }) => a.sub(b)], ({ a, b }) => difference(a, b)],
   [[({ a, b }) => a.div(b)], ({ a, b }) => zip((x, y) => x / y, a, b)],
   [[({ a }) => a.sin()], ({ a }) => a.map(sin)],
   [[({ a }) => a.pow(2)], ({ a }) => a.map((x) => x * x)],
 
-  // In its types, not in its README.
+  // These are in its types, but not in its README.
   [[({ a }) => a.normalize()], ({ a }) => a.map((x) => x / hypot(...a))],
   [[({ a }) => a.abs()], ({ a }) => a.map(abs)],
 ]
 
-/** 13 numbers, 0.23 apart, in any order: no difference reaches across a kink. */
+/** 13 numbers, 0.23 apart, in random order, so that no difference crosses a kink. */
 function apart() {
   const numbers = Array.from({ length: 13 }, (_, i) => [random(), 0.23 * i - 1.5])
   return numbers.sort(([a], [b]) => a - b).map(([, number]) => number)
 }
 
-/** The derivative by one of the numbers: central differences and Richardson's extrapolation. */
+/** Returns the derivative by one of the numbers, by central differences and Richardson extrapolation. */
 function slope(f, numbers, i) {
   const at = (step) => [f(numbers.map((x, k) => (k === i ? x + step : x)))].flat()
   const central = (h) => difference(at(h), at(-h)).map((rise) => rise / (2 * h))
@@ -355,7 +355,7 @@ test('a.cross(b)', () => {
 })
 
 describe('inputs and outputs:', () => {
-  test('gen gives a text, and no settings are needed', () => {
+  test('gen returns code, and needs no settings', () => {
     assert.equal(typeof gen((ad) => ad.param('x').output('y')), 'string')
     assert.equal(
       gen((ad) => ad.param('x').output('y'), {}),
@@ -379,7 +379,7 @@ describe('inputs and outputs:', () => {
     assert.deepEqual({ a, b, c, d }, { a: 2, b: [2, 3], c: [2, 3, 4], d: [2, 3, 4, 5] })
   })
 
-  test('a parameter may be any expression of the shader', () => {
+  test('a parameter can be any expression of the shader', () => {
     const code = gen((ad) => {
       const place = ad.vec2Param('position.zx')
       place.x().mult(ad.param('position.y')).output('product')
@@ -435,7 +435,7 @@ describe('settings:', () => {
     x.output('y')
   }
 
-  /** Lines that set something. A temporary has its type before it; the results are declared above. */
+  /** The assignments. A temporary has its type before it; results are declared above. */
   const linesOf = (text) =>
     [...text.matchAll(/^ *(float)? ?(\w+) = (.*);$/gm)].map(([, type, name, value]) => {
       return { isTemporary: type !== undefined, name, value }
@@ -452,13 +452,13 @@ describe('settings:', () => {
       }
   })
 
-  test('maxDepthPerVariable 1 gives one operation a line', () => {
+  test('maxDepthPerVariable 1 writes one operation per line', () => {
     const operation = / [-+*/] |\b\w+\(/g
     for (const { name, value } of linesOf(gen(withSlopes, { maxDepthPerVariable: 1 })))
       assert.equal(count(value, operation), 1, `${name} = ${value}`)
   })
 
-  test('maxDepthPerVariable is the number of nested operations, 8 unless given', () => {
+  test('maxDepthPerVariable is the maximum number of nested operations, by default 8', () => {
     for (const depth of [1, 2, 5, 8, 13]) {
       const lines = linesOf(gen(chain, { maxDepthPerVariable: depth }))
       assert.equal(lines.length, Math.ceil(30 / depth))
@@ -474,7 +474,7 @@ describe('settings:', () => {
       assert.ok(count(text, new RegExp(`\\b${name}\\b`, 'g')) > 2, `${name} is read only once`)
   })
 
-  test('debug says of each line of a value where in the sketch it comes from', () => {
+  test('debug writes the line of the user’s code above each statement', () => {
     const value = (ad) => offset(ad).height.output('z')
     const text = gen(value, { debug: true, maxDepthPerVariable: 4 })
     const source = readFileSync(new URL(import.meta.url), 'utf8').split('\n')

@@ -1,4 +1,4 @@
-// The core API: what comes back, and that nothing stays behind.
+// The core API: its results, and the memory after a call.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
@@ -12,7 +12,7 @@ const namesOf = (declared) => declared.map(({ name }) => name)
 const wave = ({ glsl, position, millis }) =>
   glsl.vec3(0, position.x().mult(4).add(millis.div(1000)).sin().mult(0.15), 0)
 
-test('a warp gives statements, the inputs that it reads, and counts', () => {
+test('a warp has statements, the inputs that it reads, and counts', () => {
   const warp = compileWarp(wave)
   assert.match(warp.code, /^vec3 offset, warpedPosition, warpedNormal;\n\{\n/)
   assert.match(warp.code, /offset = vec3\(0\.0, sin\(t0\) \* 0\.15, 0\.0\);/)
@@ -27,7 +27,7 @@ test('a warp gives statements, the inputs that it reads, and counts', () => {
   assert.ok(warp.stats.nodes > warp.stats.operations)
 })
 
-test('names of inputs and outputs are the caller’s', () => {
+test('the caller can choose names of inputs and outputs', () => {
   const { code, uniforms, attributes } = compileWarp(wave, {
     names: { position: 'aPosition', normal: 'inputs.normal', millis: 'uTime' },
     outputs: { position: 'p', normal: 'n', offset: 'f' },
@@ -46,7 +46,7 @@ test('normals can be left out', () => {
   assert.deepEqual(namesOf(attributes), ['position'])
 })
 
-test('parameters of the sketch are listed with the uniforms', () => {
+test('parameters are listed with the uniforms', () => {
   const { uniforms } = compileWarp(({ glsl, mouseX }) =>
     glsl.vec3Param('uCenter').mult(glsl.param('uAmount')).mult(mouseX),
   )
@@ -71,7 +71,7 @@ test('a temporary never takes a name that the shader uses', () => {
     assert.doesNotMatch(code, new RegExp(`float ${name} =`))
 })
 
-test('compile gives any named expressions and their derivatives', () => {
+test('compile returns any named expressions and their derivatives', () => {
   const { code, uniforms } = compile((glsl) => {
     const x = glsl.param('x')
     const y = x.mult(x).mult(3)
@@ -107,7 +107,7 @@ test('gen has the outputs and derivatives of glsl-autodiff', () => {
   )
 })
 
-test('gen adjusts normals', () => {
+test('gen transforms normals', () => {
   const code = gen((ad) => {
     const position = ad.vec3Param('position')
     const offset = ad.vec3(0, 0, position.x().sin())
@@ -117,7 +117,7 @@ test('gen adjusts normals', () => {
   assert.match(code, /cos\(position\.x\)/)
 })
 
-test('gen bounds the depth of expressions', () => {
+test('gen limits the depth of expressions', () => {
   const chain = (ad) => {
     let v = ad.param('x')
     for (let i = 0; i < 8; i++) v = v.sin()
@@ -129,7 +129,7 @@ test('gen bounds the depth of expressions', () => {
   assert.equal(temporaries({ maxDepthPerVariable: Infinity }), 0)
 })
 
-test('debug names the line of the sketch', () => {
+test('debug names the line of the user’s code', () => {
   const code = gen(
     (ad) => {
       ad.param('x').sin().mult(2).output('y')
@@ -139,7 +139,7 @@ test('debug names the line of the sketch', () => {
   assert.match(code, /\/\/ From .*compile\.test\.js:\d+:\d+/)
 })
 
-test('a place is told of a function whose name ends as the word before a place does', (t) => {
+test('debug finds the file if the name of a function ends in “at”', (t) => {
   const warn = t.mock.method(console, 'warn', () => {})
   const format = new Script(
     `(function format({ glsl, position }) {
@@ -153,7 +153,7 @@ test('a place is told of a function whose name ends as the word before a place d
   assert.match(message, / \(sketch-of-format\.js, line 2\):/)
 })
 
-test('the text of GLSL ES 1.00 is the same here', () => {
+test('the GLSL ES 1.00 code of this warp is the same', () => {
   assert.equal(compileWarp(wave, { target: 'glsl100' }).code, compileWarp(wave).code)
 })
 
@@ -197,12 +197,12 @@ test('scalars broadcast beside vectors, on either side', () => {
   assert.match(code, /b = v \* 2\.0;/)
 })
 
-test('the builder’s functions can be taken out of it', () => {
+test('functions of the builder can be destructured', () => {
   const { code } = compileWarp(({ glsl: { vec3, sin }, millis }) => vec3(sin(millis), 0, 0))
   assert.match(code, /sin\(millis\)/)
 })
 
-test('a component by its name is the component', () => {
+test('a component by name is the component', () => {
   const { code } = compileWarp(({ glsl }) => glsl.vec3(0, glsl.param('position.x').sin(), 0))
   assert.match(code, /cos\(position\.x\)/)
 })
@@ -218,7 +218,7 @@ test('a condition as an offset counts as 0 or 1', () => {
   assert.match(code, /offset = vec3\(float\(position\.x > 0\.0\)/)
 })
 
-test('no two signs meet, and a zero keeps its sign to itself', () => {
+test('no two signs are adjacent, and the sign of a zero is kept', () => {
   const { code } = compile((glsl) => {
     const x = glsl.param('x')
     return { a: glsl.val(-2).div(x).neg(), b: glsl.val(-0).add(glsl.val(0).atan(x)) }
@@ -227,7 +227,7 @@ test('no two signs meet, and a zero keeps its sign to itself', () => {
   assert.match(code, /atan\(0\.0, x\)/)
 })
 
-test('results may be left to their defaults one by one', () => {
+test('each result can have its default name', () => {
   const { code } = compileWarp(wave, { outputs: { offset: undefined, position: 'moved' } })
   assert.match(code, /^vec3 offset, moved, warpedNormal;/)
 })
@@ -248,7 +248,7 @@ test('numbers are exact', () => {
 
 const warps = isRun('thousands of warps') ? 10_000 : 1_000
 
-test(`${warps} warps leave the memory as it was, also when the callback throws`, () => {
+test(`${warps} warps leave no memory behind, also if the callback throws`, () => {
   const failing = () => {
     throw new Error('from the sketch')
   }
@@ -263,7 +263,7 @@ test(`${warps} warps leave the memory as it was, also when the callback throws`,
   assert.equal(memoryInUse(), before)
 })
 
-test('repeated squaring and a long chain take no time to speak of', () => {
+test('repeated squaring and a long chain take little time', () => {
   const derivative = (build) =>
     compile((glsl) => {
       const x = glsl.param('x')

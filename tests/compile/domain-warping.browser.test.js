@@ -1,5 +1,5 @@
-// Domain warping in the fragment shader, by a hook of p5's material shader, on each p5: numbers on the canvas against the
-// oracle in double, and the sketches themselves.
+// Domain warping in the fragment shader, by a hook of p5's material shader, on each version of p5: numbers on the canvas against the
+// oracle in double precision, and the sketches themselves.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -25,7 +25,7 @@ after(async () => {
 const size = 32
 const width = 1.3
 
-/** Draws numbers from 0 to 1, as two of 8 bits: what is above, and what is left. */
+/** Draws numbers from 0 to 1 as two of 8 bits, the high and the low part. */
 const numberShader = `(name) => {
   const { code, declarations } = warpjet.compile((glsl) => {
     const p = glsl.vec2Param('p')
@@ -44,8 +44,8 @@ const numberShader = `(name) => {
   })
 }`
 
-// Slopes reach 31 here, and change by up to 39,000 a unit: the rounding of the pixel's coordinates alone makes them 0.004
-// off, of the 64 that the colours stand for 6e-5.
+// Slopes reach 31 here, and change by up to 39,000 per unit: rounding of the pixel's coordinates alone causes an error of 0.004,
+// which is 6e-5 of the range of 64 that colors represent.
 const numbers = {
   value: ({ value }) => value,
   'slope.x / 64.0 + 0.5': ({ slope }) => slope[0] / 64 + 0.5,
@@ -64,12 +64,12 @@ const expected = Array.from({ length: size * size }, (_, i) =>
   oracle([(i % size) + 0.5, Math.floor(i / size) + 0.5].map((x) => (width * x) / size)),
 )
 
-// Every day gallery.test.js draws them.
+// gallery.test.js draws them in the everyday run.
 const sketches = isRun('deep domain warping')
   ? ['domain-warping-2d', 'domain-warping-colours', 'domain-warping-lit', 'domain-warping-3d']
   : ['domain-warping-colours']
 
-/** A sketch of the gallery as it is at `millis` → its picture. */
+/** Returns the picture of a sketch of the gallery at `millis`. */
 async function drawSketch(p5, name, millis) {
   const source = readFileSync(new URL(`../../examples/${name}/sketch.js`, import.meta.url), 'utf8')
   const { page, messages } = await runSketch(
@@ -132,12 +132,12 @@ for (const [version, p5] of p5InThisRun)
   })
 
 if (isRun('p5 1.11'))
-  test('unlit, both draw the same', () => {
+  test('without light, both draw the same', () => {
     for (const name of ['domain-warping-2d', 'domain-warping-colours'])
       assert.ok(differingPixels(...pictures[name], 4) < 300, name)
   })
 
-test('time moves the picture', async () => {
+test('the picture changes with time', async () => {
   const later = await drawSketch(p5Versions['2.x'], 'domain-warping-colours', 6000)
   assert.ok(differingPixels(pictures['domain-warping-colours'][0], later, 16) > 50_000)
 })

@@ -1,5 +1,5 @@
-// Quilez' domain warping in two dimensions: values and exact gradients of all three levels, and q and r, against plain
-// noise and differences in double.
+// Quilez' domain warping in two dimensions: values and exact gradients of all three levels, and q and r, against plain noise and
+// differences in double precision.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -7,7 +7,7 @@ import { plainDomainWarp, domainWarp } from '../support/domain-warp.js'
 
 const points = Array.from({ length: 100 }, (_, i) => [3 * Math.sin(1.7 * i), 3 * Math.cos(2.3 * i)])
 
-/** The derivative of `f` by a coordinate: central differences, whose error of h² is taken away. */
+/** Returns the derivative of `f` by a coordinate, by central differences without their error of h². */
 function slope(f, p, axis) {
   const at = (step) => f(p.with(axis, p[axis] + step))
   const difference = (h) => (at(h) - at(-h)) / (2 * h)

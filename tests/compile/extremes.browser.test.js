@@ -1,4 +1,4 @@
-// Normals in shaders where float32 overflows or underflows on the way to them: those of the exact derivative.
+// Normals in shaders are those of the exact derivative even if intermediate results overflow or underflow in float32.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -12,7 +12,7 @@ after(() => pipelines?.close())
 
 for (const target of targetsInThisRun)
   for (const { name, offset, points } of extremes)
-    test(`the normal in ${target} is finite, and right: ${name}`, async () => {
+    test(`the normal in ${target} is finite and correct: ${name}`, async () => {
       const program = {
         ...compileWarp(offset, { target }),
         inputs: ['position', 'normal'].map((name) => ({ name, shape: 3 })),

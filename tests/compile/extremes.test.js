@@ -1,10 +1,10 @@
-// Where float32 overflows or underflows on the way: normals, bounds and comparisons are still those of the exact numbers.
+// Normals, bounds and comparisons are those of exact numbers even if intermediate results overflow or underflow in float32.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { extremes } from '../warps/extremes.js'
 
-describe('a finite offset has a finite normal, and the right one:', () => {
+describe('a finite offset has a finite and correct normal:', () => {
   for (const { name, offset, points } of extremes)
     test(name, () => {
       const warp = compileWarp(offset)
@@ -23,13 +23,13 @@ describe('a finite offset has a finite normal, and the right one:', () => {
       }
     })
 
-  test('an infinite slope has no normal, and no NaN', () => {
+  test('an infinite slope has a zero normal, not NaN', () => {
     const warp = compileWarp(({ glsl, position }) => glsl.vec3(0, glsl.val(1).div(position.x()), 0))
     assert.deepEqual(warp.evaluateAt([1e-25, 0, 0], { normal: [0, 1, 0] }).normal, [0, 0, 0])
   })
 })
 
-test('foldover tells the side where the derivative of the offset is hard to compute', () => {
+test('foldover finds the side even if the derivative of the offset is hard to compute', () => {
   const turned = compileWarp(({ glsl, position }) => {
     const x = position.x()
     return glsl.vec3(glsl.val(1).div(x.neg().exp().add(1)).sub(x.mult(2)), 0, 0)
@@ -43,7 +43,7 @@ test('foldover tells the side where the derivative of the offset is hard to comp
   assert.equal(huge.foldover({ positions: [1, 2, 3], normals: [0, 1, 0] }).count, 0)
 })
 
-describe('bounds hold what float32 makes of', () => {
+describe('bounds contain the float32 result of', () => {
   const boundsOf = (size, height) =>
     compileWarp(({ glsl, position }) => glsl.vec3(0, 0, height(position.x(), glsl))).bounds({
       min: [-size, 0, 0],
@@ -69,7 +69,7 @@ describe('bounds hold what float32 makes of', () => {
     })
 })
 
-test('bounds of gradients of octaves and cells hold them, and not much more', () => {
+test('bounds of gradients of octaves and cells contain them, and are not much larger', () => {
   const box = { min: [-2, -2, -2], max: [2, 2, 2] }
   const slopes = {
     fbm: (glsl, p) => glsl.fbm(p),
@@ -81,7 +81,7 @@ test('bounds of gradients of octaves and cells hold them, and not much more', ()
     const slope = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, glsl.derivative(field(glsl, position), position.x()).sub(position.z())),
     )
-    // The plane z = 0 of the box, in steps that meet no lattice twice.
+    // The plane z = 0 of the box, in steps that are incommensurable with the lattice.
     const positions = Array.from({ length: 3e4 }, (_, i) => [
       ((i * 0.7548776662) % 1) * 4 - 2,
       ((i * 0.569840291) % 1) * 4 - 2,
@@ -95,7 +95,7 @@ test('bounds of gradients of octaves and cells hold them, and not much more', ()
       min[2] <= low && max[2] >= high,
       `${name}: ${min[2]} to ${max[2]}, not ${low} to ${high}`,
     )
-    // z cancels out, but not for intervals: 4 on either side.
+    // z cancels out, but not in interval arithmetic: 4 on either side.
     assert.ok(
       max[2] < 60 && min[2] > -60,
       `${name}: ${min[2]} to ${max[2]}, found ${low} to ${high}`,
@@ -103,7 +103,7 @@ test('bounds of gradients of octaves and cells hold them, and not much more', ()
   }
 })
 
-test('constants compare as the shader does that reads them', () => {
+test('constants compare like the shader that reads them', () => {
   const { code, evaluate } = compile((glsl) => ({
     sum: glsl.val(0.1).add(0.2).eq(0.3).ifElse(5, 7),
     less: glsl.val(0.3).lt(glsl.val(0.1).add(0.2)).ifElse(5, 7),

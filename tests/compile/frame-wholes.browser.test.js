@@ -1,4 +1,4 @@
-// Whole numbers that a frame hands over, as shaders of each language put them together again, against those of JavaScript.
+// Whole numbers that are frame constants, which shaders of each language reassemble from halves, against those of JavaScript.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -11,7 +11,7 @@ after(() => pipelines.close())
 
 const outputs = [{ name: 'offset', shape: 3 }]
 
-/** The offset at p, for each of these values of the uniform `seed`. */
+/** Returns the offset at p for each value of the uniform `seed`. */
 async function offsetsOf(target, source, seeds, p) {
   const warp = compileWarp(glslOffset(source), {
     ...{ target, perFrame: true, normals: false, uniforms: { seed: 0 }, names: { position: 'p' } },
@@ -51,7 +51,7 @@ for (const target of ['glsl300', 'wgsl'])
   })
 
 for (const target of ['glsl100', 'glsl300', 'wgsl'])
-  test(`what needs no bits, in ${target}`, async () => {
+  test(`operations that need no bits, in ${target}`, async () => {
     const source = `uniform float seed;
       vec3 offset(vec3 p) { int n = int(seed) / 3 + int(p.x); return vec3(float(n - n / 1000 * 1000), float(n / 1000), 0.0); }`
     const wholes = [0, 1, -1, 40000, -40000, 9999999, -1234567, 2e7, 6e8, -2e9]

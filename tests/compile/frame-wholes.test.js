@@ -1,4 +1,4 @@
-// Whole numbers that are the same for a frame, or known: all of their 32 bits, against the arithmetic of JavaScript.
+// Whole numbers that are frame constants or constants: all of their 32 bits, against the arithmetic of JavaScript.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
@@ -8,7 +8,7 @@ import { warp } from '../../dist/three.js'
 
 const bitsOf = (x) => new Uint32Array(Float32Array.of(x).buffer)[0]
 
-/** pcg of Jarzynski and Olano, "Hash Functions for GPU Rendering" (2020). */
+/** The hash pcg of Jarzynski and Olano, "Hash Functions for GPU Rendering" (2020). */
 const pcgText = `uint pcg(uint v) {
   uint state = v * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
@@ -20,13 +20,13 @@ function pcg(v) {
   return ((word >>> 22) ^ word) >>> 0
 }
 
-/** Halves of whole numbers as coordinates, which float32 has exactly. */
+/** Halves of whole numbers as coordinates, which float32 represents exactly. */
 const halvesText = 'vec3(float(h & 65535u), float(h >> 16u), sin(millis) * 0.0)'
 const halvesOf = (h) => [h & 0xffff, h >>> 16]
 const offsetOf = (source, uniforms = 'uniform float millis;\n') =>
   glslOffset(`#version 300 es\n${uniforms}${source}`)
 
-/** Where a vertex at the origin is drawn. */
+/** Returns the warped position of a vertex at the origin. */
 function movedBy(offset, options, uniforms, position = [0, 0, 0]) {
   const warp = compileWarp(offset, { normals: false, ...options })
   return warp.evaluateAt(position, { uniforms }).position
@@ -34,7 +34,7 @@ function movedBy(offset, options, uniforms, position = [0, 0, 0]) {
 
 const kinds = [{}, { perFrame: true }]
 
-test('constants beyond 2^24 stay beside what is computed once a frame', () => {
+test('constants beyond 2^24 are exact beside frame constants', () => {
   const offset = offsetOf(
     `${pcgText}\nvec3 offset(vec3 p) {
       uint h = pcg(floatBitsToUint(p.x)) + (sin(millis) > 2.0 ? 1u : 0u);
@@ -56,7 +56,7 @@ test('constants beyond 2^24 stay beside what is computed once a frame', () => {
     }
 })
 
-test('in loops and in functions that are called often, too', () => {
+test('also in loops and in functions with many calls', () => {
   const calls = Array.from({ length: 30 }, (_, i) => `mixed(p.x + ${i}.0)`).join(' + ')
   const rounds = 'h = (h ^ (h >> 16u)) * 747796405u; h = (h ^ (h >> 15u)) * 2891336453u;'.repeat(4)
   const offset = offsetOf(
@@ -85,7 +85,7 @@ test('in loops and in functions that are called often, too', () => {
     }
 })
 
-test('the bits of a uniform arrive, and what is computed of them', () => {
+test('the bits of a uniform are exact, and so are values computed from them', () => {
   const seeds = [0, -0, 1, 2.75, -3.5, 1e-30, 16777217, -1e30, 123456.789]
   const offset = (h) =>
     offsetOf(
@@ -110,7 +110,7 @@ test('the bits of a uniform arrive, and what is computed of them', () => {
       }
 })
 
-test('what is handed over has floats that a float32 holds, in every language', () => {
+test('frame constants are numbers that float32 represents exactly, in every language', () => {
   const bits = offsetOf(
     'vec3 offset(vec3 p) { uint h = floatBitsToUint(millis) ^ floatBitsToUint(p.x); return vec3(float(h & 255u)); }',
   )
@@ -120,7 +120,7 @@ test('what is handed over has floats that a float32 holds, in every language', (
       assert.equal(Math.fround(number), number)
     assert.doesNotMatch(warp.code, /floatBits\w+\(millis/)
   }
-  // GLSL ES 1.00 has no bits, but whole numbers.
+  // GLSL ES 1.00 has whole numbers, but no bit operations.
   const steps = glslOffset(
     'uniform float millis; vec3 offset(vec3 p) { int n = int(millis) / 100; return vec3(float(n - n / 7 * 7), p.xy); }',
   )
@@ -133,7 +133,7 @@ test('what is handed over has floats that a float32 holds, in every language', (
     }
 })
 
-test('as many as there is room for; the others stay in the text', () => {
+test('as many as there is room for; the others remain in the code', () => {
   const terms = Array.from(
     { length: 100 },
     (_, i) => `float((floatBitsToUint(millis * ${i + 1}.0) ^ uint(p.x)) & 15u)`,
@@ -145,7 +145,7 @@ test('as many as there is room for; the others stay in the text', () => {
     assert.equal(movedBy(offset, options, { millis: 7.1875 })[1], sum(7.1875))
 })
 
-test('in three.js: in the shader, in its uniforms, and for rays', () => {
+test('in three.js: in the shader, in its uniforms, and for raycasting', () => {
   const offset = offsetOf(
     `${pcgText}\nvec3 offset(vec3 p) { uint h = pcg(floatBitsToUint(seed)) + uint(p.z); return ${halvesText}; }`,
     'uniform float millis, seed;\n',

@@ -1,4 +1,4 @@
-// What is computed once a frame, where loops add it: in the text that is left, and in what a host computes.
+// Frame constants in loops: in shader code, and in the values that a host computes.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
@@ -7,13 +7,13 @@ import { runGlsl } from '../support/run-glsl.js'
 const week = 6e8
 const perFrame = { perFrame: true, normals: false }
 
-/** Where the warp puts `position` at `millis`, as the shader computes it, but in double. */
+/** Returns the warped position at `millis`, computed like the shader but in double precision. */
 function placeOf({ code, declarations, frameUniforms }, position, millis) {
   const frame = frameUniforms({ millis })
   return runGlsl(`${declarations}${code}`, { position, millis, ...frame }).warpedPosition
 }
 
-test('a loop whose steps add something else each is written out, each with a phase of its own', () => {
+test('a loop whose steps add different phases is unrolled, with a frame constant per step', () => {
   const offset = ({ glsl, position, millis }) => {
     const sum = glsl.repeat(5, 0, (sum, i) =>
       sum.add(position.x.add(millis.mult(i.add(1)).div(700)).sin()),
@@ -29,7 +29,7 @@ test('a loop whose steps add something else each is written out, each with a pha
   assert.ok(Math.abs(y - expected.reduce((a, b) => a + b)) < 1e-6)
 })
 
-test('a state that carries the time along is one too', () => {
+test('so is a loop whose state carries the time', () => {
   const offset = ({ glsl, position, millis }) => {
     const start = glsl.vec2(position.x.add(millis.div(900)), 0)
     const step = (state) => glsl.vec2(state.x.mult(2), state.y.add(state.x.sin()))
@@ -43,7 +43,7 @@ test('a state that carries the time along is one too', () => {
   assert.ok(Math.abs(y - expected.reduce((a, b) => a + b)) < 1e-5)
 })
 
-test('a loop that needs no such thing stays, with what is the same in all of its steps', () => {
+test('another loop remains, with frame constants that all of its steps share', () => {
   const offset =
     (steps) =>
     ({ glsl, position, millis, uniforms }) => {
@@ -58,7 +58,7 @@ test('a loop that needs no such thing stays, with what is the same in all of its
   assert.ok(Object.keys(warp.frameUniforms({ millis: week })).length > 0)
 })
 
-test('a long loop stays', () => {
+test('a long loop remains', () => {
   const offset = ({ glsl, position, millis }) => {
     const sum = glsl.repeat(5000, 0, (sum, i) => sum.add(position.x.add(millis.mult(i)).sin()))
     return glsl.vec3(0, sum, 0)
@@ -67,12 +67,12 @@ test('a long loop stays', () => {
   assert.match(code, /\bfor\b/)
 })
 
-/** A wave, whose place at `millis` is worked out in double here. */
+/** A wave, whose warped position at `millis` is computed here in double precision. */
 const wave = ({ glsl, position, millis, uniforms }) =>
   glsl.vec3(0, position.x.mult(3).add(millis.mult(uniforms.speed)).sin(), 0)
 const waveAt = ([x, y, z], millis, speed) => [x, y + Math.sin(3 * x + millis * speed), z]
 
-test('on the CPU too: a point, a mesh, a box, its inverse and what is folded, after a week', () => {
+test('also on the CPU: a point, a mesh, bounds, the inverse and folds, after a week', () => {
   const warp = compileWarp(wave, { perFrame: true, uniforms: { speed: 0.01 } })
   const near = (found, expected, tolerance = 1e-6) =>
     assert.ok(
@@ -99,7 +99,7 @@ test('on the CPU too: a point, a mesh, a box, its inverse and what is folded, af
   )
 })
 
-test('a function of the option `uniforms` is asked once for all that reads it', () => {
+test('a function of the option `uniforms` is called once for all uses', () => {
   let calls = 0
   const speed = () => [0.25, 0.5, 0.75][calls++]
   const offset = (inputs) => wave(inputs).mult(inputs.uniforms.speed)
@@ -109,16 +109,16 @@ test('a function of the option `uniforms` is asked once for all that reads it', 
   assert.ok(Math.abs(position[1] - 0.5 * Math.sin(0.5)) < 1e-6, `${position}`)
 })
 
-test('what is missing on the CPU is named', () => {
+test('a message names a missing input on the CPU', () => {
   const warp = compileWarp(wave, { ...perFrame, uniforms: { speed: 0.01 } })
   assert.throws(
     () => warp.evaluateAt([0, 0, 0]),
-    /^WarpError: evaluateAt: the warp reads "millis"; give it a value, as in \{ millis: 0 \}\.$/,
+    /^WarpError: evaluateAt: the warp reads "millis"; pass a value, as in \{ millis: 0 \}\.$/,
   )
   assert.throws(() => warp.evaluateAt([0, 0, 0], { uniforms: { milis: 1 } }), /no uniform "milis"/)
 })
 
-test('noise far away is as fine as nearby: cells and the place in one arrive apart', () => {
+test('noise far from the origin is as accurate as near it: cells and positions in cells are separate', () => {
   const kinds = {
     noise: ({ glsl, at }) => glsl.noise(at),
     valueNoise: ({ glsl, at }) => glsl.valueNoise(at),
@@ -138,7 +138,7 @@ test('noise far away is as fine as nearby: cells and the place in one arrive apa
     const warp = compileWarp(offset, options)
     assert.match(warp.declarations, /Cells/, name)
     const place = [0.3, 0.55, 0.7]
-    // In double, of the same noise so many cells further: after a week, and after its repetitions.
+    // The same noise in double precision, shifted by a number of cells: after a week, and after its repetitions.
     const far = compile((glsl) => {
       const position = glsl.vec3Param('position')
       return { y: offset({ glsl, position, uniforms: { cells: glsl.param('cells') } }).y() }
@@ -156,7 +156,7 @@ test('noise far away is as fine as nearby: cells and the place in one arrive apa
   }
 })
 
-test('noise whose cells float32 would not have, or that does not repeat by cells, is as it was', () => {
+test('noise whose cells float32 cannot represent, or that does not repeat by cells, is unchanged', () => {
   for (const kind of [
     ({ glsl, at }) => glsl.fbm(at, { octaves: 14 }),
     ({ glsl, at }) => glsl.fbm(at, { octaves: 3, lacunarity: 2.5 }),

@@ -1,4 +1,4 @@
-// The text for WebGL 1 compiles there, and computes what the text for WebGL 2 does.
+// The code for WebGL 1 compiles there, and has the same results as the code for WebGL 2.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { warpsInThisRun as warps } from '../warps/index.js'
@@ -16,8 +16,8 @@ test('every warp links in WebGL 1', async () => {
     await gpu.link(vertexShader(compile('glsl100'), 'glsl100', params))
 })
 
-// WebGL 1 has no transform feedback, but WebGL 2 takes its shaders.
-test('both texts give the same numbers', async () => {
+// WebGL 1 has no transform feedback, but WebGL 2 accepts its shaders.
+test('both have the same results', async () => {
   const gpu = await openPipeline(browser)
   const inputs = { millis: 1234, mouse: [120, 250], size: [640, 480], pixelDensity: 2 }
   const compared = warps.filter(({ name }) => /twist|wobble|genie|flatten|space|ifElse/.test(name))

@@ -1,4 +1,4 @@
-// The shader texts of the gallery and the stress test, kept in tests/golden, are as they were and read well.
+// The shader code of the gallery and the stress test equals the golden files in tests/golden, and is readable.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { goldenTexts, keptTexts } from '../warps/golden.js'
@@ -6,24 +6,24 @@ import { goldenTexts, keptTexts } from '../warps/golden.js'
 const texts = goldenTexts()
 const kept = keptTexts()
 
-describe('shader texts', () => {
-  test('are one file each', () => {
+describe('shader code', () => {
+  test('has one golden file each', () => {
     const message = 'Renew the files with `npm run golden`.'
     assert.deepEqual(Object.keys(kept).sort(), Object.keys(texts).sort(), message)
   })
 
   for (const [file, text] of Object.entries(texts))
-    test(`${file} is as it was`, () =>
+    test(`${file} is unchanged`, () =>
       assert.equal(text, kept[file], 'If the new text is right, keep it with `npm run golden`.'))
 })
 
-test('no two shader texts are the same', () => {
+test('no two golden files are the same', () => {
   const files = Object.keys(texts)
   const same = files.filter((file, i) => files.slice(0, i).some((f) => texts[f] === texts[file]))
   assert.deepEqual(same, [], 'What is kept twice proves nothing more, and may be a mistake.')
 })
 
-describe('shader texts read well:', () => {
+describe('shader code is readable:', () => {
   for (const [file, text] of Object.entries(texts))
     test(file, () => {
       assert.doesNotMatch(text, /(\*|\/) 1\.0(?!\d)|(?<![\w.])1\.0 \*/, 'a product with 1')
@@ -34,7 +34,7 @@ describe('shader texts read well:', () => {
     })
 })
 
-/** The spots of `((…))` where the inner pair encloses all that the outer one does. */
+/** Finds `((…))` whose inner pair encloses everything that the outer pair does. */
 function doubledParentheses(text) {
   const [open, doubled] = [[], []]
   let lastClosed

@@ -1,16 +1,16 @@
-// What the compiler writes otherwise than it was told, one identity at a time: random formulas that have it, their text run in
-// double, against the formula and its derivative as they stand. And that the text has the shorter form.
+// The identities by which the compiler rewrites formulas, one at a time: evaluates the code of random formulas in double precision,
+// against the formula and its derivative without rewriting, and checks that the code has the shorter form.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
 import { seededRandom } from '../warps/random.js'
 import { runGlsl } from '../support/run-glsl.js'
 
-/** Rounding in double, of numbers of about 1. */
+/** The rounding error in double precision, of numbers of about 1. */
 const tolerance = 1e-11
 const formulas = 60
 
-/** A formula twice: as the compiler is told, and as a function of the inputs → [value, derivative by x]. */
+/** A formula in two forms: for the compiler, and as a function inputs → [value, derivative by x]. */
 class Twin {
   constructor(told, at) {
     Object.assign(this, { told, at })
@@ -82,10 +82,10 @@ class Chance {
 
   below = (end) => Math.floor(this.random() * end)
   isHeads = () => this.below(2) === 0
-  /** Few digits, so that what the text says is what float32 has. */
+  /** Returns a number with few digits, so that the literal in the code is exact in float32. */
   number = () => ((1 + this.below(6)) / 4) * (this.isHeads() ? 1 : -1)
   either = (a, b) => (this.isHeads() ? [a, b] : [b, a])
-  /** Of all inputs, x more often than others. */
+  /** Picks an input, x more often than others. */
   formula(depth = 2) {
     const input = this.inputs[Math.max(this.below(6) - 2, 0)]
     if (depth === 0) return input
@@ -113,7 +113,7 @@ class Chance {
   positive = () => this.square(this.formula()).add(0.5)
 }
 
-/** By name, what makes a formula, and what its text is like, if that of the value says it. */
+/** Maps a name → function that makes a formula, and the pattern of its code, if the code of the value shows it. */
 const identities = {
   'sin² + cos² is 1': {
     write(chance) {
@@ -153,8 +153,8 @@ const identities = {
   },
 }
 
-/** A random turn of two formulas by an angle: about a pivot or not, either way round, its factors and terms in any order. */
-function turned(chance, [p, q], angle) {
+/** Rotates two formulas by a random angle: about a pivot or not, in either direction, with factors and terms in any order. */
+function rotated(chance, [p, q], angle) {
   const [c, s] = [angle.cos(), angle.sin()]
   const times = (a, b) => chance.product(a, b)
   const [ahead, back] = chance.either(1, -1)
@@ -201,22 +201,22 @@ describe('the value and the derivative:', () => {
       for (let seed = 0; seed < formulas; seed++) check(seed, (chance) => [write(chance)], has)
     })
 
-  test('a point that is turned, and turned again', () => {
+  test('a point that is rotated twice', () => {
     for (let seed = 0; seed < 5 * formulas; seed++)
       check(seed, (chance) => {
         const point = [chance.formula(1), chance.formula()]
-        const once = turned(chance, point, chance.formula())
-        return [...once, ...turned(chance, once, chance.formula())]
+        const once = rotated(chance, point, chance.formula())
+        return [...once, ...rotated(chance, once, chance.formula())]
       })
   })
 
-  test('a point at rest that is turned: its derivative is the other component, by the slope of the angle', () => {
+  test('a constant point that is rotated: its derivative is the other component times the slope of the angle', () => {
     for (let seed = 0; seed < formulas; seed++)
       check(
         seed,
         (chance) => {
           const [x, y, z, w] = chance.inputs
-          return turned(chance, [y.add(w), z], x.mult(w).add(chance.number()))
+          return rotated(chance, [y.add(w), z], x.mult(w).add(chance.number()))
         },
         // y + w, the angle, its sine and cosine, four products and two sums; then two products and a minus sign.
         ({ stats }) => stats.operations <= 1 + 2 + 2 + 6 + 3,
@@ -235,7 +235,7 @@ describe('vectors:', () => {
   const numbers = (size) => Array.from({ length: size }, () => random() * 4 - 2)
   const parts = ['x', 'y', 'z', 'w']
 
-  /** The sum of the terms in the order given, each a pair of factors in any order. */
+  /** Adds terms in the given order; each is a pair of factors in any order. */
   const sumOf = (terms) =>
     terms.map(([a, b]) => (below(2) ? a.mult(b) : b.mult(a))).reduce((sum, term) => sum.add(term))
 
@@ -254,7 +254,7 @@ describe('vectors:', () => {
     }
   })
 
-  test('what only resembles one is not', () => {
+  test('similar formulas are not rewritten', () => {
     for (let i = 0; i < formulas; i++) {
       const [first, second] = [shuffled(['x', 'y', 'z']), shuffled(['x', 'y', 'z'])]
       const { code } = compile((glsl) => {
@@ -269,7 +269,7 @@ describe('vectors:', () => {
     }
   })
 
-  test('differences of products of components are a cross product, of either order', () => {
+  test('differences of products of components are a cross product, in either order', () => {
     for (let i = 0; i < formulas; i++) {
       const [u, v] = shuffled(['a', 'b'])
       const wrong = below(3) ? -1 : below(3)
@@ -300,7 +300,7 @@ describe('vectors:', () => {
     }
   })
 
-  test('what is done alike to components is done to vectors, and what differs in one of them is not', () => {
+  test('the same operations on all components become vector operations, and different ones do not', () => {
     for (let i = 0; i < formulas; i++) {
       const [scale, shift] = numbers(2).map((number) => Math.round(number * 4) / 4 + 5)
       const other = below(4)

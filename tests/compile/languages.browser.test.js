@@ -1,4 +1,4 @@
-// Every warp in every language, each on its own pipeline: the same positions and normals.
+// Every warp has the same positions and normals in every language, each on its own pipeline.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { warpsInThisRun as warps } from '../warps/index.js'
@@ -13,7 +13,7 @@ const drawInputs = { millis: 1234, mouse: [120, 250], size: [640, 480], pixelDen
 const outputs = ['warpedPosition', 'warpedNormal'].map((name) => ({ name, shape: 3 }))
 const every = 7
 
-/** Some vertices of the dense mesh, with what is the same for all of them. */
+/** Some vertices of the dense mesh, with their uniforms. */
 function pointsOf(size, params) {
   const mesh = denseMesh(size)
   const rest = [...Object.values(drawInputs), ...Object.values(params)].flat()
@@ -31,7 +31,7 @@ const inputsOf = (params) => [
   })),
 ]
 
-// Rounding may put a vertex on the other side of a jump, and a surface that is shrunk to nearly nothing has no firm normal.
+// Rounding may move a vertex to the other side of a jump, and the normal of a nearly collapsed surface is ill-conditioned.
 for (const { name, text, compile, size, reach, params } of warps)
   if (text === undefined)
     test(`${name} is the same in ${targets.join(', ')}`, async () => {

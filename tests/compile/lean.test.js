@@ -1,4 +1,4 @@
-// The compiler's texts are short: value and derivative share their sines.
+// The code is short: the value and its derivatives share sines and cosines.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { warps } from '../warps/index.js'
@@ -9,7 +9,7 @@ import { workloads } from '../../web/bench/workloads.js'
 
 const calls = (text, name) => text.match(new RegExp(`\\b${name}\\(`, 'g'))?.length ?? 0
 
-/** Of how many numbers a function is called: of a vector three, say, or of two parts of it. */
+/** Counts the numbers that a function is called with: three for a vec3, or two for two components of it. */
 const components = (text, name) => {
   let count = 0
   for (const [, variable, parts] of text.matchAll(
@@ -31,7 +31,7 @@ for (const count of [1, 30, 300])
     assert.ok(calls(code, 'cos') <= count)
   })
 
-test('300 stacked sines, 1,500 operations of a sketch, are at most 40,000 characters', () => {
+test('300 stacked sines, 1,500 operations, are at most 40,000 characters', () => {
   const { code } = compileWarp(stackedSines(300).warp)
   assert.ok(code.length <= 40_000, `${code.length} characters`)
 })
@@ -61,7 +61,7 @@ test('the normal of a rotation has no square of a sine or a cosine', () => {
   }
 })
 
-test('a cross product in an offset is written as that', () => {
+test('a cross product in an offset is written as cross', () => {
   const { code } = compileWarp(
     ({ glsl, position }) => glsl.cross(position, glsl.vec3Param('axis')),
     {
@@ -71,7 +71,7 @@ test('a cross product in an offset is written as that', () => {
   assert.match(code, /offset = cross\(position, axis\);/)
 })
 
-test('a matrix that turns several points is named once in each body that it is read in', () => {
+test('a matrix that rotates several points has one variable in each body that reads it', () => {
   const { code } = compile((glsl) => {
     const [angle, x, y] = ['angle', 'x', 'y'].map((name) => glsl.param(name))
     const turn = (by, [a, b]) => [
@@ -98,7 +98,7 @@ test('vectors are counted', () => {
   assert.equal(stats.temporaries, code.match(/^ *(vec\d|float|bool) t\d+ =/gm).length)
 })
 
-test('positions alone carry no derivatives', () => {
+test('code for positions only has no derivatives', () => {
   const { code } = compileWarp(stackedSines(30).warp, { normals: false })
   assert.equal(calls(code, 'cos'), 0)
   assert.doesNotMatch(code, /normal/i)
@@ -110,7 +110,7 @@ test('the wobble has at most 9 sines and 6 cosines', () => {
   assert.ok(calls(code, 'cos') <= 6, `${calls(code, 'cos')} cosines`)
 })
 
-/** In each component sines within sines, of the coordinate that `axes` names for it. */
+/** Nests sines in each component, of the coordinate that `axes` names for it. */
 const nestedSines =
   (depth, axes) =>
   ({ glsl, position }) => {
@@ -122,7 +122,7 @@ const nestedSines =
     return glsl.vec3(...[...axes].map(chain))
   }
 
-/** The place warped by the place, `depth` times: every component depends on every coordinate. */
+/** Warps the position by itself, `depth` times: every component depends on every coordinate. */
 const nestedWarps =
   (depth) =>
   ({ position }) => {
@@ -147,11 +147,11 @@ for (const [name, nested] of Object.entries({
   sines: (depth) => nestedSines(depth, 'xyz'),
   warps: nestedWarps,
 }))
-  test(`the text of nested ${name} grows with their depth alone`, () => {
+  test(`the code of nested ${name} grows linearly with their depth`, () => {
     const size = (depth) => compileWarp(nested(depth)).code.length
     for (const depth of [12, 24, 48]) {
       const [first, second] = [size(2 * depth) - size(depth), size(4 * depth) - size(2 * depth)]
-      // Twice as many levels; the rest is longer numbers in the names.
+      // Twice as many levels, and longer numbers in names.
       assert.ok(
         second <= 1.1 * 2 * first,
         `${first} characters for ${depth} levels, then ${second}`,
@@ -171,7 +171,7 @@ test('a square is one multiplication', () => {
 })
 
 test('a warp that does not depend on x has no column for x', () => {
-  // Each component has one sine of its own for each of these coordinates.
+  // Each component has its own sine for each of these coordinates.
   const sinesOf = (axes) => (glsl, position) => {
     const component = (i) =>
       axes.map((axis, k) =>
@@ -188,7 +188,7 @@ test('a warp that does not depend on x has no column for x', () => {
     return { derivatives: components(code, 'cos'), x: reads('position.x') > 0, normal }
   }
   assert.deepEqual(count(['x', 'y', 'z']), { derivatives: 9, x: true, normal: [1, 1, 1] })
-  // The first column of I + J is (1, 0, 0), so y and z of the normal say nothing of its new x.
+  // The first column of I + J is (1, 0, 0), so that the new x of the normal does not depend on its y and z.
   assert.deepEqual(count(['y', 'z']), { derivatives: 6, x: false, normal: [3, 2, 2] })
 
   const code = gen((ad) => {
@@ -198,7 +198,7 @@ test('a warp that does not depend on x has no column for x', () => {
   assert.match(code, /^vec3 byX;\s*\{\s*byX = vec3\(0\.0\);\s*\}\s*$/)
 })
 
-/** The wobble's offset and its derivatives, one number each. */
+/** The wobble's offset and its derivatives, as single numbers. */
 function wobbleByComponent(glsl) {
   const { warp } = warps.find(({ name }) => name === 'wobble')
   const position = glsl.vec3Param('position')
@@ -212,7 +212,7 @@ function wobbleByComponent(glsl) {
   return results
 }
 
-/** Its lines. A temporary has its type before it; the results are declared above. */
+/** Its assignments. A temporary has its type before it; results are declared above. */
 function wobbleLines(maxDepthPerVariable) {
   const write = (ad) => {
     for (const [name, result] of Object.entries(wobbleByComponent(ad))) result.output(name)
@@ -222,15 +222,15 @@ function wobbleLines(maxDepthPerVariable) {
   return [...lines].map(([, type, name, value]) => ({ isTemporary: !!type, name, value }))
 }
 
-test('maxDepthPerVariable 1 gives one operation a line', () => {
+test('maxDepthPerVariable 1 writes one operation per line', () => {
   const operation = /\w\(| [-+*/?<>] |\|\||^-[a-z]/g
   const counts = wobbleLines(1).map(({ value }) => value.match(operation)?.length ?? 0)
-  // None for the results that are constants.
+  // Results that are constants have none.
   assert.deepEqual([...new Set(counts)].sort(), [0, 1])
   assert.equal(counts.filter(Boolean).length, compile(wobbleByComponent).stats.operations)
 })
 
-test('maxDepthPerVariable Infinity gives temporaries to what is read twice, or may be chosen, only', () => {
+test('maxDepthPerVariable Infinity makes temporaries only for values that are read twice, or selected by a condition', () => {
   const lines = wobbleLines(Infinity)
   const words = lines.flatMap(({ value }) => value.match(/\w+/g))
   const chosen = lines.flatMap(({ value }) => value.match(/(?<=[?:] )\w+/g) ?? [])

@@ -1,5 +1,5 @@
-// The formulas that the paper, the article and the documentation of p5.warp and glsl-autodiff show, compiled by us, against
-// plain functions of numbers and differences of these. The article is "Deforming 3D shapes in real time" (2021), the paper
+// The formulas in the paper, the article and the documentation of p5.warp and glsl-autodiff, compiled by warpjet, against plain functions
+// of numbers and their differences. The article is "Deforming 3D shapes in real time" (2021), the paper
 // "Vertex Shader Domain Warping with Automatic Differentiation" (2024).
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
@@ -25,7 +25,7 @@ function assertClose(actual, expected, tolerance) {
   }
 }
 
-/** Outputs of a vector or number and of its derivatives by the coordinates of `position`. */
+/** Requests a vector or number and its derivatives by the coordinates of `position`. */
 function outputAll(result, position) {
   result.output('value')
   for (const axis of ['x', 'y', 'z']) result.outputDeriv(`by_${axis}`, position[axis]())
@@ -59,7 +59,7 @@ describe('the article:', () => {
     }
   })
 
-  // glsl-autodiff's README opens with the same.
+  // glsl-autodiff's README begins with the same example.
   test('a plane moved by sines within sines, and the normal from its two tangents', () => {
     const code = gen((ad) => {
       const [x, y, time] = [ad.param('x'), ad.param('y'), ad.param('time')]
@@ -143,7 +143,7 @@ function vertices(size) {
   return [0, 1234, 98765].flatMap((millis) => [...alongAxes, ...oblique].map(at(millis)))
 }
 
-/** Two of length 1 at right angles, u × v = n, as the paper takes them. */
+/** Two perpendicular tangents of length 1 with u × v = n, as in the paper. */
 function tangents(n) {
   const w = n[1] === 0 && n[2] === 0 ? [0, 1, 0] : [1, 0, 0]
   const v = normalize(cross(w, n))
@@ -191,7 +191,7 @@ describe('the paper:', () => {
     }
   })
 
-  test('where a warp flattens the mesh, a side that is left has a normal, the others have none', () => {
+  test('if a warp flattens the mesh, the remaining side has a normal, and the others have none', () => {
     const { code } = compileWarp(({ glsl, position }) => glsl.vec3(position.x().neg(), 0, 0))
     const normalOf = (normal) => runGlsl(code, { position: [1, 2, 3], normal }).warpedNormal
     assertClose(normalOf([-0.6, 0.8, 0]), [-1, 0, 0], 1e-12)
@@ -199,7 +199,7 @@ describe('the paper:', () => {
   })
 
   for (const [name, { warp, size }] of Object.entries(warps))
-    test(`its equation for a normal, whichever tangents one takes: ${name}`, () => {
+    test(`its equation for a normal, for any tangents: ${name}`, () => {
       const [columns, { code }] = [toCode(warp), compileWarp(warp)]
       for (const vertex of vertices(size)) {
         const { by_x, by_y, by_z } = runGlsl(columns, vertex)
@@ -217,7 +217,7 @@ describe('the paper:', () => {
     })
 })
 
-test('the wobble of p5.warp takes 9 sines and 6 cosines, derivatives included', () => {
+test('the wobble of p5.warp needs 9 sines and 6 cosines, including derivatives', () => {
   const { code } = compileWarp(warps['the examples of p5.warp: the wobble'].warp)
   const count = (name) => code.match(new RegExp(`\\b${name}\\(`, 'g')).length
   assert.ok(count('sin') <= 9 && count('cos') <= 6, `${count('sin')} sin, ${count('cos')} cos`)

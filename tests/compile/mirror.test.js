@@ -1,5 +1,5 @@
-// Warps that mirror space: a closed surface keeps its outer side outside. The measure is geometry alone: the volume that the
-// triangles of a closed mesh enclose has the sign of their order, and each vertex normal looks to the side that they turn out.
+// Warps that mirror space: the outer side of a closed surface stays outside. The test is purely geometric: the signed volume of a closed
+// mesh has the sign of the winding of its triangles, and each vertex normal must point to their front side.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -24,7 +24,7 @@ function* trianglesOf({ positions, indices }) {
     yield [0, 1, 2].map((k) => (indices ? indices[i + k] : i + k))
 }
 
-/** Above 0 where the front sides of a closed mesh are outside. */
+/** The signed volume of a closed mesh: above 0 if the front sides are outside. */
 function volumeOf(mesh) {
   let volume = 0
   for (const corners of trianglesOf(mesh)) {
@@ -34,7 +34,7 @@ function volumeOf(mesh) {
   return volume
 }
 
-/** The least cosine of a vertex normal with the front of a triangle around it. */
+/** The minimum cosine of the angle between a vertex normal and the front of a triangle around it. */
 function leastCosine(mesh) {
   let least = 1
   for (const corners of trianglesOf(mesh)) {
@@ -47,7 +47,7 @@ function leastCosine(mesh) {
   return least
 }
 
-/** Fine enough, with its front outside. */
+/** A fine mesh with its front outside. */
 const round = (() => {
   const mesh = sphere(48, 32)
   const indices = mesh.indices.slice()
@@ -65,7 +65,7 @@ function isOutside(mesh, message) {
 
 const mirror = ({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0)
 
-/** An offset function of where positions go. */
+/** Makes an offset function from a function that returns the new position. */
 const to = (place) => (inputs) => place(inputs).sub(inputs.position)
 
 const byUniform = to(({ glsl, position, uniforms }) =>
@@ -124,7 +124,7 @@ describe('the outer side stays outside', () => {
     )
   })
 
-  test('what does not mirror keeps its triangles, and so does what folds', () => {
+  test('a warp that does not mirror keeps its triangles, and so does one that folds', () => {
     for (const offset of [
       twist({ angle: 0.8, length: 1 }),
       ({ glsl, position }) => glsl.vec3(position.x().mult(-2), position.y().mult(-2), 0),
@@ -134,8 +134,8 @@ describe('the outer side stays outside', () => {
       assert.deepEqual(bakeWarp(round, compileWarp(offset)).indices, round.indices)
   })
 
-  test('at a fold normals go on continuously', () => {
-    // Of x - x² the derivative changes its sign at 0.5; the surface y = 0 is turned over there, and the paper's normal with it.
+  test('normals are continuous at a fold', () => {
+    // The derivative of x - x² changes its sign at 0.5; the surface y = 0 flips there, and so does the paper's normal.
     const fold = compileWarp(({ glsl, position }) =>
       glsl.vec3(position.x().mult(position.x()).neg(), position.x(), 0),
     )
@@ -193,14 +193,14 @@ describe('uniforms decide', () => {
       isOutside(bakeWarp(round, warp, { uniforms: { by } }), `${by}`)
   })
 
-  test('flattened to nothing, normals are zero where the surface has none', () => {
+  test('normals of a collapsed surface are zero', () => {
     const warp = compileWarp(byUniform, { uniforms })
     const at = (normal) => warp.evaluateAt([0.6, 0.8, 0], { normal, uniforms: { scale: 0 } }).normal
     assert.deepEqual(at([0, 1, 0]), [0, 0, 0])
     assert.deepEqual(at([0.6, 0.8, 0]), [1, 0, 0])
   })
 
-  test('the text has one factor for it, which is the same for a frame', () => {
+  test('the code has one factor for it, which is a frame constant', () => {
     const warp = compileWarp(byUniform, { uniforms, perFrame: true })
     const { warpjetFrame0 } = warp.frameUniforms({ scale: -3 })
     assert.ok(warpjetFrame0.includes(-1), `${warpjetFrame0}`)
@@ -211,7 +211,7 @@ describe('uniforms decide', () => {
     }
   })
 
-  test('a warp that cannot mirror says nothing of it', () => {
+  test('the code of a warp that cannot mirror has no factor', () => {
     for (const offset of [
       to(({ glsl, position: p, uniforms }) =>
         glsl.vec3(p.x().mult(uniforms.scale.exp()), p.y(), p.z()),
@@ -229,7 +229,7 @@ describe('uniforms decide', () => {
   })
 })
 
-test('adjustNormal and what it is made of', () => {
+test('adjustNormal and its parts', () => {
   const { evaluate } = compile((glsl) => {
     const position = glsl.vec3Param('position')
     const of = (factor) =>
@@ -251,7 +251,7 @@ test('adjustNormal and what it is made of', () => {
   )
 })
 
-describe('offsets of the normal and of uv', () => {
+describe('offsets that depend on the normal and on uv', () => {
   const grown = ({ glsl, position, normal, uv }) =>
     glsl.vec3(position.x().mult(-2), 0, 0).add(
       normal.mult(
@@ -265,14 +265,14 @@ describe('offsets of the normal and of uv', () => {
     )
 
   for (const surfaceVariation of [true, false])
-    test(`a mirror grown along the normal${surfaceVariation ? ', as it varies' : ''}`, () => {
+    test(`a mirror inflated along the normal${surfaceVariation ? ', with surface variation' : ''}`, () => {
       const warp = compileWarp(grown, { surfaceVariation })
       const baked = bakeWarp(round, warp)
       isOutside(baked, 'baked')
     })
 })
 
-test('the bitangent is where texture coordinates rise, in a mirror too', () => {
+test('the bitangent points where texture coordinates increase, also in a mirror', () => {
   const warp = compileWarp(
     to(({ glsl, position: p }) => glsl.vec3(p.x().neg(), p.y().add(p.x().sin().mult(0.3)), p.z())),
   )
@@ -294,7 +294,7 @@ test('the bitangent is where texture coordinates rise, in a mirror too', () => {
 describe('bakes', () => {
   const warp = compileWarp(mirror)
 
-  test('without indices: every vertex stays where it is, and indices say the order', () => {
+  test('without indices: vertices keep their order, and indices reverse the triangles', () => {
     const flat = (numbers, size) =>
       Float32Array.from(round.indices).reduce(
         (all, i, at) => (all.set(numbers.subarray(size * i, size * i + size), size * at), all),
@@ -314,7 +314,7 @@ describe('bakes', () => {
     assert.equal(baked.positions.length, 0)
   })
 
-  test('missing normals are computed before', () => {
+  test('missing normals are computed first', () => {
     const { positions, indices } = round
     isOutside(bakeWarp({ positions, indices }, warp), 'computed')
   })
@@ -349,7 +349,7 @@ describe('bakes', () => {
     }
   })
 
-  test('a warp made by hand says nothing of mirrors, and keeps its triangles', () => {
+  test('an object with its own evaluate keeps its triangles', () => {
     const byHand = { evaluate: ({ positions, normals }) => ({ positions, normals }) }
     assert.deepEqual(bakeWarp(round, byHand).indices, round.indices)
   })
@@ -363,7 +363,7 @@ describe('rays of three.js', () => {
     DoubleSide: THREE.DoubleSide,
   }
 
-  /** A mesh whose mirror image differs, and the one that three.js mirrors itself. */
+  /** A mesh that differs from its mirror image, and one that three.js mirrors by its matrix. */
   function pair(side) {
     const geometry = new THREE.ConeGeometry(0.7, 1.4, 24, 6).rotateZ(0.6).translate(0.3, 0, 0)
     const [mesh, other] = [0, 1].map(
@@ -394,7 +394,7 @@ describe('rays of three.js', () => {
               count++
               assert.equal(faceIndex, expected[i].faceIndex)
               assert.ok(point.distanceTo(expected[i].point) < 1e-5)
-              // Those of the other one are before its own matrix.
+              // Points of the other one are before its matrix.
               const mirrored = (v) => v.clone().set(-v.x, v.y, v.z)
               assert.ok(face.normal.distanceTo(mirrored(expected[i].face.normal)) < 1e-4)
               assert.ok(normal.normalize().angleTo(mirrored(expected[i].normal)) < 1e-3)
@@ -404,7 +404,7 @@ describe('rays of three.js', () => {
           warped.dispose()
         })
 
-  test('in the world, an object that its own matrix mirrors', () => {
+  test('in world space, an object that is mirrored by its matrix', () => {
     const [mesh, other] = pair(THREE.FrontSide)
     const [, still] = pair(THREE.FrontSide)
     other.scale.x = 1
@@ -428,7 +428,7 @@ describe('rays of three.js', () => {
   })
 })
 
-test('an image read at one place for all vertices decides no side, since the CPU cannot read it', () => {
+test('an image read at the same point for all vertices does not decide the side, since the CPU cannot read it', () => {
   const offset = ({ glsl, position, uniforms }) =>
     position.mult(glsl.texture(uniforms.map, glsl.vec2(0.5, 0.5)).x())
   const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 8, 6), new THREE.MeshBasicMaterial())

@@ -1,15 +1,15 @@
-// Positions and normals as a vertex shader computes them, and as `evaluate` does on the CPU, against an oracle in double
-// precision, and against each other. A table of what was measured is printed at the end.
+// Compares positions and normals of a vertex shader, and of `evaluate` on the CPU, with an oracle in double precision, and with each
+// other. Prints a table of the measured errors at the end.
 //
-// Two bounds on normals, since SwiftShader, which stands in for a GPU here, computes sin and cos only to 2e-4:
-// - with an accurate sine in GLSL in place of the built-in one, 0.02° wherever the warp is smooth, or what the warp says;
-// - with the built-in one, 0.02° at 99% of the vertices, and nowhere more than that times the sensitivity of the normal
-//   to errors of the derivatives (2e-4 is 0.0115°). Where it stays within 0.02° everywhere nothing more is asked.
-// Left out are vertices with a kink of the warp close by, and those where the surface has all but collapsed, to
-// 1/100,000 of its area, so that float32 cannot tell its direction to 0.02°.
+// There are two bounds on normals, since SwiftShader, which replaces a GPU here, computes sin and cos only to 2e-4:
+// - with an accurate sine in GLSL instead of the built-in one, 0.02° wherever the warp is smooth, or the bound of the warp;
+// - with the built-in one, 0.02° at 99% of the vertices, and nowhere more than that times the sensitivity of the normal to errors of
+//   the derivatives (2e-4 is 0.0115°). There is no further condition if it is within 0.02° everywhere.
+// Excluded are vertices near a kink of the warp, and those where the surface has nearly collapsed, to 1/100,000 of its area, so that
+// float32 cannot represent its direction to 0.02°.
 //
-// Positions: 2e-5 and 1e-3 of the numbers in the formula. At `millis` 98,765 the angles of these warps reach 1,000, where
-// float32 itself is no finer than 6e-5.
+// Positions: 2e-5 and 1e-3 of the numbers in the formula. At `millis` 98,765 the angles of these warps reach 1,000, where the spacing of
+// float32 is 6e-5.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -17,13 +17,7 @@ import { orphans, warpsInThisRun as warps } from '../warps/index.js'
 import { launchBrowser } from '../support/browser/browser.js'
 import { assertBaked, compareBaked } from '../support/browser/baked.js'
 import { compare, moments } from '../support/browser/compare.js'
-import {
-  arraysOf,
-  denseMesh,
-  interleaved,
-  stride,
-  vertices,
-} from '../support/browser/dense-mesh.js'
+import { arraysOf, denseMesh, interleave, stride, vertices } from '../support/browser/dense-mesh.js'
 import { warpVertex } from '../support/browser/oracle.js'
 import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
 import { openPipeline, vertexShader } from '../support/browser/transform-feedback.js'
@@ -66,10 +60,10 @@ vec3 warpedNormal = normal;`
   })
 })
 
-/** The square of a smaller number is subnormal, which the CPU tells from 0 and GPUs do not. */
+/** The square of a smaller number is subnormal, which GPUs flush to 0, unlike the CPU. */
 const isTiny = (x) => x !== 0 && Math.abs(x) <= 1e-15
 
-describe('positions and normals are right:', () => {
+describe('positions and normals are correct:', () => {
   for (const warp of warps)
     test(warp.name, async () => {
       const { compile, offset, size, step, every, reach, params, mirrors } = warp
@@ -88,10 +82,10 @@ describe('positions and normals are right:', () => {
       const exact = best === compiled ? builtIn : await run(best)
       assertOnGpu(warp, ...[builtIn, exact].map((r) => compare(r, expected, reach, warp.degrees)))
 
-      // The text of `gen` that two sketches splice into their own shaders is no warp.
+      // Two sketches insert code of `gen` into their own shaders, which is not a warp.
       if (!compiled.evaluate) return
       const baked = draws.map((uniforms) =>
-        interleaved(compiled.evaluate(arraysOf(mesh, compiled.attributes), { uniforms })),
+        interleave(compiled.evaluate(arraysOf(mesh, compiled.attributes), { uniforms })),
       )
       assertOnCpu(warp, baked, expected, points)
       const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected)

@@ -1,4 +1,4 @@
-// A sketch's function is called once, however often its warp is written: one that takes its chance stays the same warp.
+// An offset function is called once, however often shader code is written from it: a random one remains the same warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from '../support/browser/browser.js'
@@ -19,7 +19,7 @@ after(async () => {
 })
 
 for (const [version, p5] of Object.entries(p5Versions)) {
-  describe(`a warp by chance on p5 ${version}`, () => {
+  describe(`a random warp on p5 ${version}`, () => {
     test('is the same on a new renderer, with another material, after a lost context', async () => {
       const shape = `background(0); distort(); fill('red'); lights(); sphere(50)`
       const images = await drawScenes(browser, server, [p5, addon], {

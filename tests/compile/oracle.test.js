@@ -1,4 +1,4 @@
-// The oracle of tests/compile/normals.browser.test.js is right itself: its differences agree with derivatives worked out by hand.
+// The oracle of tests/compile/normals.browser.test.js is correct: its differences agree with derivatives derived by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
@@ -49,7 +49,7 @@ test('the partial derivatives of sines', () => {
   }
 })
 
-test('there are none at a kink or a jump, nor close to one', () => {
+test('there are no partial derivatives at or near a kink or a jump', () => {
   const functions = {
     kink: ([x]) => [Math.abs(x), 0, 0],
     jump: ([x, y]) => [0, Math.sign(x) * y, 0],
@@ -75,7 +75,7 @@ test('the normals of a sphere that becomes an ellipsoid', () => {
   }
 })
 
-test('what is flattened has the normal of the plane, or none', () => {
+test('a flattened surface has the normal of the plane, or none', () => {
   const flatten = ([x]) => [-x, 0, 0]
   const normalOf = (normal) =>
     warpVertex(flatten, { position: [1, 2, 3], normal }, {}, 1e-3).normal.map((x) => x + 0)

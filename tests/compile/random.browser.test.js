@@ -1,6 +1,5 @@
-// The random expressions of tests/compile/random.test.js on real GPU pipelines in every dialect: values and some derivatives,
-// within what errors of float32 size come to. Forty expressions share a shader; a failure is tracked down to one of them, and
-// shrunk to a small case.
+// The random expressions of tests/compile/random.test.js on real GPU pipelines in every language: values and some derivatives, within
+// the effect of errors of the size of float32's. Forty expressions share a shader; a failure is traced to one of them, and minimized.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { setImmediate } from 'node:timers/promises'
@@ -13,7 +12,7 @@ import { describe, shrink } from '../random/shrink.js'
 import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'
 
 const count = isRun('every random expression') ? 2000 : 400
-const mostFailures = 3
+const maxFailures = 3
 
 let pipelines
 before(async () => (pipelines = await openPipelines()))
@@ -21,7 +20,7 @@ after(() => pipelines.close())
 
 const expectedOf = (test) => test.points.map((point) => gpuExpected(test, point))
 
-/** What cases come to in one shader → { given } or { error }. Another compiler may stand in for ours. */
+/** Evaluates cases in one shader; returns { given } or { error }. Another compiler can replace warpjet. */
 async function runCases(target, cases, compiler = compile) {
   try {
     const program = programOf(cases, target, compiler)
@@ -31,7 +30,7 @@ async function runCases(target, cases, compiler = compile) {
   }
 }
 
-/** Judges what `runCases` gave → { failures, counts }; what does not compile is run in smaller shaders. */
+/** Judges results of `runCases`; returns { failures, counts }. Shaders that do not compile are split into smaller ones. */
 async function judge(target, cases, expected, { given, error }) {
   if (given) return compareGpu(cases, given, expected)
   if (cases.length === 1) {
@@ -47,7 +46,7 @@ async function judge(target, cases, expected, { given, error }) {
     const part = cases.slice(...range)
     parts.push(await judge(target, part, expected.slice(...range), await runCases(target, part)))
   }
-  // Each alone is right, and all together are not: names that meet, or too much for a shader.
+  // Each case passes alone, but not together with others: names collide, or the shader is too large.
   if (!parts.some(({ failures }) => failures.length)) throw error
   return {
     failures: parts.flatMap(({ failures }) => failures),
@@ -64,7 +63,7 @@ async function failureOf(target, test) {
   return failures[0]?.failure
 }
 
-/** A seed's failures in some dialects, as text: it is shrunk in the first one. */
+/** Describes the failures of a seed in some languages, minimized in the first one. */
 async function report([{ target, test, failure }, ...others]) {
   const small = await shrink(test, failure, (smaller) => failureOf(target, smaller))
   const source = callbackText(small.test.root, gpuResults(small.test))
@@ -72,16 +71,16 @@ async function report([{ target, test, failure }, ...others]) {
   return `${names}, ${describe({ ...small, failure: { ...small.failure, source } })}`
 }
 
-test(`${count} random expressions compile and agree in every dialect`, async (t) => {
+test(`${count} random expressions compile and agree in every language`, async (t) => {
   const sums = Object.fromEntries(targets.map((target) => [target, none()]))
   const failed = new Map()
-  for (let first = 0; first < count && failed.size < mostFailures; first += blockSize) {
+  for (let first = 0; first < count && failed.size < maxFailures; first += blockSize) {
     const cases = Array.from({ length: blockSize }, (_, i) => randomCase(first + i))
     const running = targets.map((target) => runCases(target, cases))
     const expected = []
     for (const test of cases) {
       expected.push(expectedOf(test))
-      // Lets messages to and from the browser through, which works meanwhile.
+      // Lets messages to and from the browser pass, which works meanwhile.
       await setImmediate()
     }
     for (const [i, target] of targets.entries()) {
@@ -94,7 +93,7 @@ test(`${count} random expressions compile and agree in every dialect`, async (t)
     }
   }
   const texts = []
-  for (const failures of [...failed.values()].slice(0, mostFailures))
+  for (const failures of [...failed.values()].slice(0, maxFailures))
     texts.push(await report(failures))
   assert.equal(texts.join('\n\n'), '')
 
@@ -105,7 +104,7 @@ test(`${count} random expressions compile and agree in every dialect`, async (t)
   }
 })
 
-test('a wrong text is found', async () => {
+test('wrong code is detected', async () => {
   const wrong = (callback, options) => {
     const compiled = compile(callback, options)
     return { ...compiled, code: compiled.code.replaceAll('max(', 'min(') }

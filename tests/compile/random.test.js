@@ -1,5 +1,5 @@
-// 2,000 random expressions of every operation, 500 of them every day, on the CPU in double precision: values against plain numbers, first and second
-// derivatives against differences. A failure prints its seed and a small case that fails in the same way.
+// 2,000 random expressions of all operations, 500 of them in the everyday run, on the CPU in double precision: values against plain
+// numbers, first and second derivatives against differences. A failure prints its seed and a minimized case that fails in the same way.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -16,7 +16,7 @@ const count = 2000
 const compared = isRun('every random expression') ? count : 500
 const cases = Array.from({ length: count }, (_, seed) => randomCase(seed))
 
-/** Our results at a point. */
+/** The results of warpjet at a point. */
 function evaluateCase(source) {
   const compiled = compile(callbackOf(source))
   return (point) =>
@@ -29,7 +29,7 @@ function evaluateCase(source) {
     )
 }
 
-/** The first `most` failures, shrunk, as text. */
+/** Describes the first `most` failures, minimized. */
 async function failuresOf(check, most, among = cases) {
   const failures = []
   for (const test of among) {
@@ -40,7 +40,7 @@ async function failuresOf(check, most, among = cases) {
   return failures
 }
 
-test('a seed always gives the same expression', () => {
+test('a seed always generates the same expression', () => {
   for (const seed of [0, 7, 1999])
     assert.equal(textOf(randomCase(seed).root), textOf(cases[seed].root))
 })
@@ -53,7 +53,7 @@ test('every operation is used often', () => {
   assert.deepEqual(rare, [])
 })
 
-test(`${compared} random expressions have the right values and derivatives`, async (t) => {
+test(`${compared} random expressions have correct values and derivatives`, async (t) => {
   const counts = noCounts()
   const check = (test) => {
     const result = checkCase(test, evaluateCase)
@@ -63,7 +63,7 @@ test(`${compared} random expressions have the right values and derivatives`, asy
   const failures = await failuresOf(check, 5, cases.slice(0, compared))
   assert.equal(failures.map(describe).join('\n\n'), '')
 
-  // Elsewhere there are kinks and jumps, or small errors grow.
+  // The others are near kinks and jumps, or small errors grow.
   for (const kind of kinds) {
     const { compared: sure, total } = counts[kind]
     t.diagnostic(`${kind}: ${sure} of ${total} numbers compared`)
@@ -77,7 +77,7 @@ test(`${compared} random expressions have the right values and derivatives`, asy
 const operationsOf = ({ test }) =>
   [...nodesOf(test.root)].map(({ op }) => op).filter((op) => op !== 'input' && op !== 'number')
 
-test('a wrong value is found, and shrunk to that operation', async () => {
+test('a wrong value is detected, and minimized to that operation', async () => {
   const wrong = {
     smoothstep: (low, high, x) => Math.min(Math.max((x - low) / (high - low), 0), 1),
     reflect: (v, normal) => v.map((x, i) => x - normal[i]),
@@ -90,7 +90,7 @@ test('a wrong value is found, and shrunk to that operation', async () => {
   }
 })
 
-test('a wrong derivative is found, and shrunk to that operation', async () => {
+test('a wrong derivative is detected, and minimized to that operation', async () => {
   // The value of one expression, and the derivatives of another.
   const evaluateWrong = (source) => {
     const wrong = source.replace(/^ *const value = (.*)$/m, (line, text) =>
@@ -102,7 +102,7 @@ test('a wrong derivative is found, and shrunk to that operation', async () => {
   assert.deepEqual(operationsOf(failure), ['tanh'], describe(failure))
 })
 
-test('what our compiler refuses is found, and shrunk', async () => {
+test('an expression that the compiler rejects is detected, and minimized', async () => {
   const refusing = (source) => {
     if (/inverse\(.*sinh\(/.test(source)) throw new Error('inverse: not after sinh.')
     return () => ({})

@@ -1,4 +1,4 @@
-// The sketch's function is called once; what is kept of it is written again in any language, for any host.
+// The offset function is called once; its recording can be written in any language, for any host.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp, targets, WarpError } from 'warpjet'
@@ -18,7 +18,7 @@ function refuses(work, pattern) {
 
 describe('emit', () => {
   for (const options of [{}, { tangents: true }, { surfaceVariation: true }, { normals: false }])
-    test(`gives what compileWarp gives: ${JSON.stringify(options)}`, () => {
+    test(`equals the result of compileWarp: ${JSON.stringify(options)}`, () => {
       const warp = compileWarp(bumpy, { surfaceVariation: false, ...options })
       for (const target of targets) {
         const whole = compileWarp(bumpy, { surfaceVariation: false, ...options, target })
@@ -27,7 +27,7 @@ describe('emit', () => {
       }
     })
 
-  test('a function that takes its chance is called once', () => {
+  test('calls a random function once', () => {
     let calls = 0
     const warp = compileWarp(({ glsl, position }) => {
       calls++
@@ -41,7 +41,7 @@ describe('emit', () => {
     assert.equal(calls, 1)
   })
 
-  test('names of inputs and results are given anew', () => {
+  test('accepts new names of inputs and results', () => {
     const warp = compileWarp(bumpy, {
       names: { position: 'aPosition' },
       outputs: { position: 'moved' },
@@ -58,14 +58,20 @@ describe('emit', () => {
     assert.deepEqual(attributes[0], { name: 'position', type: 'vec3' })
   })
 
-  test('what is refused', () => {
+  test('throws for wrong arguments', () => {
     const warp = compileWarp(({ glsl, position }) => position.mult(glsl.param('aPlace')))
-    refuses(() => warp.emit('hlsl'), /"target" must be one of glsl300, glsl100, wgsl/)
+    refuses(
+      () => warp.emit('hlsl'),
+      /emit: expected 'glsl300', 'glsl100' or 'wgsl' for the target, got the text "hlsl"/,
+    )
     refuses(() => warp.emit('wgsl', { name: {} }), /emit: there is no option "name"/)
-    refuses(() => warp.emit('wgsl', { names: { place: 'p' } }), /emit names: .* no option "place"/)
+    refuses(
+      () => warp.emit('wgsl', { names: { place: 'p' } }),
+      /emit: there is no option "place" in the option "names"/,
+    )
     refuses(
       () => warp.emit('wgsl', { outputs: { offset: 3 } }),
-      /expected a text for the name of a result, got the number/,
+      /expected the name of a shader variable for the option "outputs\.offset", got the number 3/,
     )
     refuses(() => warp.emit('wgsl', { names: { position: 'fn' } }), /"fn" is a word of WGSL/)
     refuses(
@@ -77,11 +83,11 @@ describe('emit', () => {
         position,
       ),
     )
-    refuses(() => call.emit('wgsl'), /"source" of f must be a text of WGSL for the target wgsl/)
+    refuses(() => call.emit('wgsl'), /"source" of f must be a source in WGSL for the target wgsl/)
     assert.match(call.emit('glsl100').declarations, /float f\(float x\)/)
   })
 
-  test('one name for two inputs makes them one, and cannot be taken back', () => {
+  test('two inputs with one name are one input, and cannot be separated later', () => {
     const warp = compileWarp(({ normal }) => normal.mult(0.1), {
       names: { position: 'p', normal: 'p' },
     })
@@ -96,7 +102,7 @@ describe('emit', () => {
     )
   })
 
-  test('leaves nothing in the memory', () => {
+  test('leaves no memory behind', () => {
     const warp = compileWarp(bumpy, { surfaceVariation: false })
     warp.emit('wgsl')
     const before = memoryInUse()
@@ -105,7 +111,7 @@ describe('emit', () => {
   })
 })
 
-test('both languages of a function are kept', () => {
+test('the sources of a function in both languages are recorded', () => {
   const f = {
     name: 'f',
     source: { glsl: 'float f(float x) { return x; }', wgsl: 'fn f(x: f32) -> f32 { return x; }' },
@@ -117,8 +123,8 @@ test('both languages of a function are kept', () => {
   assert.match(warp.emit('wgsl').declarations, /^fn f/)
 })
 
-describe('a label is recognised however it is written', () => {
-  /** 2 p.x, since both are the same number. */
+describe('labels in different spellings are one variable', () => {
+  /** Expects 2 p.x, since both are the same number. */
   const slope = (make, by) => {
     const { code } = compile((glsl) => {
       const [first, second] = make(glsl)
@@ -160,7 +166,7 @@ describe('a label is recognised however it is written', () => {
       'm[1].y * 2.0',
     )
   })
-  test('what cannot be told is refused', () => {
+  test('ambiguous labels are rejected', () => {
     const both = (first, second) => () => compile((glsl) => ({ a: first(glsl), b: second(glsl) }))
     refuses(
       both(

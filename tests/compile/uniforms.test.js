@@ -1,4 +1,4 @@
-// The option `uniforms` of compileWarp: types from values, and what they are worth on the CPU.
+// The option `uniforms` of compileWarp: types follow from values, and values are used on the CPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { WarpError, compile, compileWarp } from 'warpjet'
@@ -6,7 +6,7 @@ import { bakeWarp, subdivide } from 'warpjet/mesh'
 
 const origin = [0, 0, 0]
 
-/** Where the warp of this offset and these uniforms moves the origin. */
+/** Returns the position to which a warp moves the origin. */
 const movedTo = (offset, uniforms, given) =>
   compileWarp(offset, { uniforms }).evaluateAt(origin, { uniforms: given }).position
 
@@ -21,7 +21,7 @@ const refuses = (work, message) =>
 const read = ({ glsl, uniforms }) => glsl.vec3(uniforms.value, 0, 0)
 const declare = (value) => compileWarp(read, { uniforms: { value } })
 
-describe('types come from the values:', () => {
+describe('types follow from the values:', () => {
   test('a number, true and false are floats', () => {
     const offset = ({ glsl, uniforms: { a, b, c } }) => glsl.vec3(a, b, c.add(4))
     assert.deepEqual(movedTo(offset, { a: 0.5, b: true, c: false }), [0.5, 1, 4])
@@ -44,7 +44,7 @@ describe('types come from the values:', () => {
     assert.deepEqual(movedTo(offset, uniforms), [1741, 2852, 3963])
   })
 
-  test('the vectors of p5 are vec3s and its colours vec4s, and give the first of their numbers to less', () => {
+  test('vectors of p5 are vec3s and colors vec4s, whose first numbers are used for smaller uniforms', () => {
     const vector = { x: 1, y: 2, z: 3 }
     const color = { _array: [0.5, 0.25, 0, 1] }
     const offset = ({ uniforms: { v, c } }) => v.add(c.xyz().mult(c.w()))
@@ -54,7 +54,7 @@ describe('types come from the values:', () => {
     assert.deepEqual(movedTo(flat, { a: [0, 0], b: [0, 0, 0] }, given), [1.5, 2.25, 0])
   })
 
-  test('those that the text reads are listed, and each is read under its own name', () => {
+  test('uniforms that the code reads are listed, and each is read by its own name', () => {
     const warp = compileWarp(
       ({ glsl, millis, uniforms }) => glsl.vec3(uniforms.wind, millis.mult(uniforms.amount)),
       { uniforms: { amount: 1, unused: 2, wind: [1, 0] } },
@@ -73,10 +73,10 @@ describe('types come from the values:', () => {
   })
 })
 
-describe('names that Object has too:', () => {
+describe('names of properties of Object:', () => {
   const names = ['constructor', 'toString', 'hasOwnProperty', 'valueOf']
 
-  test('are read where they are declared or given', () => {
+  test('are read if they are declared or passed', () => {
     for (const name of names) {
       const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms[name], 0, 0)
       assert.deepEqual(movedTo(offset, { [name]: 2 }), [2, 0, 0], name)
@@ -93,7 +93,7 @@ describe('names that Object has too:', () => {
     assert.deepEqual(movedTo(offset, declared, bare({ toString: 3 })), [3, 5, 0])
   })
 
-  test('what an object inherits is not declared, and not given', () => {
+  test('inherited properties are neither declared nor passed', () => {
     const inheriting = Object.create({ amount: 1 })
     inheriting.reach = 5
     refuses(
@@ -105,7 +105,7 @@ describe('names that Object has too:', () => {
     assert.deepEqual(movedTo(offset, { reach: 5 }, Object.create({ reach: 7 })), [5, 0, 0])
   })
 
-  test('__proto__ is a key like others, and no name of a shader', () => {
+  test('__proto__ is a key like others, and not a valid name in a shader', () => {
     const uniforms = JSON.parse('{ "__proto__": 1 }')
     refuses(
       () => compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms['__proto__']), { uniforms }),
@@ -121,14 +121,14 @@ describe('names that Object has too:', () => {
 })
 
 describe('on the CPU', () => {
-  test('a given value counts before the declared one, for that call', () => {
+  test('a passed value replaces the declared one, for that call', () => {
     const warp = declare(0.5)
     const x = (uniforms) => warp.evaluateAt(origin, { uniforms }).position[0]
     assert.deepEqual([x(), x({ value: 2 }), x({}), x({ value: true })], [0.5, 2, 0.5, 1])
   })
 
-  test('every method takes it', () => {
-    const warp = compileWarp(({ glsl, position, uniforms }) => position.mult(uniforms.grow), {
+  test('every method accepts uniforms', () => {
+    const warp = compileWarp(({ position, uniforms }) => position.mult(uniforms.grow), {
       uniforms: { grow: 1 },
     })
     const mesh = { positions: [1, 0, 0, 0, 1, 0, 0, 0, 2], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] }
@@ -147,7 +147,7 @@ describe('on the CPU', () => {
     assert.deepEqual([...bakeWarp(mesh, warp, { uniforms: { grow: 2 } }).positions], thrice)
   })
 
-  test('a function is called once for its type, then at every use, but not where a value is given', () => {
+  test('a function is called once for its type, then at every use, but not if a value is passed', () => {
     let calls = 0
     const warp = declare(() => ++calls)
     assert.equal(calls, 1)
@@ -165,7 +165,7 @@ describe('on the CPU', () => {
     assert.deepEqual(warp.evaluateAt([1, 2, 3], { uniforms: { count: 7 } }).position, [2, 4, 6])
   })
 
-  test('an array is copied, and nothing that comes in is changed', () => {
+  test('an array is copied, and arguments are unchanged', () => {
     const value = [1, 2, 3]
     const warp = compileWarp(({ uniforms }) => uniforms.value, { uniforms: { value } })
     value[0] = 100
@@ -175,7 +175,7 @@ describe('on the CPU', () => {
     assert.deepEqual(value, [100, 2, 3])
   })
 
-  test('a subdivision asks a function once, so that all of it agrees', () => {
+  test('a subdivision calls a function once, so that all vertices agree', () => {
     const plane = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] }
     let calls = 0
     const options = { uniforms: { value: () => ++calls } }
@@ -195,28 +195,34 @@ describe('on the CPU', () => {
   })
 })
 
-describe('one sentence says what is wrong:', () => {
+describe('errors:', () => {
   test('with the option', () => {
     const option = (uniforms) => () => compileWarp(({ position }) => position, { uniforms })
-    refuses(option(3), /option "uniforms" must be an object, such as \{ amount: .*the number 3/)
-    refuses(option([1, 2]), /must be an object, .* but is an array of 2/)
-    refuses(option(null), /must be an object, .* but is null/)
+    refuses(
+      option(3),
+      /expected an object, such as \{ amount: .*for the option "uniforms", got the number 3/,
+    )
+    refuses(option([1, 2]), /expected an object, .* got an array of 2/)
+    refuses(option(null), /expected an object, .* got null/)
   })
 
   test('with a value', () => {
     const cases = [
-      ['red', /"value" must be a number, .* but is the text "red"/],
-      [undefined, /"value" must be a number, .* but is undefined/],
-      [[1], /but is an array of 1/],
-      [[1, 2, 3, 4, 5], /must be .* an array of 2, 3, 4, 9 or 16 numbers, .* but is an array of 5/],
-      [{ a: 1 }, /but is an object/],
-      [() => undefined, /a function that gives one of them, but its function gives undefined/],
-      [async () => 1, /but its function gives a promise/],
-      [NaN, /"value" must be a finite number, but is NaN/],
-      [[1, Infinity], /must have finite numbers, but has Infinity among them/],
-      [[1, 'a', 2], /must have finite numbers, but has the text "a" among them/],
-      [[1, , 2], /must have finite numbers, but has undefined among them/],
-      [() => [0, NaN], /must have finite numbers, but has NaN among them/],
+      ['red', /expected a number, .* for the uniform "value", got the text "red"/],
+      [undefined, /expected a number, .* for the uniform "value", got undefined/],
+      [[1], /got an array of 1\./],
+      [[1, 2, 3, 4, 5], /expected .* an array of 2, 3, 4, 9 or 16 numbers, .* got an array of 5/],
+      [{ a: 1 }, /got an object\./],
+      [
+        () => undefined,
+        /a function that returns one of them, .* got a function that returns undefined/,
+      ],
+      [async () => 1, /got a function that returns a promise/],
+      [NaN, /expected a finite number for the uniform "value", got NaN/],
+      [[1, Infinity], /expected an array of 2 finite numbers .* got one with Infinity/],
+      [[1, 'a', 2], /expected an array of 3 finite numbers .* got one with the text "a"/],
+      [[1, , 2], /got one with undefined/],
+      [() => [0, NaN], /got one with NaN/],
     ]
     for (const [value, message] of cases) refuses(() => declare(value), message)
   })
@@ -235,7 +241,7 @@ describe('one sentence says what is wrong:', () => {
     assert.deepEqual(named('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
-  test('reading what is not declared, and writing', () => {
+  test('reading an undeclared uniform, and writing', () => {
     const reading = (uniforms) => () =>
       compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
     refuses(reading({ amount: 1, wind: [1, 0] }), /declares no "amont"; there are amount, wind\./)
@@ -256,31 +262,34 @@ describe('one sentence says what is wrong:', () => {
       uniforms: { center: [0, 0, 0], amount: 1, unread: [1, 2] },
     })
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
-    refuses(call({ amount: [1, 2] }), /"amount" is a float and takes a number, but a vec2 came/)
-    refuses(call({ amount: 'a' }), /takes a number, but the text "a" came/)
-    refuses(call({ amount: () => 3 }), /takes a number, but a function came/)
+    refuses(
+      call({ amount: [1, 2] }),
+      /expected a finite number for the uniform "amount", got an array of 2/,
+    )
+    refuses(call({ amount: 'a' }), /expected a finite number .* got the text "a"/)
+    refuses(call({ amount: () => 3 }), /expected a finite number .* got a function/)
     refuses(
       call({ center: 3 }),
-      /"center" is a vec3 and takes an array of 3 numbers, but a float came/,
+      /expected an array of 3 finite numbers for the uniform "center", got the number 3/,
     )
-    refuses(call({ center: [1, NaN, 2] }), /"center" must have finite numbers, but has NaN/)
-    refuses(call({ unread: 1 }), /"unread" is a vec2 and takes an array of 2 numbers/)
+    refuses(call({ center: [1, NaN, 2] }), /for the uniform "center", got one with NaN/)
+    refuses(call({ unread: 1 }), /expected an array of 2 finite numbers for the uniform "unread"/)
     refuses(call({ centre: [1, 2, 3] }), /no uniform "centre"; there are .*center, amount, unread/)
   })
 
-  test('that only Object has', () => {
+  test('names of properties of Object', () => {
     const offset = ({ glsl }) => glsl.vec3(glsl.param('toString'), glsl.param('constructor'), 0)
     const warp = compileWarp(offset)
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
-    refuses(call(), /the warp reads "toString"; give it a value/)
-    refuses(call({ toString: 1 }), /the warp reads "constructor"; give it a value/)
+    refuses(call(), /the warp reads "toString"; pass a value/)
+    refuses(call({ toString: 1 }), /the warp reads "constructor"; pass a value/)
     assert.deepEqual(call({ toString: 1, constructor: 2 })().position, [1, 2, 0])
     const { evaluate } = compile((glsl) => ({ y: glsl.param('toString').mult(2) }))
-    refuses(() => evaluate({}), /^evaluate: expected a number for "toString", got undefined/)
+    refuses(() => evaluate({}), /^evaluate: expected a finite number for "toString", got undefined/)
     assert.deepEqual(evaluate({ toString: 2 }), { y: 4 })
   })
 
-  test('that have the name of an input which the shader calls otherwise', () => {
+  test('names of inputs that have other names in the shader', () => {
     const offset = ({ glsl, millis }) => glsl.vec3(glsl.param('millis').mult(millis), 0, 0)
     refuses(
       () => compileWarp(offset, { names: { millis: 'uTime' } }),
@@ -298,11 +307,14 @@ describe('one sentence says what is wrong:', () => {
     now = [1, 2]
     refuses(
       () => warp.evaluateAt(origin),
-      /^evaluateAt: the uniform "value" was a float when the warp was made, but its function now gives a vec2; it must stay what it was/,
+      /^evaluateAt: expected a finite number for the uniform "value", got an array of 2; its function must always return what it returned at first\./,
     )
     now = undefined
-    refuses(() => warp.bounds({ min: origin, max: origin }), /now gives undefined/)
+    refuses(
+      () => warp.bounds({ min: origin, max: origin }),
+      /^bounds: .* got undefined; its function must always return/,
+    )
     now = NaN
-    refuses(() => warp.evaluateAt(origin), /"value" must be a finite number, but is NaN/)
+    refuses(() => warp.evaluateAt(origin), /for the uniform "value", got NaN/)
   })
 })

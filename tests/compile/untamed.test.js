@@ -1,5 +1,5 @@
-// Random expressions that nothing keeps within domains, as offsets at points where float32 overflows and underflows: a normal is
-// never NaN where there is a place to draw it.
+// Random expressions that are not restricted to domains of operations, as offsets at points where float32 overflows and underflows: the
+// normal of a vertex with a finite position is never NaN.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -9,11 +9,11 @@ import { randomCase, randomOf } from '../random/generate.js'
 
 const count = 2000
 const pointsOfEach = 32
-// The compiler takes inputs to be no larger than the last of the usual ones (`usualSize` in src/graph/graph.hpp).
+// The compiler takes inputs to be no larger than the last of the usual ones (`assumedMagnitude` in src/graph/graph.hpp).
 const usual = [0, 1e-30, 1e-19, 1, 1e4]
 const huge = [1e19, 1e20, 2.5e20, 1e30]
 
-/** What the expressions read, made of the position. */
+/** The inputs of the expressions, computed from the position. */
 const inputs = `
   const [x, y, z] = [position.x(), position.y(), position.z()]
   const [p, q, r] = [position.xz(), position, glsl.vec4(position, 1)]
@@ -33,7 +33,7 @@ const offsets = {
   bool: 'glsl.vec3(0, value.ifElse(1, 0), 0)',
 }
 
-/** Of some expressions the compiler sees that no input helps. */
+/** The compiler rejects some expressions that are not finite for any input. */
 function warpOf(root) {
   const body = `${inputs}const value = ${textOf(root)}\nreturn ${offsets[root.shape]}`
   try {
@@ -43,7 +43,7 @@ function warpOf(root) {
   }
 }
 
-/** Every coordinate one of the sizes; at every fourth point all the same one. */
+/** Each coordinate has one of the sizes; all have the same one at every fourth point. */
 function verticesOf(seed, sizes) {
   const random = randomOf(3e6 + seed)
   const pick = (list) => list[Math.floor(list.length * random())]
@@ -71,7 +71,7 @@ const cases = Array.from({ length: count }, (_, seed) => {
   return { seed, root, warp: warpOf(root) }
 }).filter(({ warp }) => warp)
 
-/** Where there is a position, but neither a normal nor none; of each expression the first. */
+/** The first vertex of each expression with a finite position, and a normal of neither length 1 nor 0. */
 function failuresOf(sizes, t, zeros = 0.1) {
   const failures = []
   let [seen, zero] = [0, 0]
@@ -94,14 +94,13 @@ function failuresOf(sizes, t, zeros = 0.1) {
   return failures
 }
 
-test('few expressions are refused', () => assert.ok(cases.length > 0.9 * count, `${cases.length}`))
+test('few expressions are rejected', () => assert.ok(cases.length > 0.9 * count, `${cases.length}`))
 
 test('normals have length 1, or are zero', (t) => {
   assert.deepEqual(failuresOf(usual, t), [])
 })
 
-// Where products of slopes are too large for float32 they are zero: scaling each that might overflow would cost each warp a dozen
-// operations a vertex.
+// Normals are zero where products of slopes overflow float32: scaling each product would cost every warp a dozen operations per vertex.
 for (const sizes of [
   [...usual, ...huge],
   [1e20, 1.5e20, 1],

@@ -1,4 +1,4 @@
-// After a week: what is computed once a frame keeps positions, normals and the way from one frame to the next right.
+// Frame constants keep positions, normals and motion between frames correct after a week.
 import assert from 'node:assert/strict'
 import { before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -10,7 +10,7 @@ import { afterAWeek, isMeasured } from '../support/browser/uptime.js'
 
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 
-describe('warpjetFrame0, … keep float32 right for a week:', () => {
+describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
   let gpu
   before(async () => (gpu = await openPipeline(browsers.WEBGL)))
 
@@ -21,7 +21,7 @@ describe('warpjetFrame0, … keep float32 right for a week:', () => {
   for (const warp of shown)
     test(warp.name, async () => {
       const { start, then, step } = await afterAWeek(gpu, warp, { perFrame: true })
-      // As closely as at the start: the worst vertex is another one, at which float32 rounds up to 1.8 and 2.5 times worse.
+      // As accurate as at the start: the worst vertex is another one, whose rounding errors are up to 1.8 and 2.5 times as large.
       const [positions, angles] = [then.position / start.position, then.angle / start.angle]
       assert.ok(!(positions > 2), `positions are ${positions} times as far off as at the start`)
       assert.ok(!(angles > 3), `normals are ${angles} times as far off as at the start`)
@@ -33,7 +33,7 @@ describe('warpjetFrame0, … keep float32 right for a week:', () => {
       assert.ok(step < 0.001, `a frame's way is ${step} off`)
     })
 
-  test('and without them it is not right', async () => {
+  test('without them it is not accurate', async () => {
     const { then, step } = await afterAWeek(
       gpu,
       warps.find(({ name }) => name === 'sine-sphere'),
@@ -50,7 +50,7 @@ describe('createWarp after a week', () => {
         `({ glsl, position, millis, uniforms }) => glsl.vec3(position.y.mult(4).add(${phase}).sin().mult(0.25), 0, 0)`
       const rough = (phase) =>
         `({ glsl, position, normal, millis, uniforms }) => normal.mult(position.mult(2).add(${phase}).noise().mult(0.4))`
-      // The same phases as numbers below the periods, 2π of a sine and 4,091 cells of noise, worked out in double.
+      // The same phases reduced by the periods, 2π of a sine and 4,091 cells of noise, in double precision.
       const at = (millis) => (millis / 90) % (2 * Math.PI)
       const cell = (millis) => (millis / 300) % 4091
       const times = { early: 20, late: 6e8, next: 6e8 + 16 }

@@ -1,4 +1,4 @@
-// Bad input gets one clear sentence, and the next warp works as if nothing had happened.
+// Each mistake throws one clear sentence, and the next warp works as if nothing had happened.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 import { inspect } from 'node:util'
@@ -20,7 +20,7 @@ function refuses(work, pattern) {
 
 const offset = (callback) => () => compileWarp(callback)
 
-test('what the offset function returns', () => {
+test('wrong results of the offset function', () => {
   refuses(
     offset(() => undefined),
     /must return a vec3.*undefined/,
@@ -51,7 +51,7 @@ test('what the offset function returns', () => {
   )
 })
 
-test('operators of JavaScript', () => {
+test("JavaScript's operators", () => {
   refuses(
     offset(({ position }) => position.x() * 2),
     /own \+ - \* \/ .* do not work on expressions/,
@@ -62,18 +62,18 @@ test('operators of JavaScript', () => {
   )
 })
 
-test('expressions in texts', () => {
-  // For messages of others, but no shader reads it.
+test('expressions converted to strings', () => {
+  // The string is for messages of other libraries; a shader rejects it.
   compile((glsl) => {
     const x = glsl.param('x')
     assert.equal(`${x}`, 'an expression of warpjet')
-    // As Node's console does.
+    // Node's console calls it.
     assert.equal(inspect(x), 'an expression of warpjet')
     assert.equal(inspect([glsl.vec2Param('v').y]), '[ an expression of warpjet ]')
     refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
     refuses(
       () => glsl.fn({ name: 'f', arity: 1, source: `float f(float a) { return a * ${x}; }` }),
-      /^fn: the option "source" of f has an expression in its text; make it an argument/,
+      /^fn: the option "source" of f contains an expression; make it an argument/,
     )
     refuses(() => x + '', /do not work on expressions/)
     return { result: x }
@@ -84,7 +84,7 @@ test('expressions of another copy of warpjet', async () => {
   const other = await import('../../dist/warpjet.min.js')
   let foreign
   other.compileWarp(({ position }) => (foreign = position))
-  const sentence = /was made by another copy of warpjet; this page loads two, so take all/
+  const sentence = /was made by another copy of warpjet; this page loads two copies, so load all/
   refuses(
     offset(() => foreign),
     sentence,
@@ -95,7 +95,7 @@ test('expressions of another copy of warpjet', async () => {
   )
 })
 
-test('what is no offset function', () => {
+test('values that are not offset functions', () => {
   refuses(() => compileWarp(), /expected a function, got undefined/)
   refuses(() => compileWarp('x'), /expected a function, got the text "x"\.$/)
   refuses(
@@ -104,7 +104,7 @@ test('what is no offset function', () => {
   )
   refuses(() => compile(7), /compile: expected a function, got the number 7/)
   refuses(() => gen({}), /gen: expected a function, got an empty object/)
-  refuses(() => gen(async () => {}), /gen: the function must be a plain one/)
+  refuses(() => gen(async () => {}), /gen: the function must be neither async nor a generator/)
   refuses(() => compile(async () => ({})), /compile: the function must return an object of named/)
 })
 
@@ -119,19 +119,19 @@ test('operands', () => {
   refuses(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
   refuses(
     offset(({ millis }) => millis.add()),
-    /add: 1 argument was expected, but 0 came/,
+    /add: expected 1 argument, got 0/,
   )
   refuses(
     offset(({ millis }) => millis.sin(2)),
-    /sin: no arguments were expected, but 1 came/,
+    /sin: expected no arguments, got 1/,
   )
   refuses(
     offset(({ glsl }) => glsl.sin()),
-    /sin: 1 argument was expected, but 0 came/,
+    /sin: expected 1 argument, got 0/,
   )
   refuses(
     offset(({ glsl }) => glsl.sum()),
-    /sum: 2 arguments were expected, but 0 came/,
+    /sum: expected 2 arguments, got 0/,
   )
   refuses(
     offset(({ glsl, millis }) => glsl.max(millis, null)),
@@ -162,11 +162,11 @@ test('sizes', () => {
   )
   refuses(
     offset(({ glsl }) => glsl.vec3(1, 2)),
-    /vec3: 3 components were expected, but 2 came/,
+    /vec3: expected 3 components, got 2/,
   )
   refuses(
     offset(({ glsl }) => glsl.vec3()),
-    /vec3: 3 components were expected, but 0 came/,
+    /vec3: expected 3 components, got 0/,
   )
   refuses(
     offset(({ uv }) => uv.scale(uv)),
@@ -189,7 +189,7 @@ test('constants without a finite result', () => {
   )
 })
 
-test('what a division by zero, and sizes inside of a composition, say', () => {
+test('divisions by zero, and sizes inside of a composition', () => {
   refuses(
     offset(({ position }) => position.div(0)),
     /div: it divides by zero/,
@@ -217,20 +217,26 @@ test('expressions of another warp', () => {
 test('options', () => {
   refuses(
     () => compileWarp(still, { target: 'hlsl' }),
-    /glsl300, glsl100, wgsl, but is the text "hlsl"/,
+    /expected 'glsl300', 'glsl100' or 'wgsl' for the option "target", got the text "hlsl"/,
   )
   refuses(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
   refuses(() => compileWarp(still, 5), /expected an object of options, got/)
-  refuses(() => compileWarp(still, { normals: 'no' }), /"normals" must be true or false/)
+  refuses(
+    () => compileWarp(still, { normals: 'no' }),
+    /expected true or false for the option "normals", got the text "no"/,
+  )
   refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
-  refuses(() => compileWarp(still, { names: { position: 5 } }), /names\.position: .* the number 5/)
+  refuses(
+    () => compileWarp(still, { names: { position: 5 } }),
+    /for the option "names\.position", got the number 5/,
+  )
   refuses(
     () => gen(() => {}, { maxDepthPerVariable: 0 }),
     /expected a number of at least 1 for the option "maxDepthPerVariable"/,
   )
 })
 
-test('results asked for by .output(…) outside of gen', () => {
+test('results requested by .output(…) outside of gen', () => {
   const asks = (warp) =>
     offset(({ glsl, millis, position }) => {
       const slope = glsl.fn({
@@ -278,7 +284,7 @@ test('a class in the place of a function', () => {
   refuses(() => compileWarp(Map), isClass)
   refuses(
     () => compileWarp(still, { uniforms: { reach: Offset } }),
-    /^compileWarp: the uniform "reach" must be a number, .*, but is a class\./,
+    /^compileWarp: expected a number, .*, for the uniform "reach", got a class\./,
   )
   const slope = (glsl) =>
     glsl.fn({
@@ -305,7 +311,10 @@ test('names of results', () => {
   refuses(named({ position: 'vec3' }), /"vec3" cannot name a result/)
   refuses(named({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
   refuses(named({ position: 'a', normal: 'a' }), /two results named "a"/)
-  refuses(named({ position: 7 }), /expected a text for the name of a result, got the number 7/)
+  refuses(
+    named({ position: 7 }),
+    /expected the name of a shader variable for the option "outputs\.position", got the number 7/,
+  )
   refuses(named({ offset: 'position' }), /"position" has the name of a variable/)
   refuses(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
   refuses(() => compile(() => 5), /must return an object of named expressions/)
@@ -317,9 +326,9 @@ test('names of results', () => {
 test('names of parameters', () => {
   const param = (name) => offset(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
   refuses(param('for'), /"for" cannot be read in a shader: "for" is a word of GLSL/)
-  refuses(param('gl_Foo'), /gl_ or webgl_ belong to GLSL/)
+  refuses(param('gl_Foo'), /gl_ or webgl_ are reserved in GLSL/)
   refuses(param('a__b'), /two underscores/)
-  refuses(param('x; y'), /";" cannot stand in it/)
+  refuses(param('x; y'), /";" is not allowed in it/)
   refuses(param('x +'), /an operand is missing/)
   refuses(param('(x'), /"\)" is missing/)
   refuses(param(''), /it is empty/)
@@ -376,7 +385,7 @@ test('vectors of inputs', () => {
     compile((glsl) => ({ d: callback(glsl, glsl.vec3Param('v'), glsl.vec2Param('u')) }))
   refuses(
     of((glsl, v) => glsl.gradient(v, v)),
-    /gradient: argument 1 must be a single number, but is a vec3/,
+    /gradient: expected a single number as argument 1, got a vec3/,
   )
   refuses(
     of((glsl, v) => glsl.gradient(v.x(), v.mult(2))),
@@ -388,11 +397,11 @@ test('vectors of inputs', () => {
   )
   refuses(
     of((glsl, v) => glsl.jacobian(v, v.x())),
-    /argument 2 must be a vector of inputs, such as position, but is a single number/,
+    /expected a vector of inputs, such as position as argument 2, got a single number/,
   )
   refuses(
     of((glsl, v, u) => glsl.adjustNormal(v, v, u)),
-    /adjustNormal: argument 3 must be a vec3 of inputs, such as position, but is a vec2/,
+    /adjustNormal: expected a vec3 of inputs, such as position as argument 3, got a vec2/,
   )
 })
 
@@ -424,15 +433,15 @@ test('matrices', () => {
   )
   refuses(
     of((glsl) => glsl.mat2(1, 2, 3)),
-    /mat2: 4 components were expected, but 3 came/,
+    /mat2: expected 4 components, got 3/,
   )
   refuses(
     of((glsl) => glsl.mat2(glsl.vec3(1), glsl.vec2(1, 2))),
-    /mat2: 2 columns of as many components were expected, but a vec3 came/,
+    /mat2: expected 2 columns of 2 components, got a vec3/,
   )
   refuses(
     of((glsl, m) => glsl.mat3Rows(m)),
-    /mat3Rows: argument 1 is a mat3, but must be a vector or a number/,
+    /mat3Rows: expected a vector or a number as argument 1, got a mat3/,
   )
   refuses(
     of((glsl, m) => m.x()),
@@ -483,7 +492,7 @@ test('functions of the shader', () => {
   )
   refuses(
     of({ ...a, source: { wgsl: '' } }),
-    /expected a text of GLSL for the target glsl300, or an object \{ glsl: … \} with one, for the option "source" of a/,
+    /expected GLSL source for the target glsl300, or an object \{ glsl: … \} with it, for the option "source" of a/,
   )
   refuses(
     of({ ...a, derivatives: [] }),
@@ -491,11 +500,11 @@ test('functions of the shader', () => {
   )
   refuses(
     of(a, (f) => f(1, 2)),
-    /a: 1 argument was expected, but 2 came/,
+    /a: expected 1 argument, got 2/,
   )
   refuses(
     of(a, (f, x, glsl) => f(glsl.mat2(1))),
-    /a: argument 1 must be a number or a vector, but is a mat2/,
+    /a: expected a number or a vector as argument 1, got a mat2/,
   )
   refuses(of(a, differentiated), /a: its derivatives are needed here/)
   refuses(
@@ -525,15 +534,21 @@ test('functions of the shader', () => {
 test('numbers for evaluate', () => {
   const { evaluate } = compile((glsl) => ({ r: glsl.vec2Param('v').x().add(glsl.param('x')) }))
   assert.deepEqual(evaluate({ v: [1, 2], x: 3 }), { r: 4 })
-  refuses(() => evaluate(), /evaluate: expected an array of 2 numbers for "v", got undefined/)
+  refuses(
+    () => evaluate(),
+    /evaluate: expected an array of 2 finite numbers for "v", got undefined/,
+  )
   refuses(
     () => evaluate({ v: [1], x: 1 }),
-    /expected an array of 2 numbers for "v", got an array of 1/,
+    /expected an array of 2 finite numbers for "v", got an array of 1/,
   )
-  refuses(() => evaluate({ v: [1, 2], x: '1' }), /expected a number for "x", got the text "1"/)
+  refuses(
+    () => evaluate({ v: [1, 2], x: '1' }),
+    /expected a finite number for "x", got the text "1"/,
+  )
 })
 
-test('constants that only a derivative brings together', () => {
+test('constants that only a derivative combines', () => {
   refuses(
     () =>
       compile((glsl) => {
@@ -544,7 +559,7 @@ test('constants that only a derivative brings together', () => {
   )
 })
 
-test('a loop that never ends stops with a sentence', { timeout: 60_000 }, () => {
+test('an endless loop throws a sentence', { timeout: 60_000 }, () => {
   refuses(
     offset(({ millis }) => {
       for (let v = millis; ;) v = v.sin().add(1)

@@ -1,12 +1,12 @@
-// The formulas that the docs show beside each plot, against what warpjet computes.
+// The formulas beside each plot of the docs, against results of warpjet.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { formulas } from '../../.scripts/reference/formulas.mjs'
 import { compile } from '../../dist/warpjet.js'
-import { evaluated, operandsOf } from '../support/number-formulas.js'
+import { evaluateFormula, operandsOf } from '../support/number-formulas.js'
 
-/** Where each is tried. */
+/** The points at which each formula is evaluated. */
 const places = {
   pow: [[0.4, 2.5], [1.7, -1.3]], // prettier-ignore
   asin: [[-0.6], [0.3]],
@@ -42,24 +42,27 @@ for (const [name, { value, by, where }] of Object.entries(formulas))
       const values = Object.fromEntries(names.map((operand, i) => [operand, place[i]]))
       const computed = program.evaluate(values)
       for (const [key, text] of [['value', value], ...by.map((text, i) => [`by${i}`, text])]) {
-        const expected = evaluated(text, values, where)
+        const expected = evaluateFormula(text, values, where)
         const bound = 1e-12 * Math.max(1, Math.abs(expected))
         const message = `${key} of ${name} at ${place}: ${computed[key]}, not ${expected}`
         assert.ok(Math.abs(computed[key] - expected) <= bound, message)
       }
-      // No place is a step from one side to another, so that the value of the docs has the derivatives of the docs.
+      // No difference crosses a jump, so that the derivatives of the docs are those of the value in the docs.
       for (const [i, text] of by.entries()) {
         const [after, before] = [step, -step].map((change) =>
-          evaluated(value, { ...values, [names[i]]: place[i] + change }, where),
+          evaluateFormula(value, { ...values, [names[i]]: place[i] + change }, where),
         )
-        const [slope, expected] = [(after - before) / (2 * step), evaluated(text, values, where)]
+        const [slope, expected] = [
+          (after - before) / (2 * step),
+          evaluateFormula(text, values, where),
+        ]
         const message = `${names[i]} of ${name} at ${place}: ${slope} by differences, not ${expected}`
         assert.ok(Math.abs(slope - expected) <= 1e-7 * Math.max(1, Math.abs(expected)), message)
       }
     }
   })
 
-test('every plot of the docs stands below its formulas', () => {
+test('every plot of the docs is below its formulas', () => {
   const text = readFileSync(new URL('../../web/docs/plots.md', import.meta.url), 'utf8')
   const sections = text.split(/^### /m).slice(1)
   assert.equal(sections.length, Object.keys(formulas).length)

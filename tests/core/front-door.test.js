@@ -1,4 +1,4 @@
-// What people write who come from elsewhere: components without parentheses, and other trades' names.
+// The notation of users of other libraries: components without parentheses, and names from other libraries.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
@@ -7,7 +7,7 @@ import { madeOf, sameAs } from '../operations/aliases.js'
 const textOf = (make) =>
   compile((glsl) => ({ result: make(glsl, glsl.vec3Param('a'), glsl.param('x')) })).code
 
-test('a component is a value that may also be called', () => {
+test('a component is a value that can also be called', () => {
   for (const name of ['x', 'yz', 'bgr', 'xyxy', 'length', 'st']) {
     if (name === 'length') continue
     const called = textOf((_, a) => a[name]().mult(2))
@@ -22,7 +22,7 @@ test('a component is a value that may also be called', () => {
       name,
     )
   }
-  // Methods that every function of JavaScript has something of under the same name.
+  // Methods whose names are also properties of every function in JavaScript.
   assert.equal(
     textOf((_, a) => a.xy.length()),
     textOf((_, a) => a.xy().length()),
@@ -40,7 +40,20 @@ test('a component is a value that may also be called', () => {
   })
 })
 
-test('a component may be a derivative, a result and an option', () => {
+test('a swizzle that was never read is found by the operator in, and cannot be assigned', () => {
+  compile((glsl) => {
+    const v = glsl.vec3Param('v')
+    assert.ok('zxxz' in v)
+    assert.ok(!('zxxzz' in v))
+    assert.ok(!('xg' in v))
+    assert.throws(() => {
+      v.yzxy = v
+    }, new WarpError('yzxy: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).'))
+    return { y: v.x }
+  })
+})
+
+test('a component can be a derivative, a result and an option', () => {
   const bump = (glsl) =>
     glsl.fn({
       name: 'bump',
@@ -80,7 +93,7 @@ test('other names are the same operation, as methods and as functions', () => {
   }
 })
 
-test('names that are made of operations have their values', () => {
+test('compositions have the values of their operations', () => {
   for (const [name, expected] of Object.entries(madeOf)) {
     const isOfVectors = expected.length === 3
     const program = compile((glsl) => {
@@ -103,7 +116,7 @@ test('names that are made of operations have their values', () => {
   }
 })
 
-test('what is unknown offers what is near, and what is asked by consoles and promises is not there', async () => {
+test('unknown names suggest near ones, and properties that consoles and promises probe do not exist', async () => {
   const said = (make) => {
     try {
       compileWarp(make)

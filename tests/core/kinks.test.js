@@ -1,10 +1,10 @@
-// Where the plots of the docs say that a value or a derivative jumps: places known by hand.
+// The plots of the docs mark jumps of a value or a derivative at points that were derived by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { plotOf } from '../../web/site/plot.js'
 
-/** The places that a plot marks. */
-const marked = (call, from = -3, to = 3) =>
+/** Returns the points that a plot marks. */
+const kinksOf = (call, from = -3, to = 3) =>
   [...plotOf(call, from, to).matchAll(/data-kink="([^"]+)"/g)].map(([, x]) => Number(x))
 
 for (const [call, expected, ...range] of [
@@ -18,10 +18,10 @@ for (const [call, expected, ...range] of [
   ['glsl.div(1, x)', [0]],
 ])
   test(`${call} has ${expected.length === 1 ? 'a kink' : 'kinks'} at ${expected.map((x) => Number(x.toFixed(3))).join(', ')}`, () => {
-    const found = marked(call, ...range)
+    const found = kinksOf(call, ...range)
     assert.equal(found.length, expected.length, `${found}`)
     for (const [i, x] of expected.entries()) assert.ok(Math.abs(found[i] - x) < 1e-5, `${found}`)
   })
 
 for (const call of ['x.sin()', 'x.exp()', 'x.pow(3)', 'glsl.smoothstep(-1, 1, x)', 'x.tanh()'])
-  test(`${call} has none`, () => assert.deepEqual(marked(call), []))
+  test(`${call} has none`, () => assert.deepEqual(kinksOf(call), []))

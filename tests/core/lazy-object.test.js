@@ -1,9 +1,9 @@
-// The inputs of an offset function are made when they are read, and look as if they had been there from the start.
+// The inputs of an offset function are made when they are first read, and appear to exist from the start.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
 
-/** Calls `look` within an offset function, with what that gets. */
+/** Calls `look` in an offset function, with its inputs. */
 function inside(look, options) {
   compileWarp((inputs) => {
     look(inputs)
@@ -12,7 +12,7 @@ function inside(look, options) {
 }
 
 describe('glsl', () => {
-  test('has every function as its own, though it is made later', () =>
+  test('has every function as an own property, though it is made later', () =>
     inside(({ glsl }) => {
       const names = Object.keys(glsl)
       for (const name of ['val', 'param', 'sin', 'vec3', 'mul', 'oneMinus', 'fbm'])
@@ -23,7 +23,7 @@ describe('glsl', () => {
       assert.deepEqual(Object.keys({ ...glsl }), names)
     }))
 
-  test('gives one function each, also under an alias', () =>
+  test('makes each function once, also for an alias', () =>
     inside(({ glsl }) => {
       assert.equal(glsl.sin, glsl.sin)
       assert.equal(glsl.mul, glsl.mult)
@@ -50,7 +50,7 @@ describe('glsl', () => {
       inside(({ glsl }) => assert.notEqual(glsl.sin, mine))
     }))
 
-  test('still says what there is not', () =>
+  test('throws for an unknown name', () =>
     inside(({ glsl }) => {
       assert.throws(() => glsl.sine, /glsl\.sine: there is no such function; did you mean/)
       assert.equal('sine' in glsl, false)
@@ -79,7 +79,7 @@ describe('the inputs of an offset function', () => {
     ))
 })
 
-test('a text that is not ASCII crosses the border', () => {
+test('a string that is not ASCII reaches the wasm unchanged', () => {
   const name = 'größe🙂'
   assert.throws(
     () => compile((glsl) => ({ y: glsl.param(name) })),

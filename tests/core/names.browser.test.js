@@ -1,4 +1,4 @@
-// Every name that glsl.fn takes names a function that compiles, on each pipeline.
+// A function compiles on each pipeline with every name that glsl.fn accepts.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { WarpError, compile } from '../../dist/warpjet.js'
@@ -9,11 +9,11 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines?.close())
 
-// Not a name of the pipelines' own.
+// The pipelines use this name themselves.
 const inputs = [{ name: 'given', shape: 2 }]
 const outputs = [{ name: 'total', shape: 1 }]
 
-/** The sum of calls of a function of each of these names, beside noise, which calls functions of ours. */
+/** The sum of calls of functions with these names and of noise, which calls functions of warpjet. */
 const callsOf = (names, target) =>
   compile(
     (glsl) => {
@@ -47,7 +47,7 @@ for (const target of targets)
       const program = { ...callsOf(some, target), inputs, outputs }
       return (await pipelines.run(target, program, [[0.5, 0]]))[0][0]
     }
-    /** Those that do not compile, one by one. */
+    /** Finds the names that do not compile. */
     async function failures(some) {
       try {
         assert.equal(await run(some), 0.5 * some.length)

@@ -1,4 +1,4 @@
-// Names of functions of the host: those of each language, of shaders and of warpjet itself are refused.
+// glsl.fn rejects names that are reserved by a language, used by shaders, or used by warpjet.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError, compile, targets } from '../../dist/warpjet.js'
@@ -30,13 +30,13 @@ for (const target of targets) {
       )
   })
 
-  test(`main, and what looks like warpjet's own, in ${target}`, () => {
+  test(`main, and names like those of warpjet, in ${target}`, () => {
     refuses(() => declare('main', target), /"main" cannot .* that a shader begins with/)
-    refuses(() => declare('warpjetHash', target), /such names are warpjet's own; rename it/)
+    refuses(() => declare('warpjetHash', target), /such names are reserved for warpjet; rename it/)
     assert.match(declare('bump', target).code, /height = bump\(steepness\)/)
   })
 
-  test(`a function of ours as the name of a result or a variable in ${target}`, () => {
+  test(`a function of warpjet as the name of a result or a variable in ${target}`, () => {
     const named = (result, variable) => () =>
       compile(
         (glsl) => ({ [result]: glsl.noise(glsl.vec2Param('place')).add(glsl.param(variable)) }),

@@ -1,22 +1,22 @@
-// The formulas that the docs show of noise. Their very text is computed in double, from corners, points and octaves as plain noise
-// has them; derivatives are held against differences of plain noise, and both against what warpjet makes.
+// The formulas of noise in the docs. The test evaluates their text in double precision, from corners, points and octaves of plain
+// noise, and compares derivatives with differences of plain noise, and both with results of warpjet.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { noiseFormulas } from '../../.scripts/reference/noise-formulas.mjs'
 import { compile } from '../../dist/warpjet.js'
 import { add, dot, subtract, times } from '../support/linear.js'
 import * as plain from '../support/noise.js'
-import { evaluated } from '../support/notation.js'
+import { evaluateFormula } from '../support/notation.js'
 
 const { bases, direction, hash } = plain
 const seed = hash(0, 0)
 const fade = (t) => t ** 3 * (6 * t ** 2 - 15 * t + 10)
 const step = 1e-5
-/** Along dp. */
+/** The directional derivative along dp. */
 const slope = (f, p, dp) =>
   times(0.5 / step, subtract(f(add(p, times(step, dp))), f(add(p, times(-step, dp)))))
 
-/** The corners around a point of the plane, as the docs name their parts. */
+/** The corners around a point of the plane, with the names of the docs. */
 function corners(p, dp) {
   const cell = p.map(Math.floor)
   const all = [[0, 0], [0, 1], [1, 0], [1, 1]].map((by) => add(cell, by)) // prettier-ignore
@@ -46,7 +46,7 @@ function triangle(p) {
   return { count: 3, s: 99.2043, o, g, r: o.map((away) => Math.max(0.5 - dot(away, away), 0)) }
 }
 
-/** What is nearest is found by its distance from three places around. */
+/** Locates the nearest point by its distances from three places around it. */
 function nearest(p) {
   const places = [0, 1, 2].map((i) =>
     p.map(
@@ -78,7 +78,7 @@ function octaves(p, dp) {
   }
 }
 
-/** The gradients of the three noises, and how they change; the docs write them as quotients, `∂N₃/∂y`. */
+/** The gradients of the three noises, and their derivatives, which the docs write as quotients, `∂N₃/∂y`. */
 function three(p, dp) {
   const gradients = [1, 2, 3].map((i) => (q) => bases.noise(q, hash(seed, i)).gradient)
   const parts = (i) => gradients.map((gradient) => gradient(p)[i])
@@ -119,7 +119,9 @@ for (const [name, { value, derivative }] of Object.entries(noiseFormulas))
       const dp = [0.8, -0.5, 0.3].slice(0, n)
       const known = { p, dp, ...partsOf[name](p, dp) }
       const found = program.evaluate({ time: 0, p, dp })
-      const expected = [value, derivative].map((text) => evaluated(withoutQuotients(text), known))
+      const expected = [value, derivative].map((text) =>
+        evaluateFormula(withoutQuotients(text), known),
+      )
       const field = (q) => first(name, plain[name](q))
       const numbers = [field(p), slope(field, p, dp), found.value, found.derivative]
       for (const [k, result] of numbers.entries())

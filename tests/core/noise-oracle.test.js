@@ -1,4 +1,4 @@
-// The noise of tests/support/noise.js, which other tests are held against, is the noise that warpjet compiles.
+// The noise of tests/support/noise.js, the oracle of other tests, is the noise that warpjet compiles.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -9,7 +9,7 @@ const fractals = ['fbm', 'ridged', 'turbulence']
 const bases = ['noise', 'simplex', 'valueNoise']
 const kinds = [...bases, 'worley', 'curl', ...fractals]
 
-/** Points all around the origin, on borders of cells too, or so many times as far away. */
+/** Points around the origin, also on borders of cells, multiplied by a factor. */
 function pointsOf(n, scale) {
   const random = Array.from({ length: 150 / Math.sqrt(scale) }, (_, i) =>
     Array.from({ length: n }, (_, k) => 20 * scale * Math.sin(12.3 * i + 4.5 * k + 6.7)),
@@ -27,7 +27,7 @@ const optionsOf = (kind) => {
 
 const variable = (glsl, n) => (n === 1 ? glsl.param('p') : glsl[`vec${n}Param`]('p'))
 
-/** The greatest difference of a kind from its twin over some points. */
+/** The maximum difference between the compiled and the plain noise of a kind. */
 function difference(kind, points, options) {
   const n = points[0].length
   const compiled = compile((glsl) => ({ value: glsl[kind](variable(glsl, n), options) }))
@@ -40,7 +40,7 @@ function difference(kind, points, options) {
   return Math.max(...differences)
 }
 
-// Far away, doubles are 4e-12 apart, and simplex skews its coordinates; the hash has come round a few times.
+// Far from the origin, doubles are 4e-12 apart, simplex skews its coordinates, and the hash has repeated a few times.
 const bounds = { 1: 1e-12, 1000: 2e-10 }
 
 describe('the plain noise is the compiled one:', () => {

@@ -1,6 +1,5 @@
-// Every kind of noise in every dialect on a real GPU pipeline: values and first and second
-// derivatives, against the CPU in double, which tests/core/noise.test.js checks by itself. "Value to
-// 1e-4" is what makes a bake equal the screen.
+// Every kind of noise in every language on a real GPU pipeline: values and first and second derivatives, against the CPU in double
+// precision, which tests/core/noise.test.js checks. Values within 1e-4 make a baked mesh equal the one on the screen.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -15,7 +14,7 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines?.close())
 
-/** The values, the derivatives of the first of them, and the derivatives of one of those. */
+/** The values, the derivatives of the first value, and the derivatives of one of these. */
 function programOf(kind, dimensions, options, target) {
   const size = sizes[kind] ?? 1
   const program = compile(
@@ -50,7 +49,7 @@ for (const target of targets) {
       test(`${kind} of ${dimensions} dimensions`, async () => {
         const options = settingsOf(kind)
         const program = programOf(kind, dimensions, options, target)
-        // Far away float32 rounds the coordinates that an octave multiplies.
+        // Far from the origin, float32 rounds the coordinates that an octave multiplies.
         const points = noisePoints(dimensions, 60, isFractal(kind) ? 12 : undefined)
         const got = await pipelines.run(target, program, points)
         const size = sizes[kind] ?? 1
@@ -59,7 +58,7 @@ for (const target of targets) {
           const expected = Object.values(program.evaluate({ p: point })).flat()
           expected.forEach((value, i) => {
             const error = Math.abs(got[k][i] - value)
-            // Slopes and bends are as exact, by their own size.
+            // First and second derivatives have the same relative accuracy.
             const bound = i < size ? 1e-4 : 1e-4 * Math.max(1, ...expected.map(Math.abs))
             if (!(error <= bound))
               problems.push(`${point}: number ${i} is ${got[k][i]}, not ${value}`)

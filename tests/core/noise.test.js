@@ -1,6 +1,5 @@
-// What noise must be whatever its values are: derivatives that are those of the values, no jumps,
-// its range, no favoured direction, seeds that have nothing to do with each other; and how its text
-// is made. tests/core/noise-oracle.test.js has the values.
+// Properties of noise that do not depend on its values: consistent derivatives, continuity, range, no preferred direction,
+// uncorrelated seeds; and properties of its shader code. tests/core/noise-oracle.test.js checks the values.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
@@ -11,7 +10,7 @@ import { randomOf } from '../random/generate.js'
 const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']
 const range = (n) => Array.from({ length: n }, (_, i) => i)
 
-/** One kind of noise as point → list of numbers; `derive` makes more expressions from one of its values. */
+/** Compiles a kind of noise to a function point → array of numbers; `derive` makes more expressions from one of its values. */
 function evaluatorOf({ kind, dimensions }, options, derive = () => []) {
   const { evaluate } = compile((glsl) => {
     const p = glsl[makers[dimensions - 1]]('p')
@@ -29,14 +28,14 @@ function evaluatorOf({ kind, dimensions }, options, derive = () => []) {
 
 const moved = (point, axis, by) => point.map((x, i) => (i === axis ? x + by : x))
 
-/** Derivatives of order 1 to 3 along one way: by the last input, then by the first ones. */
+/** Derivatives of order 1 to 3: by the last input, then by the first ones. */
 const chain = (glsl, value, inputs) => {
   const first = glsl.derivative(value, inputs.at(-1))
   const second = glsl.derivative(first, inputs[0])
   return [first, second, glsl.derivative(second, inputs.at(-1))]
 }
 
-describe('derivatives are those of the values, up to the third:', () => {
+describe('derivatives up to the third are those of the values:', () => {
   for (const noise of kindsOfNoise)
     test(`${noise.kind} of ${noise.dimensions} dimensions`, () => {
       const all = evaluatorOf(noise, settingsOf(noise.kind), chain)
@@ -68,7 +67,7 @@ describe('values and slopes do not jump across borders of cells:', () => {
   for (const noise of kindsOfNoise.filter(({ dimensions }) => dimensions < 4))
     test(`${noise.kind} of ${noise.dimensions} dimensions`, () => {
       const all = evaluatorOf(noise, {}, slopes)
-      // Of these only the values are continuous: their slopes jump where they should.
+      // Only the values of these are continuous; their slopes jump by definition.
       const values = { worley: 2, ridged: 1, turbulence: 1 }[noise.kind]
       const random = randomOf(noise.dimensions)
       const step = 1e-7
@@ -87,7 +86,7 @@ describe('values and slopes do not jump across borders of cells:', () => {
     })
 })
 
-/** By kind and dimensions: the least and the largest value and the mean, and how far values lie from it. */
+/** Maps kind and dimensions → minimum, maximum, mean and standard deviation of the values. */
 function statisticsOf(values) {
   const mean = values.reduce((sum, x) => sum + x, 0) / values.length
   const variance = values.reduce((sum, x) => sum + (x - mean) ** 2, 0) / values.length
@@ -118,7 +117,7 @@ describe('range, mean and spread:', () => {
     })
 })
 
-/** How alike the values at points and at points that lie `by` further are, from -1 to 1. */
+/** The correlation, from -1 to 1, of values at points and at points shifted by `by`. */
 function correlation(at, by, random) {
   const pairs = range(4000).map(() => {
     const point = by.map(() => 400 * random())
@@ -130,7 +129,7 @@ function correlation(at, by, random) {
   return product / (a.deviation * b.deviation)
 }
 
-describe('nothing repeats, in no direction:', () => {
+describe('there is no repetition in any direction:', () => {
   const offsets = [
     [1, 0],
     [0, 1],
@@ -149,14 +148,14 @@ describe('nothing repeats, in no direction:', () => {
     test(kind, () => {
       const at = evaluatorOf({ kind, dimensions: 2 }, {})
       for (const by of offsets) {
-        // Neighbouring cells share corners, and are unlike in noise; what lies further away is unrelated.
+        // Neighbouring cells share corners, so that noise is anticorrelated there; cells further away are uncorrelated.
         const shares = Math.max(...by.map(Math.abs)) < 2
         const found = correlation(at, by, randomOf(5))
         assert.ok(Math.abs(found) < (shares ? 0.45 : 0.06), `${by}: ${found}`)
       }
     })
 
-  test('unlike seeds are unlike fields', () => {
+  test('different seeds are uncorrelated fields', () => {
     const fields = [0, 1, 2, -1, 1000].map((seed) =>
       evaluatorOf({ kind: 'noise', dimensions: 2 }, { seed }),
     )
@@ -186,7 +185,7 @@ test('a curl has no divergence', () => {
   }
 })
 
-describe('the text of a noise', () => {
+describe('the code of a noise', () => {
   const targets = ['glsl300', 'glsl100', 'wgsl']
   const count = (text, part) => text.split(part).length - 1
 
@@ -250,7 +249,7 @@ describe('a warp of noise on the CPU', () => {
   const positions = Float32Array.from({ length: 3000 }, (_, i) => 100 * Math.sin(i * i))
   const normals = positions.map((_, i) => Number(i % 3 === 2))
 
-  test('gives in floats what it gives in doubles', () => {
+  test('has the same values in float32 and in double precision', () => {
     const { evaluate } = compile((glsl) => {
       const p = glsl.vec3Param('position').mult(0.02)
       const time = glsl.param('millis').div(1000)
@@ -268,7 +267,7 @@ describe('a warp of noise on the CPU', () => {
     }
   })
 
-  test('has bounds that know how far noise goes', () => {
+  test('has bounds from the range of the noise', () => {
     const { min, max } = warp.bounds(
       { min: [-100, -100, -100], max: [100, 100, 100] },
       { uniforms: { millis: 0 } },
@@ -280,7 +279,7 @@ describe('a warp of noise on the CPU', () => {
   })
 })
 
-describe('refusals', () => {
+describe('errors', () => {
   const refusals = [
     [
       (glsl, p) => p.noise({ sed: 1 }),
@@ -308,15 +307,15 @@ describe('refusals', () => {
     ],
     [
       (glsl) => glsl.vec4(1, 2, 3, 4).worley(),
-      /^worley: what it is called on must be a number, a vec2 or a vec3, but is a vec4\.$/,
+      /^worley: expected a number, a vec2 or a vec3 as the value it is called on, got a vec4\.$/,
     ],
     [
       (glsl) => glsl.worley(glsl.vec4(1, 2, 3, 4)),
-      /^worley: argument 1 must be a number, a vec2 or a vec3, but is a vec4\.$/,
+      /^worley: expected a number, a vec2 or a vec3 as argument 1, got a vec4\.$/,
     ],
     [
       (glsl) => glsl.curl(glsl.vec2(1, 2)),
-      /^curl: argument 1 must be a vec3, or a vec4 whose last number is time, but is a vec2\.$/,
+      /^curl: expected a vec3, or a vec4 whose last number is time as argument 1, got a vec2\.$/,
     ],
     [
       (glsl, p) => glsl.noise(p, {}, 1),
@@ -324,11 +323,11 @@ describe('refusals', () => {
     ],
     [
       (glsl) => glsl.noise(glsl.mat2(1)),
-      /^noise: argument 1 must be a number or a vector, but is a mat2\.$/,
+      /^noise: expected a number or a vector as argument 1, got a mat2\.$/,
     ],
     [
       (glsl, p) => range(4).reduce((value) => glsl.derivative(value, p.x()), p.noise()),
-      /^derivative: derivatives of noise and textures can be taken three times; a warp's normal takes one, and so does each normal that a chain hands on\.$/,
+      /^derivative: derivatives of noise and textures are limited to order three; a warp's normal takes one derivative, and so does each normal that a chain passes on\.$/,
     ],
     [
       (glsl) =>
@@ -337,7 +336,7 @@ describe('refusals', () => {
           source: 'float warpjetNoise3(float x) { return x; }',
           arity: 1,
         }),
-      /^fn: "warpjetNoise3" cannot name a function: such names are warpjet's own; rename it\.$/,
+      /^fn: "warpjetNoise3" cannot name a function: such names are reserved for warpjet; rename it\.$/,
     ],
   ]
   for (const [build, sentence] of refusals)

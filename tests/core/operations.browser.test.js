@@ -1,7 +1,6 @@
-// Every operation in every dialect on a real GPU pipeline, WebGL 1 and 2 and WebGPU: the value, and
-// every derivative by every number of every operand, against the reference of tests/operations, at
-// 320 points. The tolerances are the rows', with their reasons in
-// tests/operations/reference/tolerances.js.
+// Every operation in every language on a real GPU pipeline, WebGL 1 and 2 and WebGPU: the value, and every derivative by every number
+// of every operand, against the reference of tests/operations, at 320 points. Each row of the reference has its own tolerances,
+// explained in tests/operations/reference/tolerances.js.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { brokenConventions, problemsOf } from '../operations/check.js'
@@ -17,7 +16,7 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines?.close())
 
-/** Runs a case in that dialect. */
+/** Evaluates a case in a language. */
 function runnerOf(operation, target) {
   const program = programOf(operation, target)
   return (given) => pipelines.run(target, program, given)
@@ -35,7 +34,7 @@ for (const target of targets) {
       })
   })
 
-  test(`kinks, jumps and ends of domains in ${target}`, async () => {
+  test(`kinks, jumps and boundaries of domains in ${target}`, async () => {
     const problems = []
     for (const convention of conventions) {
       const run = runnerOf(convention.operation, target)

@@ -1,5 +1,4 @@
-// Every operation on the CPU, in double precision, against the reference of tests/operations; and
-// that there is no operation without one.
+// Every operation on the CPU, in double precision, against the reference of tests/operations, which must cover every operation.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
@@ -29,13 +28,13 @@ const functions = [
   'turbulence',
 ]
 
-/** Results are asked for, not computed; and those of a warp: tests/compile/compile.test.js and tests/cpp/warp_test.cpp have them. */
+/** Methods that request results, and operations of a warp, which tests/compile/compile.test.js and tests/cpp/warp_test.cpp cover. */
 const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']
 
-/** Other names, which tests/core/front-door.test.js and vectors.test.js prove. */
+/** Aliases and compositions, which tests/core/front-door.test.js and vectors.test.js cover. */
 const aliases = [...Object.keys(sameAs), ...Object.keys(madeOf), ...ofVectors]
 
-/** The names that a user can call, { builder, method }. */
+/** The names that users can call, as { builder, method }. */
 function surface() {
   const names = {}
   compile((glsl) => {
@@ -44,6 +43,8 @@ function surface() {
     names.method = []
     for (let at = Object.getPrototypeOf(x); at !== Object.prototype; at = Object.getPrototypeOf(at))
       names.method.push(...Object.getOwnPropertyNames(at))
+    // Swizzles of several letters become properties when they are first looked up.
+    names.method.push(...swizzles.filter((name) => name.length > 1 && name in x))
     return { y: x }
   })
   const isOperation = (name) =>
@@ -70,7 +71,7 @@ describe('the reference has', () => {
       [],
     ))
 
-  test('nothing that there is not, in either form', () => {
+  test('no operation that does not exist, in either form', () => {
     const called = cases.flatMap((operation) =>
       forms(operation).map((form) => [form, operation.name]),
     )
@@ -87,7 +88,7 @@ describe('the reference has', () => {
   })
 })
 
-describe('a method and the function of the builder give the same text:', () => {
+describe('a method and the function of the builder compile to the same code:', () => {
   for (const target of targets)
     test(target, () => {
       for (const operation of cases) {
@@ -110,7 +111,7 @@ describe('value and every derivative on the CPU:', () => {
     })
 })
 
-describe('kinks, jumps and ends of domains on the CPU:', () => {
+describe('kinks, jumps and boundaries of domains on the CPU:', () => {
   for (const convention of conventions)
     test(convention.operation.title, async () => {
       const program = programOf(convention.operation, 'glsl300')
@@ -124,7 +125,7 @@ test('every swizzle on the CPU', () => {
   assert.deepEqual(runOnCpu(swizzleProgram('glsl300'), points), [expected])
 })
 
-test('a function of the user, which has no text for the CPU, says so there', () => {
+test('evaluating a function of the host on the CPU throws', () => {
   const program = programOf(
     cases.find(({ inShaders }) => inShaders),
     'glsl300',

@@ -1,4 +1,4 @@
-// Random folds on real GPU pipelines: loops in loops, their values and slopes, against plain loops in double precision.
+// Random nested loops on real GPU pipelines: values and slopes, against plain loops in double precision.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -6,20 +6,20 @@ import { foldCallback, foldNumber, randomFoldCase, slopes } from '../random/fold
 import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'
 
 const count = 120
-/** So many share a shader. */
+/** The number of loops that share a shader. */
 const blockSize = 40
 
 let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines.close())
 
-/** Sines of a GPU are off by 2e-4, which each step hands on to the next. */
+/** The error of a sine on a GPU, which each step passes to the next. */
 const waves = 2e-3
-/** How far each input is moved to see how errors grow: what changes then is not known better. */
+/** The shift of each input that measures how errors grow: results are no more accurate than their change. */
 const step = 2e-3
-const mostUncertain = 0.1
+const maxUncertainty = 0.1
 
-/** What the value and the slopes must be at a point → [{ value, tolerance }], or null where errors grow or a kink is near. */
+/** Returns [{ value, tolerance }] for the value and the slopes at a point, with `null` where errors grow or a kink is near. */
 function expectedOf(fold, point) {
   const at = (where) => [{ value: foldNumber(fold, where), isFirm: true }, ...slopes(fold, where)]
   const near = point.flatMap((_, i) =>
@@ -30,17 +30,17 @@ function expectedOf(fold, point) {
     const spread = Math.max(...near.map((each) => Math.abs(each[i].value - value)))
     const tolerance = waves * scale + 2 * spread
     const isSure = isFirm && near.every((each) => each[i].isFirm)
-    return isSure && tolerance <= mostUncertain * scale ? { value, tolerance } : null
+    return isSure && tolerance <= maxUncertainty * scale ? { value, tolerance } : null
   })
 }
 
-/** The numbers of each fold at each point: its value and three slopes. */
+/** Returns the value and three slopes of each loop at each point. */
 async function run(target, folds, points, change = (code) => code) {
   const compiled = folds.map((fold) => {
     const second = `second${fold.seed}`
     return compile(
       (glsl) => {
-        const { [second]: unused, ...results } = foldCallback(fold)(glsl)
+        const { [second]: _, ...results } = foldCallback(fold)(glsl)
         return results
       },
       { target },
@@ -58,7 +58,7 @@ async function run(target, folds, points, change = (code) => code) {
   return pipelines.run(target, program, points)
 }
 
-/** → { wrong, compared, total }, `wrong` as text. */
+/** Returns { wrong, compared, total }, with `wrong` as strings. */
 function judge(folds, points, given) {
   const found = { wrong: [], compared: 0, total: 0 }
   for (const [p, point] of points.entries())
@@ -82,7 +82,7 @@ const blocks = Array.from({ length: count / blockSize }, (_, block) =>
 const pointsOf = (folds) => folds.slice(0, 3).map(({ point }) => point)
 
 for (const target of targets)
-  test(`${target}: ${count} random folds are the loops that they stand for`, async (t) => {
+  test(`${target}: ${count} random loops equal those of JavaScript`, async (t) => {
     const all = { wrong: [], compared: 0, total: 0 }
     for (const folds of blocks) {
       const points = pointsOf(folds)
@@ -96,7 +96,7 @@ for (const target of targets)
     assert(all.compared >= 0.8 * all.total, `only ${all.compared} of ${all.total} compared`)
   })
 
-test('a loop of one step less is found', async () => {
+test('a loop with one step less is detected', async () => {
   const shorter = (code) => code.replace(/ < (\d+);/g, (_, steps) => ` < ${steps - 1};`)
   const points = pointsOf(blocks[0])
   const { wrong } = judge(blocks[0], points, await run('glsl300', blocks[0], points, shorter))

@@ -1,5 +1,5 @@
-// glsl.repeat: values and derivatives on the CPU against plain loops and differences in double, its text, bounds, what stays the
-// same with it, and what is refused.
+// glsl.repeat: values and derivatives on the CPU against plain loops and differences in double precision, shader code, bounds, and
+// errors.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
@@ -42,7 +42,7 @@ describe('values', () => {
     near(z[1], y, 1e-12)
   })
 
-  test('of a record, whose parts are read and written at once', () => {
+  test('of a record, whose parts are read and written together', () => {
     const { evaluate } = compile((glsl) => {
       const { a, b } = glsl.repeat(10, { a: 0, b: 1 }, ({ a, b }) => ({ b: a.add(b), a: b }))
       return { fibonacci: a.add(b.mult(1000)), same: glsl.repeat(4, { a }, ({ a }) => ({ a })).a }
@@ -50,14 +50,14 @@ describe('values', () => {
     assert.deepEqual(evaluate({}), { fibonacci: 55 + 89 * 1000, same: 55 })
   })
 
-  test('of no step are the start', () => {
+  test('of no steps are the start', () => {
     const { evaluate } = compile((glsl) => ({
       x: glsl.repeat(0, 7, (x) => x.mult(glsl.param('y'))),
     }))
     assert.deepEqual(evaluate({ y: 3 }), { x: 7 })
   })
 
-  test('and derivatives of 200 random folds', () => {
+  test('and derivatives of 200 random loops', () => {
     const compared = { value: 0, slope: 0, second: 0 }
     for (let seed = 0; seed < 200; seed++) {
       const fold = randomFoldCase(seed)
@@ -90,7 +90,7 @@ describe('values', () => {
   })
 })
 
-test('a warp of it bends normals as the same loop of JavaScript does, on the CPU', () => {
+test('a warp with repeat transforms normals like the same loop in JavaScript, on the CPU', () => {
   const offset =
     (repeat) =>
     ({ glsl, position }) =>
@@ -110,7 +110,7 @@ test('a warp of it bends normals as the same loop of JavaScript does, on the CPU
     loop[key].forEach((value, i) => near(value, straight[key][i], 2e-6))
 })
 
-describe('text', () => {
+describe('shader code', () => {
   const chain = ({ glsl, position }) =>
     glsl.repeat(24, position, (p) => p.zxy().mult(1.1).sin()).sub(position)
 
@@ -121,7 +121,7 @@ describe('text', () => {
       assert.ok(code.length < 3000, String(code.length))
     })
 
-  test('does once what does not change', () => {
+  test('computes loop invariants once', () => {
     const { code } = compile((glsl) => {
       const x = glsl.param('x')
       return { y: glsl.repeat(9, 0, (sum) => sum.add(x.sin().exp())) }
@@ -129,7 +129,7 @@ describe('text', () => {
     assert.ok(code.indexOf('sin(x)') < code.indexOf('for ('), code)
   })
 
-  test('has no state that nothing needs', () => {
+  test('has no unused state', () => {
     const { code } = compile((glsl) => ({
       y: glsl.repeat(9, { a: 0, b: glsl.param('b') }, ({ a, b }) => ({ a: a.add(1), b: b.sin() }))
         .a,
@@ -138,7 +138,7 @@ describe('text', () => {
   })
 })
 
-test('bounds hold what the loop gives', () => {
+test('bounds contain the results of the loop', () => {
   const warp = compileWarp(({ glsl, position }) =>
     glsl.vec3(
       0,
@@ -155,7 +155,7 @@ test('bounds hold what the loop gives', () => {
   assert.ok(max[1] - min[1] < 2.2)
 })
 
-describe('refuses', () => {
+describe('rejects', () => {
   const made = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
   const cases = {
     'a count of an expression': [
@@ -201,11 +201,11 @@ describe('refuses', () => {
     'a promise': [(g) => g.repeat(2, 0, async (s) => s), /promise|must return one state/],
     'another shape': [
       (g) => g.repeat(2, 0, () => g.vec3(1, 2, 3)),
-      /the state starts as a single number, but the function makes it a vec3; start with a vec3/,
+      /the state starts as a single number, but the function returns a vec3 for it; start with a vec3/,
     ],
     'another shape in a record': [
       (g) => g.repeat(2, { p: g.vec3(1), t: 0 }, ({ t }) => ({ p: t, t })).t,
-      /"p" starts as a vec3, but the function makes it a single number/,
+      /"p" starts as a vec3, but the function returns a single number for it/,
     ],
     'a part that is missing': [
       (g) => g.repeat(2, { a: 0, b: 0 }, ({ a }) => ({ a })).a,
@@ -213,7 +213,7 @@ describe('refuses', () => {
     ],
     'a part that is new': [
       (g) => g.repeat(2, { a: 0 }, ({ a }) => ({ a, c: a })).a,
-      /returns "c", but the state starts with a/,
+      /returns "c", but the start has a/,
     ],
     'one state for a record': [(g) => g.repeat(2, { a: 0 }, ({ a }) => a).a, /object with a/],
     'a state that got out': [
@@ -222,7 +222,7 @@ describe('refuses', () => {
         g.repeat(2, 0, (s) => (out = s))
         return out
       },
-      /known only in its function; use what repeat gives/,
+      /can be used only in its function; use the result of repeat/,
     ],
     'a step that got out': [
       (g) => {
@@ -230,17 +230,17 @@ describe('refuses', () => {
         g.repeat(2, 0, (s, i) => ((out = i), s.add(i)))
         return out.add(1)
       },
-      /known only in its function/,
+      /can be used only in its function/,
     ],
     'a derivative of a state': [
       (g, x) => g.repeat(2, x, (s) => s.add(g.derivative(s.mult(x), x))),
-      /derivative: .*only when it is over/,
+      /derivative: .*only after its end/,
     ],
   }
   for (const [name, [work, pattern]] of Object.entries(cases))
     test(name, () => refuses(made(work), pattern))
 
-  test('a state of another build', () => {
+  test('a state of another session', () => {
     let other
     compile((glsl) => ({ r: (other = glsl.param('x')) }))
     refuses(
@@ -253,7 +253,7 @@ describe('refuses', () => {
     )
   })
 
-  test('and goes on after what a sketch catches', () => {
+  test('and continues after an error that the user catches', () => {
     const { evaluate } = compile((glsl) => {
       assert.throws(
         () =>
@@ -268,7 +268,7 @@ describe('refuses', () => {
   })
 })
 
-test('a derivative by an input may be taken of what a body computes without its state', () => {
+test('an expression of a body that does not depend on the state can be differentiated by an input', () => {
   const { evaluate } = compile((glsl) => {
     const x = glsl.param('x')
     return { r: glsl.repeat(3, 0, (s, i) => s.add(glsl.derivative(x.mult(i).sin(), x))) }

@@ -1,5 +1,5 @@
-// glsl.texture on every pipeline: values, gradients and second derivatives against the interpolants in double and their
-// finite differences; wraps, several images at once, and no jumps at texels.
+// glsl.texture on every pipeline: values, gradients and second derivatives against the interpolation in double precision and its
+// finite differences; wrapping, several images at once, and continuity at texels.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -15,7 +15,7 @@ after(() => pipelines?.close())
 const image = randomImage(7, 5)
 const inputs = [{ name: 'uv', shape: 2 }]
 
-/** Runs the results that `build` makes, of shapes by name, at points → lists of results by name. */
+/** Evaluates the results that `build` makes at points. `shapes` maps name → shape; returns name → results. */
 async function run(target, shapes, build, points, images = { heights: image }) {
   const { code, declarations } = compile((glsl) => build(glsl, glsl.vec2Param('uv')), { target })
   const outputs = Object.entries(shapes).map(([name, shape]) => ({ name, shape }))
@@ -35,7 +35,7 @@ async function run(target, shapes, build, points, images = { heights: image }) {
   })
 }
 
-/** Float32 points within two images of the middle one, and a 64th of a texel from the lines where pieces meet. */
+/** Float32 points in the image and two images around it, 1/64 texel from the lines where pieces meet. */
 function smoothPoints(count) {
   const random = randomOf(11)
   const along = (size) => {
@@ -46,10 +46,10 @@ function smoothPoints(count) {
 }
 
 const points = smoothPoints(150)
-/** A small part of a texel, in u and in v. */
+/** A small fraction of a texel, in u and in v. */
 const steps = [image.width, image.height].map((size) => 1 / (128 * size))
 
-/** Derivatives of red by differences that are exact for polynomials of third degree in u, and in v. */
+/** Derivatives of red by differences that are exact for polynomials of third degree in u and in v. */
 function derivatives([u, v], options) {
   const at = (i, j) => sample(image, u + i * steps[0], v + j * steps[1], options)[0]
   const slope = (f, step) => (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * step)
@@ -94,7 +94,7 @@ for (const target of targets)
           })
         })
 
-    test('the texel itself: nearest, and shader text by texelFetch and textureSize', async () => {
+    test('the texel itself: nearest, and GLSL source with texelFetch and textureSize', async () => {
       const text = `uniform sampler2D heights;
         vec4 fetched(vec2 uv) {
           ivec2 size = textureSize(heights, 0);
@@ -126,7 +126,7 @@ for (const target of targets)
       })
     })
 
-    test('shader text by texture, and by an image that a function is given: value, gradient, second derivatives', async () => {
+    test('GLSL source with texture, and with an image as an argument: value, gradient, second derivatives', async () => {
       const text = `#version 300 es
         uniform sampler2D heights;
         float heightOf(sampler2D image, vec2 at) { return texture(image, at).r; }
@@ -149,7 +149,7 @@ for (const target of targets)
       })
     })
 
-    test('a text of GLSL 1.00 by texture2D, differentiated to a text of its own', async () => {
+    test('GLSL 1.00 source with texture2D, differentiated to code of its own', async () => {
       const text = `#version 100
         uniform sampler2D heights;
         float height(vec2 uv) { return texture2D(heights, uv).r; }`
@@ -171,8 +171,8 @@ for (const target of targets)
       })
     })
 
-    // Just before and just behind a texel's row and column of centres.
-    test('goes over texels without a jump, and without a kink if cubic', async () => {
+    // Just before and just after the line through centers of texels.
+    test('is continuous at texels, and smooth if cubic', async () => {
       const side = 2 ** -20
       const lines = [0.5, 1.5, 3.5, 6.5, 7.5, -0.5].map((x) => x / image.width)
       const pairs = lines.flatMap((u) => [
@@ -204,7 +204,7 @@ for (const target of targets)
         }
     })
 
-    test('the cubic that goes through the texels does, and the bilinear one', async () => {
+    test('the bicubic and the bilinear filter pass through the texels', async () => {
       const centres = Array.from({ length: image.width * image.height }, (_, i) => [
         ((i % image.width) + 0.5) / image.width,
         (Math.floor(i / image.width) + 0.5) / image.height,
@@ -219,7 +219,7 @@ for (const target of targets)
       }
     })
 
-    test('several images, filters and wraps side by side', async () => {
+    test('several images, filters and wraps together', async () => {
       const images = { a: image, B: randomImage(4, 8, 2), b: randomImage(1, 1, 3) }
       const results = await run(
         target,
@@ -250,7 +250,7 @@ for (const target of targets)
         const along = [-2, -1, 1, 2].map((k) => at([u, v + k * 1e-5])[1])
         const wanted = (8 * (along[2] - along[1]) - (along[3] - along[0])) / 12e-5
         const coarse = (along[2] - along[1]) / 2e-5
-        // A difference over a line of texels is none of a derivative.
+        // A difference across a line of texels does not approximate a derivative.
         if (Math.abs(coarse - wanted) > 1e-4) return
         assertClose([slope], [wanted], 1e-3, `slope at ${points[i]}`)
         compared++

@@ -1,4 +1,4 @@
-// glsl.texture in Node: what the result names, what is shared, and what is refused.
+// glsl.texture in Node: the names in the code, shared calls, and errors.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
@@ -18,7 +18,7 @@ function refuses(work, pattern) {
   })
 }
 
-test('the image is among the uniforms, and its size where it must be told', () => {
+test('the image is among the uniforms, and so is its size where the language cannot query it', () => {
   for (const target of targets) {
     const { uniforms, attributes } = compileWarp(inverted, { target })
     const image = { name: 'heightMap', type: 'sampler2D' }
@@ -31,7 +31,7 @@ test('the image is among the uniforms, and its size where it must be told', () =
   }
 })
 
-test('an image whose colour cancels is not read', () => {
+test('an image whose color cancels out is not read', () => {
   const { uniforms, declarations, evaluate } = compile((glsl) => ({
     r: glsl.texture('map', glsl.vec2(0.1, 0.2)).r().mult(0).add(glsl.param('x')),
   }))
@@ -40,7 +40,7 @@ test('an image whose colour cancels is not read', () => {
   assert.deepEqual(evaluate({ x: 7 }), { r: 7 })
 })
 
-test('one function serves all images, and equal calls are one', () => {
+test('all images share one function, and equal calls are one call', () => {
   const { code, declarations } = compile((glsl) => {
     const uv = glsl.vec2Param('uv')
     const color = glsl.texture('first', uv).add(glsl.texture('second', uv))
@@ -68,7 +68,7 @@ test('value and gradient are one call, and a value alone computes no gradient', 
   assert.doesNotMatch(textOf('red').declarations, /Gradient/)
 })
 
-test('what is refused', () => {
+test('errors', () => {
   const of =
     (...args) =>
     () =>
@@ -107,7 +107,7 @@ test('what is refused', () => {
   refuses(of('map', uv, {}, 1), /texture: it takes a name, a vec2 and options; the number 1/)
 })
 
-test('one name is one thing', () => {
+test('a name cannot be an image and a number', () => {
   const both = (first, second) => () =>
     compile((glsl) => {
       const reads = {
@@ -137,7 +137,7 @@ test('the CPU cannot read images yet', () => {
   )
 })
 
-test('texture() in GLSL leaves wrapping to the shader’s own sampler, but in WGSL, which has none there', () => {
+test('texture() in GLSL uses the wrapping of the shader’s own sampler, except in WGSL, which has none there', () => {
   const source =
     'uniform sampler2D map; vec3 offset(vec3 position, vec2 uv) { return texture(map, uv).rgb; }'
   const offset = glslOffset(`#version 300 es\n${source}`)

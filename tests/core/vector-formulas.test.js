@@ -1,11 +1,11 @@
-// The formulas that the docs show of operations on vectors and matrices. Their very text is computed in double: derivatives against
-// differences of values, and both against what warpjet makes.
+// The formulas of operations on vectors and matrices in the docs. The test evaluates their text in double precision, and compares
+// derivatives with differences of values, and both with results of warpjet.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { vectorFormulas } from '../../.scripts/reference/vector-formulas.mjs'
 import { compile } from '../../dist/warpjet.js'
 import { add, times, transpose } from '../support/linear.js'
-import { evaluated } from '../support/notation.js'
+import { evaluateFormula } from '../support/notation.js'
 import { lettersOf, turns } from '../support/plain-builder.js'
 
 const isScalar = (letter) => /^[sφη]$/.test(letter)
@@ -13,7 +13,7 @@ const isMatrix = (letter) => /^[A-Z]$/.test(letter)
 const isTurn = (form) => form.endsWith(') v')
 const isAdjusted = (form) => form.startsWith('adjust')
 
-/** What a formula reads; of an offset and where it is, only F counts. */
+/** The inputs of a formula. Of an offset and a position, only F matters. */
 function lettersIn(form) {
   const letters = lettersOf(form)
   if (isTurn(form)) return [...letters, 'v']
@@ -23,14 +23,14 @@ function lettersIn(form) {
 
 const sizesOf = (form) => (/cross|rotate|adjust/.test(form) ? [3] : [2, 3, 4])
 
-/** Numbers in no order, from -1.5 to 1.5. */
+/** Unordered numbers from -1.5 to 1.5. */
 let turn = 0
 const number = () => 1.5 * Math.sin(0.7 * ++turn * turn + 12.9 * turn)
 const list = (n, make) => Array.from({ length: n }, make)
 const some = (letter, n) => {
   if (isScalar(letter)) return number()
   if (!isMatrix(letter)) return list(n, number)
-  // Well away from matrices without an inverse, on either side.
+  // Far from singular matrices, on either side.
   const sign = Math.sign(number())
   return list(n, (_, i) => list(n, (_, j) => number() + (i === j ? 3 * sign : 0)))
 }
@@ -40,13 +40,13 @@ const along = (place, changes, t) =>
   )
 
 const withTurns = (values, count) => ({ ...turns, ...values, count })
-const valueOf = ({ value, where }, place, n) => evaluated(value, withTurns(place, n), where)
+const valueOf = ({ value, where }, place, n) => evaluateFormula(value, withTurns(place, n), where)
 
 function derivativeOf(formula, place, changes, n) {
   const named = Object.entries(changes).map(([letter, x]) => [`d${letter}`, x])
   const known = withTurns({ ...place, ...Object.fromEntries(named) }, n)
   const w = formula.where?.w ? {} : { w: valueOf(formula, place, n) }
-  return evaluated(formula.derivative, { ...known, ...w }, formula.where)
+  return evaluateFormula(formula.derivative, { ...known, ...w }, formula.where)
 }
 
 const parameter = (glsl, letter, name, n) => {
@@ -63,7 +63,7 @@ function result(glsl, title, form, operands) {
   return glsl[name](offset, ...operands.slice(1), position)
 }
 
-/** What warpjet makes of it, with the derivative along the changes. */
+/** The result of warpjet, with the derivative along the changes. */
 function programOf(title, n) {
   const { form } = vectorFormulas[title]
   return compile((glsl) => {
@@ -90,7 +90,7 @@ const inputsOf = (place, changes) => ({
 })
 
 function assertNear(found, expected, bound, what) {
-  // `0` is written for a vector, too.
+  // The docs write `0` for a zero vector too.
   const numbers = expected === 0 ? flat(found).map(() => 0) : flat(expected)
   assert.equal(flat(found).length, numbers.length, what)
   const most = Math.max(1, ...numbers.map(Math.abs))
@@ -123,7 +123,7 @@ for (const [title, formula] of Object.entries(vectorFormulas))
       })
   })
 
-/** Value and derivative at one place, along changes in order. */
+/** The value and the derivative at a point, along changes in order. */
 function at(title, place, changes) {
   const n = Object.values(place).find(Array.isArray).length
   return programOf(title, n).evaluate(inputsOf(place, changes))
@@ -132,30 +132,30 @@ function at(title, place, changes) {
 describe('where there is no derivative', () => {
   const [zero, one, up, some3] = [[0, 0], [1, 0], [0, 1], [0.3, -0.7]] // prettier-ignore
 
-  test('length, dist and distance of zero have 0', () => {
+  test('length, dist and distance of a zero vector have the derivative 0', () => {
     assert.equal(at('length', { v: zero }, { v: some3 }).derivative, 0)
     for (const name of ['dist', 'distance'])
       assert.equal(at(name, { a: one, b: one }, { a: some3, b: up }).derivative, 0)
   })
 
-  test('normalize of zero is 0 and has 0', () => {
+  test('normalize of a zero vector is 0 and has the derivative 0', () => {
     const { value, derivative } = at('normalize', { a: zero }, { a: some3 })
     assert.deepEqual([...value, ...derivative].map(Math.abs), [0, 0, 0, 0])
   })
 
-  test('refract has that of its other terms where light just grazes', () => {
+  test('refract has the derivative of its other terms at grazing incidence', () => {
     const found = at('refract', { i: one, n: up, η: 1 }, { i: zero, n: some3, η: 0.5 })
     // η = 1, c = 0, k = 0: dη i + η di − (dη c + η dc + 0) n − 0, of dc = dn · i.
     assertNear(found.derivative, [0.5, -0.3], 1e-12, 'refract')
   })
 
-  test('faceforward turns round where it is met exactly', () => {
+  test('faceforward flips where the vectors are exactly perpendicular', () => {
     const found = at('faceforward', { n: up, i: one, r: up }, { n: some3, i: zero, r: zero })
     assertNear(found.value, [0, -1], 0, 'value')
     assertNear(found.derivative, [-0.3, 0.7], 0, 'derivative')
   })
 
-  test('a determinant of 0 has the limit of the formula', () => {
+  test('a determinant of 0 has the limit of the formula as its derivative', () => {
     const [A, dA] = [[[1, 2], [2, 4]], [[0.3, 0.1], [-0.4, 0.2]]] // prettier-ignore
     const { value, derivative } = at('determinant', { A }, { A: dA })
     // A₁₁ A₂₂ − A₁₂ A₂₁ by the product rule.
@@ -163,7 +163,7 @@ describe('where there is no derivative', () => {
     assert.ok(Math.abs(derivative - (0.3 * 4 + 1 * 0.2 - 0.1 * 2 - 2 * -0.4)) < 1e-12)
   })
 
-  test('an inverse is not finite where the determinant is 0', () => {
+  test('an inverse is not finite if the determinant is 0', () => {
     const { value, derivative } = at(
       'inverse',
       { A: [[1, 2], [2, 4]] }, // prettier-ignore
@@ -172,14 +172,14 @@ describe('where there is no derivative', () => {
     assert.ok([...value, ...derivative].every((x) => !Number.isFinite(x)))
   })
 
-  test('a turn about no axis is a scaling by cos(φ)', () => {
+  test('a rotation about a zero axis scales by cos(φ)', () => {
     const place = { a: [0, 0, 0], φ: 0.5, v: [1, 2, 3] }
     const found = at('rotate', place, { a: [0.1, 0.2, 0.3], φ: 1, v: [0, 0, 0] })
     assertNear(found.value, times(Math.cos(0.5), place.v), 1e-12, 'value')
     assertNear(found.derivative, times(-Math.sin(0.5), place.v), 1e-12, 'derivative')
   })
 
-  test('a normal or tangent that is lost is 0 and has 0', () => {
+  test('a collapsed normal or tangent is 0 and has the derivative 0', () => {
     const [flat, dF] = [[[0, 0, 0], [0, 0, 0], [0, 0, 0]], [[1, 2, 3], [0, 1, 2], [2, 2, 1]]] // prettier-ignore
     const [t, n, still] = [[1, 0, 0], [0, 0, 1], [0, 0, 0]] // prettier-ignore
     const normal = at('adjustNormal', { F: flat, n }, { F: dF, n: still })
@@ -189,7 +189,7 @@ describe('where there is no derivative', () => {
   })
 })
 
-test('derivatives have second derivatives, and those are symmetric', () => {
+test('second derivatives exist and are symmetric', () => {
   // f = sin(p₁) p₂² and (f, p₁ p₂), by hand.
   const program = compile((glsl) => {
     const p = glsl.vec2Param('p')

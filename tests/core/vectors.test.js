@@ -1,11 +1,11 @@
-// p5.Vector's methods on expressions: the values that p5's own class gives, or a sentence that says what to write.
+// Methods of p5.Vector on expressions: the values of p5's own class, or an error that says what to write.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
 
 // p5's own class, without the rest of p5, which needs a browser.
 const { Vector } = await import('../../node_modules/p5/dist/math/p5.Vector.js')
-// What p5 puts around these when a sketch runs: numbers, and a vector, as a list of numbers.
+// p5 wraps these methods in a sketch, so that they take numbers, a vector, or an array of numbers.
 for (const name of ['add', 'sub', 'mult', 'div', 'rem']) {
   const own = Vector.prototype[name]
   Vector.prototype[name] = function (...given) {
@@ -22,7 +22,7 @@ const samples = [
   [5.5, -7.25, 2],
 ]
 
-/** What `write(v, other)` gives for an expression, and what for p5's vector: a number or a vector. */
+/** Returns the results of `write(v, other)` for expressions and for p5's vectors. */
 function compare(size, write, name = write.toString()) {
   const run = compile((glsl) => {
     const v = glsl[`vec${size}Param`]('v')
@@ -42,7 +42,7 @@ function compare(size, write, name = write.toString()) {
   }
 }
 
-test('a vector may come as its numbers, by component as p5 has it', () => {
+test('a vector can be passed as its numbers, by component like in p5', () => {
   for (const name of ['add', 'sub', 'mult', 'div']) {
     compare(3, (v) => v[name](0.5, 2, -4), `${name} of three`)
     compare(2, (v) => v[name](0.5, 2), `${name} of two`)
@@ -57,7 +57,7 @@ test('a vector may come as its numbers, by component as p5 has it', () => {
   compare(3, (v, w) => v.copy().lerp(w, 0.25))
 })
 
-test('so may the numbers be expressions, of functions of the builder too, and under each other name', () => {
+test('the numbers can be expressions, also for functions of the builder and for aliases', () => {
   const text = (write) =>
     compile((glsl) => ({
       result: write(glsl, glsl.vec3Param('v'), glsl.param('a'), glsl.vec2Param('uv')),
@@ -72,7 +72,7 @@ test('so may the numbers be expressions, of functions of the builder too, and un
     [(glsl, v, a) => v.cross(a, 2, 3), (glsl, v, a) => v.cross(glsl.vec3(a, 2, 3))],
     [(glsl, v, a) => v.lerp(a, 2, 3, 0.5), (glsl, v, a) => v.mix(glsl.vec3(a, 2, 3), 0.5)],
     [(glsl, v) => glsl.vec3(...v.array()), (glsl, v) => glsl.vec3(v.x, v.y, v.z)],
-    // Beside a vector, and of numbers, more operands are what they were.
+    // Operands beside a vector, and operands of numbers, are unchanged.
     [(glsl, v, a) => v.add(v, a, 2), (glsl, v, a) => v.add(v).add(a).add(2)],
     [(glsl, v, a) => a.mult(2, 3, 4), (glsl, v, a) => a.mult(2).mult(3).mult(4)],
     [(glsl, v, a) => v.mult(2).add(a), (glsl, v, a) => v.mult(2).add(glsl.vec3(a, a, a))],
@@ -80,7 +80,7 @@ test('so may the numbers be expressions, of functions of the builder too, and un
   for (const [short, long] of pairs) assert.equal(text(short), text(long), short.toString())
 })
 
-test('the methods of p5.Vector that are no operations', () => {
+test('the methods of p5.Vector that are compositions', () => {
   for (const size of [2, 3]) {
     compare(size, (v) => v.copy())
     compare(size, (v) => v.mag())
@@ -99,7 +99,7 @@ test('the methods of p5.Vector that are no operations', () => {
   compare(2, (v, w) => v.angleBetween(w))
 })
 
-test('the derivatives of these', () => {
+test('the derivatives of compositions', () => {
   const near = (size, write) => {
     const run = compile((glsl) => {
       const v = glsl[`vec${size}Param`]('v')
@@ -123,9 +123,10 @@ test('the derivatives of these', () => {
   near(3, (v) => v.mult(v.y, 2, v.x.sin()))
 })
 
-const saying = (write) => () => compileWarp(({ glsl, position, uv }) => write(position, glsl, uv))
+const compileWith = (write) => () =>
+  compileWarp(({ glsl, position, uv }) => write(position, glsl, uv))
 
-test('what cannot be says what to write', () => {
+test('unsupported uses throw, and say what to write', () => {
   for (const [write, sentence] of [
     [
       (v) => v.mult(2, 3),
@@ -150,16 +151,16 @@ test('what cannot be says what to write', () => {
     ],
   ])
     assert.throws(
-      saying(write),
+      compileWith(write),
       (error) => error instanceof WarpError && sentence.test(`${error}`),
       `${write}`,
     )
 })
 
-test('a copy that a sketch means to change is noted, once a place', (t) => {
+test('a copy that the user means to change is warned about, once per line', (t) => {
   const warn = t.mock.method(console, 'warn', () => {})
   const said = () => warn.mock.calls.map(({ arguments: [text] }) => text)
-  saying((v) => {
+  compileWith((v) => {
     const p = v.copy()
     p.add(1, 2, 3)
     return p
@@ -170,23 +171,23 @@ test('a copy that a sketch means to change is noted, once a place', (t) => {
     /^add: an expression of a warp never changes, and the new one is not used \(vectors\.test\.js, line \d+\); write v = v\.add\(…\)\.$/,
   )
   warn.mock.resetCalls()
-  saying((v) => {
+  compileWith((v) => {
     const p = v.copy()
     p.normalize().mult(2)
     return p
   })()
   assert.match(said().join(), /^mult: /)
   warn.mock.resetCalls()
-  saying((v) => v.copy().add(1, 2, 3).setMag(2).limit(1))()
-  saying((v, glsl) => glsl.vec3(v.copy().mult(2).x, 0, 0))()
-  saying((v) => {
+  compileWith((v) => v.copy().add(1, 2, 3).setMag(2).limit(1))()
+  compileWith((v, glsl) => glsl.vec3(v.copy().mult(2).x, 0, 0))()
+  compileWith((v) => {
     v.add(1)
     return v
   })()
   assert.deepEqual(said(), [])
 })
 
-test('limit(0) is 0, of a zero vector too', () => {
+test('limit(0) is 0, for a zero vector too', () => {
   const { evaluateAt } = compileWarp(({ position, uniforms }) => position.limit(uniforms.most), {
     uniforms: { most: 1 },
   })

@@ -1,5 +1,5 @@
-// Vectors and matrices of nodes, against plain double arithmetic that goes other ways: determinants
-// by permutations, inverses by elimination, rotations by a basis in which they are flat.
+// Vectors and matrices of nodes, against plain double arithmetic by other methods: determinants by
+// permutations, inverses by elimination, rotations in a basis in which they are planar.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Matrix toMatrix(const Numbers& components, Shape shape) {
   return m;
 }
 
-// By definition: over all permutations, the sign times the product along each.
+// The definition: the sum over all permutations of the sign times the product along each.
 double determinantByPermutations(const Matrix& m) {
   std::vector<int> p(m.size());
   std::iota(p.begin(), p.end(), 0);
@@ -41,7 +41,7 @@ double determinantByPermutations(const Matrix& m) {
   return total;
 }
 
-// Gauss and Jordan, with the largest pivot.
+// Gauss-Jordan elimination, with the largest pivot.
 Matrix inverseByElimination(Matrix m) {
   const std::size_t n = m.size();
   Matrix inverted(n, Numbers(n));
@@ -97,7 +97,7 @@ class AlgebraTest : public testing::Test {
   Inputs inputs;
   std::mt19937 random{1};
 
-  // A variable with a value for each component.
+  // A variable with a value per component.
   Value given(const std::string& name, Shape shape, const Numbers& components) {
     const Value value = variable(graph, name, shape);
     for (int i = 0; i < shape.size(); ++i) inputs[value[i].id] = components[i];
@@ -169,7 +169,7 @@ TEST_F(AlgebraTest, ReflectMirrorsAtTheSurface) {
              sumOf(incident, scaled(normal, -2 * along)));
 }
 
-// Snell: the part along the surface is eta times as long, and the direction is a unit one.
+// Snell's law: the part along the surface is eta times as long, and the direction has unit length.
 TEST_F(AlgebraTest, RefractFollowsSnell) {
   for (const double eta : {0.6, 1.0, 1.3}) {
     const Numbers normal = unit({1, 2, -2}), tangent = unit({2, 1, 2});
@@ -291,9 +291,9 @@ int countOf(const Graph& graph, const Value& roots, std::string_view row) {
   return count;
 }
 
-// Written out, an adjugate of 3 by 3 minors has 16 * 9 products, the determinant 40 more. The
-// minors of rows (0, 1) and (2, 3) are shared: 12 of 2 products each make 24, the 16 cofactors take
-// 3 more each, 48, and the determinant takes 4. The scale is a quotient for each entry.
+// Written out, an adjugate of 3x3 minors has 16 * 9 products, the determinant 40 more. The minors
+// of rows (0, 1) and (2, 3) are shared: 12 of 2 products each make 24, the 16 cofactors take 3 more
+// each, 48, and the determinant takes 4. The scale is one quotient per entry.
 TEST_F(AlgebraTest, TheInverseOfAMat4SharesItsMinors) {
   const Value inverted = inverse(variable(graph, "m", matrixOf(4, 4)));
   EXPECT_EQ(countOf(graph, inverted, "mult"), 24 + 48 + 4);
@@ -314,7 +314,7 @@ TEST_F(AlgebraTest, Diagonal) {
   expectNear(diagonal(3, given("x", 7.0)), Numbers{7, 0, 0, 0, 7, 0, 0, 0, 7});
 }
 
-// In a basis of the axis and two perpendicular directions a rotation is flat.
+// In a basis of the axis and two perpendicular directions, a rotation is planar.
 Numbers rotated(const Numbers& v, const Numbers& axis, double angle) {
   const Numbers w = unit(axis);
   const Numbers a = unit(crossOf(w, std::abs(w[0]) < 0.9 ? Numbers{1, 0, 0} : Numbers{0, 1, 0}));
@@ -349,7 +349,7 @@ TEST_F(AlgebraTest, RotationsTurnEveryVector) {
 
 // --- derivatives
 
-// A function of two points with all kinds of terms, as plain numbers.
+// A function of two points with terms of all kinds, as plain numbers.
 Numbers sample(const Numbers& p) {
   return {std::sin(p[0]) * p[1], p[0] * p[0] * p[2], std::exp(p[1] - p[2]), p[0] + p[1] * p[2]};
 }
@@ -379,7 +379,7 @@ TEST_F(AlgebraTest, JacobiansHaveAColumnForEachInput) {
   EXPECT_EQ(gradient(differentiator, f[2], p).shape(), vectorOf(3));
 }
 
-// sqrt of a negative number stays in the branch that is not taken.
+// The root of a negative number remains in the branch that is not taken.
 TEST_F(AlgebraTest, TheDerivativeOfRefractIsZeroWhereAllLightIsReflected) {
   const Value incident = given("i", {0.9, -std::sqrt(1 - 0.81)});
   const Value turned = refract(incident, given("n", {0, 1}), given("eta", 1.5));

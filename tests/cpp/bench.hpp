@@ -1,4 +1,4 @@
-// A builder with some inputs, and short words for the calls that JavaScript makes.
+// A builder with some inputs, and short names for the calls that JavaScript makes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ struct Bench {
     return builder.setPartials(ofCall);
   }
 
-  // What a result of this value is written as if it is the only one.
+  // The code of this value if it is the only result.
   std::string text(int value) {
     const std::string name = "result" + std::to_string(++texts_);
     if (value < 0) return builder.problem();
@@ -53,15 +53,15 @@ struct Bench {
     return code.substr(start, code.find(";\n", start) - start);
   }
 
-  // All results asked for so far, with temporaries by depth.
-  Written written() const {
-    return write(builder.module(), dialect_, {.emit = {8, EmitOptions::mostReads}});
+  // All results added to date, with temporaries chosen by depth only.
+  ShaderTextResult written() const {
+    return write(builder.module(), dialect_, {.emit = {8, EmitOptions::maxTrackedReads}});
   }
   std::string code() const {
-    const Written made = written();
+    const ShaderTextResult made = written();
     return made.text ? made.text->emitted.code : made.problem;
   }
-  // Why there is no text.
+  // The message if there is no shader code.
   std::string problemOfText() const { return written().problem; }
 
   int hostFunction(std::string_view name, std::string_view source, int arity) {

@@ -1,5 +1,5 @@
-// Evaluation by blocks of vertices: against the evaluation of each vertex by itself in double,
-// which program_test.cpp checks, and registers against what lives at a time by hand.
+// Evaluation by blocks of vertices: against the evaluation of each single vertex in double, which
+// program_test.cpp checks; and registers against lifetimes determined by hand.
 #include "eval/blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ class BlocksTest : public testing::Test {
   }
 };
 
-// The float of an operation, within its own domain, so that float and double cannot part.
+// The float of an operation within its domain, so that float and double agree.
 TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
   std::mt19937 random(1);
   std::size_t i = 0;
@@ -78,7 +78,7 @@ TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
                                                   : double{at[k]};
                 }
                 const double expected = ops::valueOf(op, x) + 0.25;
-                // Few bits of a whole number make a float.
+                // Few bit patterns of integers are valid floats.
                 if (std::isnan(expected) && std::isnan(found[vertex])) continue;
                 ASSERT_NEAR(found[vertex], expected, 2e-6 * std::max(1.0, std::abs(expected)))
                     << row.name << "(" << at[0] << ", " << at[1] << ", " << at[2] << ")";
@@ -89,7 +89,7 @@ TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
       ops::table);
 }
 
-// A float has not all of them: what is known, what is the same for all and what each vertex has.
+// Floats can't represent all 32 bits: tests known, uniform and per-vertex integers.
 TEST_F(BlocksTest, WholeNumbersHave32Bits) {
   const auto apply = [&](std::string_view name, NodeId x, NodeId y = {}) {
     return graph.apply(rowNamed(name), {x, y});
@@ -97,7 +97,7 @@ TEST_F(BlocksTest, WholeNumbersHave32Bits) {
   const auto whole = [&](int value) {
     return graph.apply(rowNamed("int"), {graph.constant(value)});
   };
-  // As shader text has it: a float has not all of its bits.
+  // Split as in shader source: a float can't represent all of its bits.
   const auto known = [&](int value) {
     return apply("bitOr", apply("shiftLeft", whole(value >> 16), whole(16)), whole(value & 65535));
   };
@@ -119,7 +119,7 @@ TEST_F(BlocksTest, WholeNumbersHave32Bits) {
   }
 }
 
-// Every number of vertices around the width of a SIMD register, and some of a block.
+// All numbers of vertices around the width of a SIMD register, and around parts of a block.
 TEST_F(BlocksTest, AnyNumberOfVertices) {
   const std::vector<NodeId> roots{(p[0] * 2.0 + time).id, (p[1] - p[2]).id};
   for (const std::size_t vertices : {0, 1, 2, 3, 4, 5, 7, 8, 9, 63, 64, 65, 255, 257, 1000}) {
@@ -133,7 +133,7 @@ TEST_F(BlocksTest, AnyNumberOfVertices) {
   }
 }
 
-// Values that live long beside ones that do not, in more registers than a block has room for.
+// Long-lived values next to short-lived ones, in more registers than fit into a block.
 TEST_F(BlocksTest, RegistersHoldWhatIsStillRead) {
   std::vector<Expression> early;
   for (int i = 0; i < 400; ++i) early.push_back(sin(p[i % 3] * (0.1 * i)));

@@ -118,7 +118,7 @@ void extend(Range& range, double value) {
 
 double extent(const Range& range) { return range.high - range.low; }
 
-// The results of a program at a grid over the first three inputs.
+// The results of a program on a grid over the first three inputs.
 std::array<Range, 3> sampled(const Program& program, double size, double time, int n) {
   std::array<Range, 3> found{nothing, nothing, nothing};
   const auto at = [&](int i) { return size * (2.0 * i / n - 1); };
@@ -175,7 +175,7 @@ class BoundsTest : public testing::Test {
     EXPECT_TRUE(made);
     return bounds(made->words, made->instructions, inputs, std::array{0u}, options)[0];
   }
-  // Where each position is from -2 to 2, and the time is 0.
+  // The bounds for positions from -2 to 2 at time 0.
   Range ofBox(Expression f, const BoundsOptions& options = {}) {
     return of(f, {{-2, 2}, {-2, 2}, {-2, 2}, {0, 0}}, options);
   }
@@ -279,7 +279,7 @@ TEST_F(BoundsTest, OfALongProgramStopAtTheBudget) {
   EXPECT_GE(range.high, 0.9);
 }
 
-// All values of a program; with `Number` float, each operation on floats is rounded as float32 is.
+// All values of a program; if `Number` is float, each operation is rounded to float32.
 template <class Number>
 double evaluateRounded(const Program& program, std::span<const double> inputs) {
   const Words words(program.words, program.instructions);
@@ -304,7 +304,7 @@ double evaluateRounded(const Program& program, std::span<const double> inputs) {
   return values[words.result(0)];
 }
 
-// Every row on random earlier nodes; conditions and numbers are converted as the graph does.
+// Random rows applied to random earlier nodes; the graph converts conditions and numbers.
 NodeId randomExpression(Graph& graph, const Value& p, std::mt19937& random) {
   const auto below = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);

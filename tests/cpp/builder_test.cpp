@@ -1,4 +1,4 @@
-// What the builder makes of the calls of a sketch, as text.
+// The code that results from the calls of a sketch.
 #include "builder/builder.hpp"
 
 #include <gtest/gtest.h>
@@ -163,7 +163,7 @@ TEST_F(BuilderTest, CommentsStandAboveTheStatements) {
             "}\n");
 }
 
-// trunc is lowered in GLSL ES 1.00, and so the product is made anew.
+// trunc is lowered in GLSL ES 1.00, so the product is rebuilt.
 TEST_F(BuilderTest, CommentsStandAboveLoweredStatementsToo) {
   Bench old(glsl100);
   old.builder.comment("inputs");
@@ -199,7 +199,7 @@ TEST_F(BuilderTest, TheProgramOfResults) {
   const std::uint32_t both[] = {0, 1};
   const auto program = warpjet::program(builder.module(), both).program;
   ASSERT_TRUE(program);
-  // The numbers of all inputs: x, v2, and those that nothing reads.
+  // The numbers of all inputs: x, v2, and the unread ones.
   std::vector<double> numbers(1 + 2 + 3 + 4 + 4 + 9 + 6), results(3);
   numbers[0] = -2.5;
   numbers[1] = 10;

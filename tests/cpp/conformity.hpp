@@ -1,5 +1,5 @@
-// What must not change when a surface gets more triangles: how triangles meet, area and volume. By
-// maps and in double; nothing of src/ is used.
+// Invariants of a surface that is subdivided: its topology, area and volume. Computed with maps and
+// in double, without any code of src/.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ inline Key keyOf(const Mesh& mesh, std::uint32_t vertex) {
           mesh.positions[3 * vertex + 2]};
 }
 
-// By their two positions: how many triangles walk the edge forwards (from the smaller position to
-// the greater one) and backwards.
+// The number of triangles that traverse an edge, identified by its two positions, forwards (from
+// the smaller position to the greater one) and backwards.
 using EdgeUses = std::map<std::pair<Key, Key>, std::pair<int, int>>;
 
 inline EdgeUses edgeUses(const Mesh& mesh) {
@@ -42,7 +42,7 @@ inline bool isClosed(const Mesh& mesh) {
   return true;
 }
 
-// Corners - edges + triangles: 2 for whatever can be blown up to a sphere.
+// Corners - edges + triangles: 2 for every surface that is topologically a sphere.
 inline std::ptrdiff_t eulerCharacteristic(const Mesh& mesh) {
   std::set<Key> corners;
   for (const std::uint32_t i : mesh.indices) corners.insert(keyOf(mesh, i));

@@ -1,5 +1,5 @@
-// What differs between the languages: names of types, declarations, literals, spellings, and which
-// names and expressions of a host they take.
+// The differences between the languages: type names, declarations, literals, spellings, and the
+// names and expressions of a host that they accept.
 #include "emit/dialect.hpp"
 
 #include <gtest/gtest.h>
@@ -131,7 +131,7 @@ TEST_F(DialectTest, SpellingsThatDiffer) {
   }
 }
 
-// WGSL has no precedence between && and ||, and comparisons do not chain.
+// WGSL has no precedence between && and ||, and comparisons can't be chained.
 TEST_F(DialectTest, MixedConditionsAreInParentheses) {
   const Expression a = lt(x, y), b = gt(y, z), c = eq(x, z);
   EXPECT_EQ(body(logicalOr(logicalAnd(a, b), c), wgsl), "(x < y && y > z) || x == z");
@@ -150,7 +150,7 @@ TEST_F(DialectTest, WordsOfALanguageAreRefusedAsNames) {
     EXPECT_NE(outputProblem(wgsl, word), "") << word;
     EXPECT_NE(inputProblem(wgsl, word), "") << word;
   }
-  EXPECT_EQ(outputProblem(wgsl, "fn"), "\"fn\" is a word of WGSL itself");
+  EXPECT_EQ(outputProblem(wgsl, "fn"), "\"fn\" is a reserved word of WGSL");
   EXPECT_EQ(outputProblem(wgsl, "select"), "\"select\" is a function of WGSL");
   for (const char* word : {"fn", "let", "loop", "select", "atan2", "inverseSqrt", "vec3f", "f32"})
     EXPECT_EQ(outputProblem(glsl300, word), "") << word << " means nothing in GLSL";

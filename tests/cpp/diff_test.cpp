@@ -1,5 +1,4 @@
-// Derivatives of graphs, against finite differences in double and against formulas worked out by
-// hand.
+// Derivatives of graphs, against finite differences in double and against formulas derived by hand.
 #include <gtest/gtest.h>
 
 #include "diff/differentiator.hpp"
@@ -30,8 +29,8 @@ TEST_F(DiffTest, OfLeaves) {
   EXPECT_EQ(at(derivative({&graph, graph.constant(7)}, x), 3), 0);
 }
 
-// A sum on which sines are heaped that read none of its parameters: each of its nodes depends on
-// all of them.
+// A sum under a stack of sines, which read none of its parameters: each of the nodes depends on all
+// of them.
 TEST_F(DiffTest, ByHundredsOfParametersOfALargeGraphRemembersLittle) {
   constexpr int count = isSanitized ? 100 : 300;
   std::vector<Expression> parameters;
@@ -133,7 +132,7 @@ TEST_F(DiffTest, ACallThatDoesNotDependOnTheInputHasNoDerivative) {
   EXPECT_TRUE(graph.isConstant(derivative({&graph, call}, x).id, 0));
 }
 
-// A partial that is infinite where its argument does not move must not make the sum NaN.
+// A partial that is infinite for a constant argument must not make the sum NaN.
 TEST_F(DiffTest, APartialByAnArgumentThatDoesNotMoveDoesNotCount) {
   const std::uint32_t f = graph.addFunction({"f", 2});
   const NodeId call = graph.call(f, std::vector{x.id, y.id});
@@ -164,7 +163,7 @@ TEST_F(DiffTest, ColumnsShareWhatComesAfterTheirInputsHaveMet) {
                    (std::exp(std::sin(v)) * std::cos(v) * v + std::exp(std::sin(v))) * 2 * b);
 }
 
-// By y, x / y is infinite at y = 0, where 10 is taken.
+// The derivative of x / y with respect to y is infinite at y = 0, where the branch 10 is taken.
 TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThereUnderAChain) {
   const Value p = vector3(graph, "p");
   const Expression quotient = p[0] / p[1], ten{&graph, graph.constant(10)};
@@ -180,7 +179,7 @@ TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThereUnderAChain) {
   }
 }
 
-// x comes by u, and once more without it.
+// x contributes through u, and once more directly.
 TEST_F(DiffTest, AnInputThatComesByTwoWaysCountsTwice) {
   const Value p = vector3(graph, "p");
   const Expression u = p[0] * p[1];

@@ -52,7 +52,7 @@ TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
       << "WGSL wants them";
 }
 
-// Between anything else ANGLE makes a branch of it.
+// ANGLE makes a branch of a choice between anything else.
 TEST_F(EmitTest, AChoiceIsBetweenNamesAndNumbers) {
   const auto chosen = [&](Expression yes, Expression no) { return ifElse(lt(x, y), yes, no); };
   EXPECT_EQ(code(chosen(x, zero())), "float y;\n{\n  y = x < y ? x : 0.0;\n}\n");
@@ -80,7 +80,7 @@ TEST_F(EmitTest, TheDepthOfAnExpressionIsBounded) {
             "}\n");
 }
 
-// Four angles are read by the sum and by its slope before there are many more.
+// Four angles are read by the sum and by its derivative before many more are computed.
 TEST_F(EmitTest, FewValuesWaitToBeRead) {
   Expression sum = zero(), slope = zero();
   for (int i = 1; i <= 6; ++i) {
@@ -218,7 +218,7 @@ TEST_F(EmitTest, AFunctionOfTheHostIsCalledWithItsArgumentsInOrder) {
   const Expression called{&graph, graph.call(noise, arguments)};
   EXPECT_EQ(body(-(called * 2.0)), "-noise(x + y, t0 ? x : 1.0, float(t0)) * 2.0");
   const std::vector<Output> outputs{result("y", called)};
-  const Emitted emitted = emit(graph, glsl300, outputs, {});
+  const EmittedCode emitted = emit(graph, glsl300, outputs, {});
   EXPECT_EQ(emitted.functions, std::vector<std::uint32_t>{noise}) << unused << " is not called";
   EXPECT_EQ(emitted.operations, 5u) << "x + y, x < y, the choice, float and the call, but no list";
 }
@@ -259,7 +259,7 @@ TEST_F(EmitTest, WithoutResultsThereIsNoText) { EXPECT_EQ(emit(graph, glsl300, {
 TEST_F(EmitTest, CountsWhatTheResultsNeed) {
   sin(y);
   const std::vector<Output> outputs{result("r", sin(x) * sin(x))};
-  const Emitted emitted = emit(graph, glsl300, outputs, {});
+  const EmittedCode emitted = emit(graph, glsl300, outputs, {});
   EXPECT_EQ(emitted.nodes, 3u);
   EXPECT_EQ(emitted.operations, 2u);
   EXPECT_EQ(emitted.temporaries, 1u);
@@ -289,7 +289,7 @@ TEST_F(EmitTest, ASumOfManyTemporariesTakesLittleToRemember) {
   }
   EmitOptions options;
   options.maxDepth = 1 << 30;
-  options.maxReads = EmitOptions::mostReads;
+  options.maxReads = EmitOptions::maxTrackedReads;
   EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", sum)}, options).temporaries, 20'317u);
 }
 
@@ -300,7 +300,7 @@ TEST_F(EmitTest, ALongChainIsManyShortStatements) {
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).temporaries, 12'499u);
 }
 
-// Whatever the graph makes of the sum.
+// The sum is recognized however the graph simplified it.
 TEST_F(EmitTest, AnInputPlusAnEarlierResultIsWrittenSo) {
   const Value p = vector3(graph, "p"), q = vector3(graph, "q");
   const auto vec3 = [&](Expression a, Expression b, Expression c) {

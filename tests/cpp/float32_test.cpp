@@ -1,4 +1,4 @@
-// Derivatives at huge, tiny and zero arguments, where float32 overflows or underflows on the way:
+// Derivatives at huge, tiny and zero arguments, where float32 overflows or underflows in between:
 // against closed forms in long double.
 #include <gtest/gtest.h>
 
@@ -12,15 +12,15 @@
 namespace warpjet {
 namespace {
 
-constexpr double leastNormal = std::numeric_limits<float>::min();
+constexpr double minNormal = std::numeric_limits<float>::min();
 
-// What a shader makes of a number: float32, in which what is too small may count as zero.
+// The float32 value that a shader uses, where denormals may be flushed to zero.
 double asFloat(double x, bool flushes) {
   const double rounded = static_cast<float>(x);
-  return flushes && std::abs(rounded) < leastNormal ? std::copysign(0.0, rounded) : rounded;
+  return flushes && std::abs(rounded) < minNormal ? std::copysign(0.0, rounded) : rounded;
 }
 
-// Each operation rounded.
+// Rounds each operation.
 double evaluateFloat(const Graph& graph, NodeId root, const Inputs& inputs, bool flushes) {
   std::map<NodeId, double> values;
   for (const NodeId id : reachable(graph, {&root, 1})) {
@@ -45,7 +45,7 @@ struct Case {
   const char* name;
   std::function<Expression(Expression)> formula;
   std::function<Real(Real)> derivative;
-  // Of which nothing is promised where float32 has no square of the argument.
+  // Compositions guarantee nothing where the square of the argument overflows in float32.
   bool isComposition = false;
 };
 
@@ -56,7 +56,7 @@ Expression constant(Expression x, double value) { return {x.graph, x.graph->cons
 
 Real sech(Real x) { return 2 / (std::exp(x) + std::exp(-x)); }
 
-// Of the rows: the argument alone.
+// For rows: the argument itself.
 const std::vector<Case> rows{
     {"inversesqrt", [](auto x) { return inversesqrt(x); },
      [](Real x) { return -0.5L / (x * std::sqrt(x)); }},
@@ -94,7 +94,7 @@ const std::vector<Case> rows{
      [](Real x) { return 1e-20L / (x * x + 1e-40L); }},
 };
 
-// Where a derivative on the way is infinite, and the value is not.
+// Cases in which an intermediate derivative is infinite and the value is finite.
 const std::vector<Case> compositions{
     {"1 / (exp(-x) + 1)", [](auto x) { return 1.0 / (exp(-x) + 1.0); },
      [](Real x) {
@@ -179,7 +179,7 @@ TEST_P(Float32, HasTheDerivativeWhereItHasTheValue) {
       const Inputs inputs{{x.id, at}};
       if (!std::isfinite(evaluateFloat(graph, f.id, inputs, flushes))) continue;
       const auto exact = static_cast<double>(test.derivative(at));
-      // Not a derivative that float32 has.
+      // float32 can't represent the derivative.
       if (!(std::abs(exact) < 1e37)) continue;
       const double found = evaluateFloat(graph, slope, inputs, flushes);
       EXPECT_NEAR(found, exact, 2e-5 * std::abs(exact) + 1e-8) << test.name << " at " << at;
@@ -221,7 +221,7 @@ class Float32Warp : public testing::Test {
   }
   void expectNormal(const Value& offset, const Point& position, const Point& normal,
                     const Point& expected) {
-    const Value turned = turnedNormal(deformation(differentiator, offset, p), n);
+    const Value turned = warpNormal(deformation(differentiator, offset, p), n);
     for (const bool flushes : {false, true}) {
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(evaluateFloat(graph, turned[i].id, inputsAt(position, normal), flushes),
@@ -247,7 +247,7 @@ TEST_F(Float32Warp, AStretchByAHugeNumberKeepsTheOthers) {
   expectNormal(vec3(p[0] * 1e12, zero, zero), {1, 2, 3}, {0.6, 0.8, 0}, {0, 1, 0});
 }
 
-// Near the axis the unit vector turns ever faster; on an axis of coordinates the turn is exact.
+// Near the axis the unit vector rotates ever faster; on a coordinate axis the rotation is exact.
 TEST_F(Float32Warp, AUnitVectorNearItsAxis) {
   for (const double x : {1e-4, 1e-7, 1e-10, 1e-13, 1e-16, 1e-18}) {
     const Expression squared = p[0] * p[0] + p[2] * p[2];
@@ -266,7 +266,7 @@ TEST_F(Float32Warp, AUnitVectorNearItsAxis) {
   }
 }
 
-// Where nothing is known of the slope, the normal is zero.
+// If the slope is unknown, the normal is zero.
 TEST_F(Float32Warp, AnInfiniteSlopeHasNoNormal) {
   const Expression steep = pow(p[0], -3.0);
   expectNormal(vec3(zero, steep, zero), {1e-12, 0, 0}, {0, 1, 0}, {0, 0, 0});

@@ -1,5 +1,5 @@
 // Folds: their values and derivatives, against loops and derivatives by hand in double, and their
-// text in each language.
+// code in each language.
 #include "functions/fold.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class FoldTest : public testing::Test {
   Expression derivative(Expression f, Expression by) {
     return {&graph, differentiator.derivative(f.id, by.id)};
   }
-  // By the program that `evaluate` runs: x is 0.3 and y 0.7 unless told otherwise.
+  // The value computed by `evaluate`. Defaults: x is 0.3 and y is 0.7.
   double at(Expression f, double xValue = 0.3, double yValue = 0.7) {
     Library library;
     Graph copy = graph.copy();
@@ -35,7 +35,7 @@ class FoldTest : public testing::Test {
     evaluate(made->words, made->instructions, inputs, {&result, 1});
     return result;
   }
-  // z becomes z² + c, as often; its real part.
+  // The real part of z after iterating z² + c.
   Expression mandelbrot(std::uint32_t steps) {
     return fold(steps, {x * 0.5, y}, [&](const Numbers& z, Expression) {
       return Numbers{z[0] * z[0] - z[1] * z[1] + x, z[0] * z[1] * 2.0 + y};
@@ -160,7 +160,8 @@ TEST_F(FoldTest, TextIsALoopInEachLanguage) {
             "  y = t0;\n}\n");
 }
 
-// What a body computes without its variables stands before it; value and derivative share a loop.
+// Code of a body that doesn't depend on its variables is before the loop; value and derivative
+// share a loop.
 TEST_F(FoldTest, TextOfALoopInAnotherWithADerivative) {
   const Expression zero{&graph, graph.constant(0)};
   const Expression sum = fold(3, {zero}, [&](const Numbers& s, Expression i) {
@@ -214,7 +215,7 @@ TEST_F(FoldTest, ASwapOfStatesKeepsBoth) {
             "  y = t0;\n}\n");
 }
 
-// As many steps of the same arithmetic: the range holds what the loop gives.
+// The same arithmetic for the same number of steps: the range contains the loop's values.
 TEST_F(FoldTest, BoundsHoldAllValues) {
   Module module;
   const Expression a = scalar(module.graph, "a");

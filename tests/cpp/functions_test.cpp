@@ -1,5 +1,5 @@
-// Functions of ours: how their results are numbered, derived, written and inlined. The function
-// here is x² y + s, so that every derivative is known by hand.
+// Our own functions: numbering, derivatives, code and inlining of their results. The function here
+// is x² y + s, whose derivatives are known by hand.
 #include "emit/functions.hpp"
 
 #include <gtest/gtest.h>
@@ -20,10 +20,12 @@ TEST(MultiIndices, ComeByOrderAndThenByTheirVariables) {
 
 TEST(MultiIndices, DoNotDependOnTheOrderOfDerivation) {
   MultiIndices indices(3, 1);
-  const int x = indices.derived(0, 0), y = indices.derived(0, 1), z = indices.derived(0, 2);
+  const int x = indices.derivative(0, 0), y = indices.derivative(0, 1),
+            z = indices.derivative(0, 2);
   EXPECT_EQ((std::array{x, y, z}), (std::array{1, 2, 3}));
-  EXPECT_EQ(indices.derived(x, 1), indices.derived(y, 0));
-  EXPECT_EQ(indices.derived(indices.derived(z, 0), 1), indices.derived(indices.derived(y, 2), 0));
+  EXPECT_EQ(indices.derivative(x, 1), indices.derivative(y, 0));
+  EXPECT_EQ(indices.derivative(indices.derivative(z, 0), 1),
+            indices.derivative(indices.derivative(y, 2), 0));
 }
 
 TEST(MultiIndices, KnowHowManyThereAre) {
@@ -63,7 +65,7 @@ class FunctionsTest : public testing::Test {
     return {&graph, differentiator.derivative(of.id, by.id)};
   }
 
-  // Without calls, at x = 2 and y = 5.
+  // The value without calls, at x = 2 and y = 5.
   double value(Expression of) {
     const NodeId root = inlineCalls(graph, library, {&of.id, 1})[0];
     return evaluateNode(graph, root, {{x.id, 2}, {y.id, 5}});
@@ -73,7 +75,7 @@ class FunctionsTest : public testing::Test {
 TEST_F(FunctionsTest, ACallIsTheBodyWithTheArguments) { EXPECT_EQ(value(called), 36 * 5 + 5); }
 
 TEST_F(FunctionsTest, DerivativesFollowTheChainRule) {
-  // 9 x² y + s with s = y, but a parameter has no derivative.
+  // 9 x² y + s with s = y, but parameters have no derivative.
   EXPECT_EQ(value(derivative(called, x)), 18 * 2 * 5);
   EXPECT_EQ(value(derivative(called, y)), 9 * 4);
   EXPECT_EQ(value(derivative(derivative(called, x), y)), 18 * 2);

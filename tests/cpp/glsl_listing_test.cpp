@@ -1,5 +1,5 @@
-// What a lowered text says in words: its functions (Define, Call) and its loops (Fold, Next), run
-// here in double by the few lines below, beside the same in C++.
+// The listing of lowered source: its functions (Define, Call) and its loops (Fold, Next), run in
+// double by the interpreter below and compared with the same in C++.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ class Ran {
 
   Numbers results;
   int defined = 0, called = 0, folds = 0;
-  // Of each function, as Define has them, and of the loop.
+  // Sizes and variables of each function, as in Define, and of the loop.
   std::vector<std::uint32_t> sizes, variables;
   std::uint32_t steps = 0;
 
@@ -46,7 +46,7 @@ class Ran {
     return all;
   }
 
-  // Until Next, End or the end of the list.
+  // Runs until Next, End or the end of the list.
   void run(Numbers& made, const Numbers& parameters) {
     while (at_ < listing_.words.size()) {
       const auto code = static_cast<Code>(word());
@@ -93,7 +93,7 @@ class Ran {
     }
   }
 
-  // Goes over the body, whose words are of any length, by running it once.
+  // Skips a body, whose instructions have different lengths, by running it once.
   void define() {
     ++defined;
     sizes.push_back(word());
@@ -182,7 +182,7 @@ class Ran {
   std::size_t at_ = 0;
 };
 
-// Long enough to stay a function.
+// Long enough to remain a function.
 const std::string wave = R"(
 float wave(float x, float y, float steep) {
   float s = sin(x * 1.5 + y) * steep;
@@ -213,7 +213,7 @@ TEST(GlslDefine, WhatIsCalledOftenIsDefinedOnce) {
 }
 
 TEST(GlslDefine, DerivativesAreByWhatVariesAndThatComesFirst) {
-  // The first argument is the same constant wherever it is called.
+  // The first argument is the same constant in all calls.
   const std::string text =
       "float turned(float steep, float x, float y) { float s = sin(x * 1.5 + y) "
       "* steep; s += cos(y * 2.5 - x) * s + sin(s * 3.0); return s * sin(x + s) "
@@ -264,7 +264,7 @@ TEST(GlslDefine, AFunctionMayCallAnother) {
   EXPECT_NEAR(run.results.at(0), twiceAt(0.9, 0.5) + twiceAt(0.81, 0.9), 1e-12);
 }
 
-// The body of a loop that is long enough to stay one.
+// The body of a loop that is long enough to remain one.
 const std::string body =
     "s += a * sin(q * 1.5 + cos(s)) * cos(q - s); q = q * 0.75 + sin(s) * 0.5; a *= 0.5;";
 

@@ -1,5 +1,4 @@
-// The front end for shader text, room by room: tokens, the preprocessor, types, and what is
-// recorded.
+// The front end for shader source, part by part: tokens, preprocessor, types, and recording.
 #include "glsl/glsl.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +30,7 @@ Listing listed(const std::string& text) {
   return listing;
 }
 
-// The only result of a function that gives a known number.
+// The value of a function whose only result is a known number.
 double known(const std::string& body) {
   const Listing listing = listed("float f() { " + body + " }");
   EXPECT_EQ(listing.words.size(), 2u) << body;
@@ -50,7 +49,7 @@ TEST(GlslTokens, NumbersNamesAndSymbols) {
   EXPECT_EQ(tokens[4].place.column, 8u);
 }
 
-// A sentence without its line, column and caret.
+// The message without its line, column and caret.
 std::string problemOf(const std::string& text) {
   const std::string problem = Source(text).problem();
   const auto start = problem.find(": ");
@@ -133,16 +132,17 @@ TEST(GlslPreprocessor, AnExpansionIsCalledByWhatFollows) {
   EXPECT_EQ(preprocessed("#define G(x) x\n#define E G\n#define F E\nF (F(2)) F"), "2 G");
   EXPECT_EQ(preprocessed("#define A(x) x + B\n#define B(x) x\nA(1)(2)(3)"), "1 + 2 ( 3 )");
   EXPECT_EQ(preprocessed("#define PICK(x) x\n#define G(x) -x\nPICK(G)(1)"), "- 1");
-  // An expansion that opens a call is closed by what follows.
+  // A call that an expansion opens is closed by the following tokens.
   EXPECT_EQ(preprocessed("#define F(x, y) x - y\n#define OPEN F (\nOPEN 1, 2) + 3"), "1 - 2 + 3");
   EXPECT_EQ(preprocessed("#define F(x) - x\n#define A F(\n#define B A 1\nB) 2"), "- 1 2");
   std::string deep = "#define M F(\n#define F(x) N x\n#define N G(\n#define G(x) M x\nM 1 ";
   for (int i = 0; i < 100'000; ++i) deep += ") ";
   EXPECT_NE(preprocessed(deep).find("1,000 deep"), std::string::npos);
-  // But one whose parenthesis is yet to be expanded is not called, unless it is read again.
+  // A parenthesis that is not expanded yet doesn't make a call, unless the result is expanded
+  // again.
   EXPECT_EQ(preprocessed("#define F(x) - x\n#define L (\nF L 1)"), "F ( 1 )");
   EXPECT_EQ(preprocessed("#define F(x) - x\n#define L (\n#define E(x) x\nE(F L 1))"), "- 1");
-  // Not within itself, and what was so once is never again.
+  // A macro isn't expanded within its own expansion, nor are such tokens later.
   EXPECT_EQ(preprocessed("#define F(x) x F\nF(1)(2)"), "1 F ( 2 )");
 }
 
@@ -197,7 +197,7 @@ TEST(GlslLowering, WhatIsKnownIsFolded) {
   EXPECT_EQ(known("int a[3] = int[](4, 5, 6); a[1] += a[2]; return float(a[a.length() - 2]);"), 11);
   EXPECT_EQ(known("float a[bool(0.5) ? 2 : 3]; return float(a.length());"), 2);
   EXPECT_EQ(known("float a[bool(-0.0) ? 2 : 3]; return float(a.length());"), 3);
-  // As often as float32 has it: the tenth sum is just above 1.
+  // The number of iterations in float32: the tenth sum is just above 1.
   EXPECT_EQ(known("float n = 0.; for (float t = 0.; t < 1.; t += .1) n += 1.; return n;"), 10);
 }
 
@@ -233,7 +233,7 @@ TEST(GlslLowering, TheMostThatATextMayAskFor) {
   Source wide("float f(float x) { " + loops + "x = sin(x); return x; }");
   wide.lower(0, 0);
   EXPECT_EQ(wide.problem(), "");
-  // A state of whole numbers has bits that a loop of the shader does not keep.
+  // Integers as states have more bits than a loop of the shader preserves.
   Source bits("float f(float x) { uint u = uint(x); " + loops +
               "u = u * 3u + 1u; return float(u); }");
   bits.lower(0, 0);

@@ -1,5 +1,5 @@
-// Builds small glTF files for tests: numbers become views of one buffer, and the JSON stays open to
-// be bent into whatever a test needs.
+// Builds small glTF files for tests: numbers become views of one buffer, and tests can modify the
+// JSON freely.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ struct GltfBuilder {
     return static_cast<int>(tree[list].size()) - 1;
   }
 
-  // The bytes of these numbers, at a place that suits any type.
+  // Appends the bytes of these numbers, aligned for any type.
   template <typename T>
   int view(const std::vector<T>& numbers) {
     binary.resize((binary.size() + 3) / 4 * 4);
@@ -63,7 +63,7 @@ struct GltfBuilder {
     return add("bufferViews", {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}});
   }
 
-  // Tightly packed; `more` adds members or replaces them.
+  // Tightly packed; `more` adds or replaces members.
   template <typename T>
   int accessor(const std::vector<T>& numbers, const std::string& type, const json& more = {}) {
     const std::size_t width = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
@@ -79,7 +79,7 @@ struct GltfBuilder {
     return accessor(numbers, type);
   }
 
-  // A mesh of one primitive; `more` is indices, mode, material …
+  // A mesh with one primitive; `more` has indices, mode, material …
   int mesh(const json& attributes, const json& more = {}) {
     json primitive = {{"attributes", attributes}};
     if (more.is_object()) primitive.update(more);

@@ -1,4 +1,4 @@
-// The graph: equal nodes are one, constants fold, identities hold.
+// The graph: equal nodes are interned, constants are folded, identities hold.
 #include "graph/graph.hpp"
 
 #include <gtest/gtest.h>
@@ -167,7 +167,7 @@ TEST_F(GraphTest, WithoutSimplificationAnOperationStaysAsItIs) {
   EXPECT_EQ((a + zero).id, (a + zero).id) << "equal nodes are one all the same";
 }
 
-// Crossed bounds are the upper one; WGSL refuses them as constants.
+// If the bounds cross, the upper one is the result; WGSL rejects such constants.
 TEST_F(GraphTest, ClampOfCrossedConstantsIsTheUpperBound) {
   const auto clamped = [&](double low, double high) {
     return graph.apply(rowNamed("clamp"), {x.id, graph.constant(low), graph.constant(high)});
@@ -176,7 +176,7 @@ TEST_F(GraphTest, ClampOfCrossedConstantsIsTheUpperBound) {
   EXPECT_TRUE(graph.is(clamped(1, 1), rowNamed("clamp")));
 }
 
-// 1e-60 is zero in float32, and 1e60 infinite, where x * 1e30 need not be.
+// 1e-60 is zero in float32, and 1e60 infinite, although x * 1e30 may be finite.
 TEST_F(GraphTest, ConstantFactorsMeetOnlyIfFloat32HoldsTheirProduct) {
   EXPECT_EQ((x * 2.0 * 3.0).id, (x * 6.0).id);
   EXPECT_TRUE(graph.is(graph.operand((x * 1e-30 * 1e-30).id, 0), rowNamed("mult")));
@@ -193,7 +193,7 @@ TEST_F(GraphTest, AFullGraphStopsGrowingAndDoesNotCrash) {
   Graph small(1000);
   const Expression input = scalar(small, "x");
   Expression v = input;
-  while (!small.full()) v = sin(v);
+  while (!small.isFull()) v = sin(v);
   for (int i = 0; i < 100; ++i) v = (v - 1.0) * -2.0 + input;
   EXPECT_EQ(small.size(), 1000u);
 }

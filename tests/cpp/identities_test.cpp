@@ -1,6 +1,6 @@
-// The table of identities, row by row: each keeps what it says, each is found in a graph, and no
-// two replace each other for ever. Values are computed from the patterns themselves, without a
-// graph.
+// The table of identities, row by row: each row keeps what it claims, each is applied in a graph,
+// and no two replace each other forever. Values are computed from the patterns themselves, without
+// a graph.
 #include "graph/identities.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 #include "graph/match.hpp"
 #include "graph/pattern_text.hpp"
 #include "graph/print.hpp"
-#include "graph/turns.hpp"
+#include "graph/rotations.hpp"
 #include "support.hpp"
 
 namespace warpjet {
@@ -23,17 +23,17 @@ namespace patterns {
 namespace {
 
 constexpr std::array wrongIdentities{
-    Identity{x - -y, x - y, bits},            // another operation
-    Identity{x - y, y - x, rounding},         // another order
+    Identity{x - -y, x - y, bits},            // wrong operation
+    Identity{x - y, y - x, rounding},         // wrong order
     Identity{x + 0, x, bits},                 // -0 + 0 is 0
-    Identity{x * 0, 0, value},                // infinity * 0 is no number
-    Identity{x * (1 / y), x / y, value},      // rounded otherwise
+    Identity{x * 0, 0, value},                // infinity * 0 is NaN
+    Identity{x * (1 / y), x / y, value},      // rounded differently
     Identity{x + a, x - a, rounding, a < 0},  // without its minus
     Identity{clamp(x, a, b), b, value},       // without its condition
     Identity{ifElse(!c, x, y), ifElse(c, x, y), bits},
     Identity{intIfElse(c, x, y), x, bits},
     Identity{pow(x, n), pow(x, n / 2), rounding, isPowerOfTwo(n)},
-    Identity{x / sqrt(x), sqrt(x), rounding},  // 0 / 0 is no number
+    Identity{x / sqrt(x), sqrt(x), rounding},  // 0 / 0 is NaN
 };
 
 constexpr Identity wrongTurn{k * (x * cos(u)) * cos(u) + k * (x * sin(u)) * cos(u), x* k, rounding};
@@ -70,7 +70,7 @@ struct Variables {
   }
 };
 
-// A number as a float has it, or as a double.
+// Rounds a number to float or to double.
 struct Arithmetic {
   bool isFloat32;
 
@@ -82,7 +82,7 @@ struct Arithmetic {
   }
 };
 
-// The value of a pattern, every operation rounded.
+// Evaluates a pattern, rounding every operation.
 class Evaluation {
  public:
   Evaluation(const Pattern& pattern, const At& at, Arithmetic round) : at_(at), round_(round) {
@@ -90,8 +90,8 @@ class Evaluation {
   }
 
   double value;
-  double largest = 0;        // of all that is computed on the way
-  bool leavesRange = false;  // whether a finite one becomes infinite, or loses digits near zero
+  double largest = 0;        // the largest intermediate value
+  bool leavesRange = false;  // true if an intermediate value overflows, or loses digits near zero
 
  private:
   double visit(const Item* item) {
@@ -130,7 +130,7 @@ bool isSame(double a, double b) {
 
 enum class Verdict { Kept, Lost, Exempt };
 
-// Whether an identity keeps what it says where its variables have these values.
+// Judges whether an identity keeps what it claims for these values of its variables.
 Verdict judge(const Identity& identity, const At& at, Arithmetic round) {
   const Evaluation before(identity.from, at, round), after(identity.to, at, round);
   const auto [precision, onlyNumbers] = identity.keeps;
@@ -145,7 +145,7 @@ Verdict judge(const Identity& identity, const At& at, Arithmetic round) {
   return error <= bound ? Verdict::Kept : Verdict::Lost;
 }
 
-// The same on every machine, as the distributions of the standard library are not.
+// Deterministic on all machines, unlike the distributions of the standard library.
 class Chance {
  public:
   std::uint32_t bits() { return static_cast<std::uint32_t>(random_()); }
@@ -163,7 +163,7 @@ class Chance {
         return round(special[below(special.size())]);
       case 1:
         return round(between(-4, 4));
-      default:  // any size
+      default:  // any magnitude
         return round(std::ldexp(between(-2, 2), static_cast<int>(below(240)) - 120));
     }
   }
@@ -172,7 +172,7 @@ class Chance {
     if (type == ops::Type::Bool) return static_cast<double>(below(2));
     if (type == ops::Type::Int) return static_cast<std::int32_t>(bits());
     if (kind != Kind::Constant) return number(round);
-    if (below(2) == 0) return static_cast<double>(below(41)) - 20;  // a whole one, for powers
+    if (below(2) == 0) return static_cast<double>(below(41)) - 20;  // an integer, for powers
     for (;;) {
       const double constant = number(round);
       if (std::isfinite(constant)) return constant;
@@ -194,7 +194,7 @@ std::string describe(const Identity& identity, const At& at) {
   return all;
 }
 
-// Values that the condition holds of, or nothing.
+// Values that satisfy the condition, or nullopt.
 std::optional<At> drawn(const Identity& identity, Chance& chance, Arithmetic round) {
   const Variables variables(identity.from);
   At at{};
@@ -205,7 +205,7 @@ std::optional<At> drawn(const Identity& identity, Chance& chance, Arithmetic rou
   return at;
 }
 
-// Judges each identity at many points; the first that is lost, or an empty text.
+// Judges each identity at many points; returns the first failure, or an empty string.
 std::string firstLost(std::span<const Identity> table, int points) {
   Chance chance;
   for (const Identity& identity : table) {
@@ -226,13 +226,13 @@ std::string firstLost(std::span<const Identity> table, int points) {
 
 TEST(Identities, KeepWhatTheySay) { EXPECT_EQ(firstLost(patterns::identities, 4000), ""); }
 
-// What the judge would let pass if it were blind.
+// Wrong identities that a blind judge would accept.
 TEST(Identities, WrongOnesAreFound) {
   for (const Identity& wrong : patterns::wrongIdentities)
     EXPECT_NE(firstLost({&wrong, 1}, 4000), "") << text(wrong);
 }
 
-// x cos² u + x sin² u and the like, within a few roundings of the largest product.
+// x cos² u + x sin² u and the like, to within a few roundings of the largest product.
 TEST(Identities, OfTurnsKeepWhatTheySay) {
   Chance chance;
   for (const Identity& identity : patterns::turns) {
@@ -250,16 +250,16 @@ TEST(Identities, OfTurnsKeepWhatTheySay) {
 
 // --- in a graph
 
-// A graph that has a node for each variable; constants fulfil the condition.
+// A graph with a node per variable; constants satisfy the condition.
 class Instance {
  public:
   Instance(Graph& graph, Chance& chance) : graph_(graph), chance_(chance) {}
 
-  // The pattern's operands, and its operation.
+  // Builds the pattern's operands, and its operation.
   NodeId operator()(const Identity& identity) { return build(identity, identity.from); }
   NodeId replacement(const Identity& identity) { return build(identity, identity.to); }
 
-  // What a variable stands for, instead of an input.
+  // Binds a variable to a node instead of an input.
   void let(std::size_t letter, NodeId node) { nodes_[letter] = node; }
 
   void draw(const Identity& identity) {
@@ -325,7 +325,7 @@ TEST(Identities, AreFoundInAGraph) {
   }
 }
 
-// The rules alone, applied step by step: unlike a graph, they stop when there are too many.
+// Applies the rules alone, step by step: unlike a graph, this stops when there are too many steps.
 class Rewriter {
  public:
   static constexpr int maxSteps = 300;
@@ -348,7 +348,7 @@ class Rewriter {
     return patterns::build(graph_, &patterns::rules.items[rule->to], bindings, again);
   }
 
-  // A node of another graph, with all that it is computed from.
+  // Copies a node of another graph, with everything that it is computed from.
   NodeId rewritten(const Graph& other, NodeId root) {
     std::map<NodeId, NodeId> made;
     for (const NodeId id : reachable(other, {&root, 1})) {
@@ -380,7 +380,7 @@ class Rewriter {
   Graph& graph_;
 };
 
-// Every identity with every other in the place of each of its variables.
+// Combines every identity with every other in the place of each of its variables.
 TEST(Identities, EndAndLeaveNothingToSimplify) {
   constexpr auto off = Graph::Simplification::Off;
   Chance chance;
@@ -412,7 +412,7 @@ TEST(Identities, EndAndLeaveNothingToSimplify) {
   EXPECT_GT(pairs, 2000);
 }
 
-// --- what comes out, beside what goes in
+// --- results, next to their input
 
 class Simplified : public testing::Test {
  protected:
@@ -444,7 +444,7 @@ TEST_F(Simplified, Sums) {
   EXPECT_EQ(of(x - 500.0 + 500.0), "x");
   EXPECT_EQ(of(x - 3.0 - 4.0), "sub(x, 7)");
   EXPECT_EQ(of(x + x), "mult(x, 2)");
-  // What only looks like it.
+  // These only look similar.
   EXPECT_EQ(of(x + y), "add(x, y)");
   EXPECT_EQ(of(x + y + 2.0), "add(add(x, y), 2)");
   EXPECT_EQ(of(x + 1e-39 + 1e-39), "add(add(x, 1e-39), 1e-39)");
@@ -460,7 +460,7 @@ TEST_F(Simplified, Products) {
   EXPECT_EQ(of(x * 2.0 * 4.0), "mult(x, 8)");
   EXPECT_EQ(of(x * (1.0 / y)), "div(x, y)");
   EXPECT_EQ(of(x / sqrt(x)), "sqrt(x)");
-  // What only looks like it.
+  // These only look similar.
   EXPECT_EQ(of(x * ifElse(positive, 1.0, 2.0)), "mult(x, ifElse(gt(x, 0), 1, 2))");
   EXPECT_EQ(of(x * 1e-30 * 1e-30), "mult(mult(x, 1e-30), 1e-30)");
   EXPECT_EQ(of(x * (2.0 / y)), "mult(x, div(2, y))");
@@ -484,7 +484,7 @@ TEST_F(Simplified, Choices) {
   EXPECT_EQ(of(ifElse(positive, x, 0.0) + ifElse(positive, y, 0.0)),
             "ifElse(gt(x, 0), add(x, y), 0)");
   EXPECT_EQ(of(ifElse(positive, x, x)), "x");
-  // What only looks like it.
+  // These only look similar.
   EXPECT_EQ(of(ifElse(positive, x, 0.0) + ifElse(gt(y, 0.0), 0.0, y)),
             "add(ifElse(gt(x, 0), x, 0), ifElse(gt(y, 0), 0, y))");
   EXPECT_EQ(of(ifElse(positive, x, 1.0) + ifElse(positive, 0.0, y)),
@@ -498,7 +498,7 @@ TEST_F(Simplified, Turns) {
   EXPECT_EQ(of((x * s + y * c) * c - (x * c - y * s) * s), "y");
   EXPECT_EQ(of((-(x * s) - y * c) * s - (x * c - y * s) * c), "neg(x)");
   EXPECT_EQ(of((x * c * y) * c + s * (y * (s * x))), "mult(x, y)");
-  // What only looks like it.
+  // These only look similar.
   EXPECT_EQ(of(c * c - s * s), "sub(mult(cos(u), cos(u)), mult(sin(u), sin(u)))");
   EXPECT_EQ(of(c * c + sin(x) * sin(x)), "add(mult(cos(u), cos(u)), mult(sin(x), sin(x)))");
   EXPECT_EQ(of((x * c) * c + (y * s) * s),

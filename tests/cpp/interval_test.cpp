@@ -1,5 +1,5 @@
 // Interval arithmetic: every row of the table at dense samples of random intervals, and cases
-// worked out by hand.
+// computed by hand.
 #include "ops/interval.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class Sampler {
   }
   int below(int count) { return std::uniform_int_distribution(0, count - 1)(random_); }
 
-  // Small and large, round and not, of either sign.
+  // Small and large numbers, integers and fractions, of either sign.
   double number() {
     switch (below(6)) {
       case 0:
@@ -46,7 +46,7 @@ class Sampler {
     return {low == 0 ? -0.0 : low, high == 0 ? 0.0 : high};
   }
 
-  // Of whole numbers, small and large.
+  // Intervals of integers, small and large.
   Interval wholes() {
     const double least = -2147483648.0, most = 2147483647.0;
     const bool isSmall = below(2) != 0;
@@ -80,7 +80,7 @@ class Sampler {
   std::mt19937 random_{1};
 };
 
-// Neither too large nor too small.
+// Neither overflows nor underflows in float32.
 bool isFloat32(double x) {
   using Limits = std::numeric_limits<float>;
   return x == 0 || (std::abs(x) >= Limits::min() && std::abs(x) <= Limits::max());
@@ -114,7 +114,7 @@ void checkRow() {
           << ops::declarations[Row].name << " of " << at[0] << ", " << at[1] << ", " << at[2]
           << " is " << value << ", not from " << range.low << " to " << range.high << ", of "
           << x[0].low << ".." << x[0].high << ", " << x[1].low << ".." << x[1].high;
-      // Beyond its ends float32 has infinity, or may have zero.
+      // Out of range, float32 has infinity, or may have zero.
       if (std::isnan(value) || !std::all_of(at.begin(), at.end(), isFloat32)) continue;
       const double inFloat32 = std::abs(value) > 1 ? value * Interval::infinity : 0;
       ASSERT_TRUE(isFloat32(value) || range.has(inFloat32))
@@ -128,16 +128,16 @@ TEST(Interval, HoldsTheValuesOfEveryRow) {
   ops::numbered<ops::count>([](auto... row) { (checkRow<row>(), ...); });
 }
 
-// On the domains of the table, where rows of one operand rise or fall or have their extremes
-// inside.
+// Samples the domains of the table, where rows with one operand are monotonic or have their
+// extremes inside.
 template <std::size_t Row>
 void checkTightness() {
   constexpr auto& info = ops::declarations[Row];
   const std::string_view name = info.name;
   if (info.signature.operands[0] == ops::Type::Bool || info.signature.result == ops::Type::Bool)
     return;
-  if (info.signature.hasWhole()) return;  // where they wrap around they are anything
-  if (name == "hash") return;             // random: of more than one number it is anything
+  if (info.signature.hasInt()) return;  // wrapping around gives any integer
+  if (name == "hash") return;  // pseudorandom: for more than one number it may have any value
   Sampler sample;
   for (int box = 0; box < 100; ++box) {
     ops::Operands<Interval> x;
@@ -146,7 +146,7 @@ void checkTightness() {
       double a = sample.between(low, high), b = sample.between(low, high);
       x[i] = {std::min(a, b), std::max(a, b)};
     }
-    // All but the first operand fixed, so that dense samples show the true range.
+    // Fixes all but the first operand, so that dense samples show the true range.
     for (std::size_t i = 1; i < 3; ++i) x[i].high = x[i].low;
     const Interval range = ops::rangeOf(Op(Row), x);
     double low = infinity, high = -infinity, size = 0;
@@ -247,7 +247,7 @@ TEST(Interval, WhatIsNoNumberIsLeftOut) {
   expectNear(acos(Interval(-3, 0.5)), std::acos(0.5), pi);
 }
 
-// Comparisons, min and max with what is no number give a number.
+// Comparisons, min and max may return a number if an operand is NaN.
 TEST(Interval, WhatIsNoNumberMayStillDecide) {
   const Interval root = sqrt(Interval(-1, 4));
   EXPECT_TRUE(lt(root, 5.0).canBeFalse);

@@ -1,4 +1,4 @@
-// The derivatives exactly at each kink that the top of ops/table.hpp lists.
+// The derivatives exactly at each kink that the comment at the top of ops/table.hpp lists.
 #include <gtest/gtest.h>
 
 #include "algebra/vectors.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The operands are inputs, so that nothing folds before it is differentiated.
+// The operands are inputs, so that nothing is folded before it is differentiated.
 class KinksTest : public testing::Test {
  protected:
   Graph graph;
@@ -22,7 +22,7 @@ class KinksTest : public testing::Test {
     for (std::size_t i = 0; i < at.size(); ++i) inputs[v[static_cast<int>(i)].id] = at[i];
     return evaluateNode(graph, differentiator.derivative(f.id, v[by].id), inputs);
   }
-  // Of the row of that name by each of its operands.
+  // The derivatives of a row with respect to each of its operands.
   std::vector<double> slopes(std::string_view row, const std::vector<double>& at) {
     const Op op = rowNamed(row);
     const Expression f{&graph, graph.apply(op, {v[0].id, v[1].id, v[2].id})};
@@ -60,7 +60,7 @@ TEST_F(KinksTest, MinAndMaxTakeTheFirstOfEqualOperands) {
   EXPECT_EQ(slopes("max", {2, 2}), (Slopes{1, 0}));
 }
 
-// min(max(x, low), high), so the order of preference at a tie is x, low, high.
+// min(max(x, low), high), so ties are resolved in the order x, low, high.
 TEST_F(KinksTest, ClampTakesTheBranchThatTheValueTakes) {
   EXPECT_EQ(slopes("clamp", {0, 0, 1}), (Slopes{1, 0, 0})) << "x is low";
   EXPECT_EQ(slopes("clamp", {1, 0, 1}), (Slopes{1, 0, 0})) << "x is high";

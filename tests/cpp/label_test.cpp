@@ -1,4 +1,4 @@
-// A host's expressions: what stands for the same, and for a part of the same.
+// Expressions of a host: those that mean the same, or a part of the same.
 #include "module/label.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(Labels, ParenthesesThatMeanSomethingStay) {
   EXPECT_NE(readLabel("(a + b) * c").root, readLabel("a + b * c").root);
   EXPECT_NE(readLabel("f(a)").root, readLabel("f").root);
   EXPECT_NE(readLabel("a - -b").root, readLabel("a - b").root);
-  // A selector at the end of a sum is of its last term.
+  // A selector at the end of a sum belongs to its last term.
   EXPECT_FALSE(isWithin(readLabel("a + b.x"), readLabel("a + b")));
   EXPECT_TRUE(isWithin(readLabel("(a + b).x"), readLabel("a + b")));
 }
@@ -61,7 +61,7 @@ TEST(Labels, PartsOfASelection) {
 
 TEST(Labels, WhatMayBeTheSameNumber) {
   const auto meet = [](const char* a, const char* b) {
-    return mayMeet(readLabel(a), readLabel(b));
+    return mayOverlap(readLabel(a), readLabel(b));
   };
   EXPECT_TRUE(meet("p.xy", "p.yz"));
   EXPECT_TRUE(meet("p.x", "p.r"));

@@ -1,5 +1,5 @@
-// Four floats at a time: every row of the table against its value in double (ops_test checks that
-// one by hand), within units in the last place of a float, "ulp" below.
+// Four floats at a time: every row of the table against its value in double (which ops_test checks
+// by hand), in units in the last place of a float, "ulp" below.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -34,8 +34,8 @@ Lanes asNumber(Lanes x) { return x; }
 
 template <std::size_t Row>
 Lanes evaluateRow(const Operands<Lanes>& operands) {
-  // Whole numbers are computed lane by lane; see blocks_test.cpp.
-  if constexpr (ops::declarations[Row].signature.hasWhole()) {
+  // Integers are computed lane by lane; see blocks_test.cpp.
+  if constexpr (ops::declarations[Row].signature.hasInt()) {
     return operands[0];
   } else {
     constexpr auto value = std::get<Row>(ops::table).value;
@@ -58,8 +58,8 @@ std::size_t rowNamed(std::string_view name) {
 float fromBits(std::uint32_t bits) { return __builtin_bit_cast(float, bits); }
 std::uint32_t bitsOf(float x) { return __builtin_bit_cast(std::uint32_t, x); }
 
-// How far a float is from what it should be, in distances of floats there. NaN is only right for
-// NaN, an infinity and a signed zero only for a number that rounds to it.
+// The error of a float in distances between adjacent floats there. NaN is only correct for NaN;
+// infinity and signed zeros only for numbers that round to them.
 double ulps(float got, double expected) {
   constexpr double wrong = 1e30;
   const auto nearest = static_cast<float>(expected);
@@ -81,7 +81,7 @@ bool isFloatFunction(const ops::Declaration& row, int arity) {
          row.signature.operands[0] == ops::Type::Float;
 }
 
-// The bounds of whole sweeps over all floats; whoever is not named has 2.
+// Bounds measured by sweeps over all floats; the default is 2.
 const std::map<std::string_view, double> tighterBounds{
     {"neg", 0},    {"abs", 0},      {"sign", 0},     {"floor", 0},    {"ceil", 0},   {"round", 0},
     {"trunc", 0},  {"sqrt", 0.501}, {"fract", 0.5},  {"tan", 0.6},    {"log", 0.52}, {"log2", 0.52},
@@ -94,7 +94,7 @@ double boundOf(std::string_view name) {
   return found == tighterBounds.end() ? 2 : found->second;
 }
 
-// The worst of many, so that a failure is one line.
+// The worst of many errors, so that a failure is one line.
 class Worst {
  public:
   Worst(std::size_t row, double bound) : row_(row), bound_(bound) {}
@@ -108,7 +108,7 @@ class Worst {
     const Lanes results = evaluators[row_](operands);
     for (std::size_t i = 0; i < Lanes::count; ++i) {
       const double a = operands[0][i], b = operands[1][i];
-      // Of a hash and a cell of float32; beyond there is nothing to be right about.
+      // The hash takes a hash and a cell of float32; beyond, its value is undefined.
       if (ops::declarations[row_].name == "hash" && !(a >= 0 && a < 4091 && std::abs(b) <= 0x1p24))
         continue;
       const double distance = ulps(results[i], ops::valueOf(Op(row_), {a, b, 0}));
@@ -140,7 +140,7 @@ TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
   std::mt19937 random(1);
   for (std::size_t row = 0; row < ops::count; ++row) {
     const ops::Declaration& info = ops::declarations[row];
-    if (info.signature.hasWhole()) continue;
+    if (info.signature.hasInt()) continue;
     const ops::Domain domain = std::apply(
         [&](const auto&... each) { return std::array{each.domain...}[row]; }, ops::table);
     for (int point = 0; point < 500; ++point) {
@@ -162,7 +162,7 @@ TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
           largest = std::max(largest, std::abs(x[k]));
         }
         const double expected = ops::valueOf(Op(row), x);
-        // What is summed may be larger than the sum: in mix, products of operands.
+        // Terms may be larger than their sum: in mix, these are products of operands.
         const double summed = std::max(std::abs(expected), std::pow(largest, info.arity - 1));
         EXPECT_NEAR(results[i], expected, 4 * 0x1p-24 * summed)
             << info.name << " of " << x[0] << ", " << x[1] << ", " << x[2];
@@ -178,7 +178,7 @@ TEST(Lanes, FunctionsOfOneNumberKeepTheirBoundsOverAllFloats) {
     std::vector<float> xs;
     for (std::uint64_t bits = row; bits <= 0xffffffff; bits += 16381)
       xs.push_back(fromBits(static_cast<std::uint32_t>(bits)));
-    // More of those where functions bend.
+    // More samples where functions curve.
     for (std::uint32_t bits = bitsOf(0x1p-6f); bits < bitsOf(0x1p14f); bits += 2039) {
       xs.push_back(fromBits(bits));
       xs.push_back(-fromBits(bits));
@@ -226,7 +226,7 @@ TEST(Lanes, FunctionsOfOneNumberAreRightAtSpecialValues) {
 TEST(Lanes, FunctionsOfTwoNumbersAreRightAtSpecialValues) {
   for (std::size_t row = 0; row < ops::count; ++row) {
     const ops::Declaration& info = ops::declarations[row];
-    // mod rounds x / y, as it does in any language: no float is near its value for large x.
+    // mod rounds x / y, as in all languages: for large x its value has a large error.
     if (info.arity != 2 || info.signature.operands[0] != ops::Type::Float || info.name == "mod")
       continue;
     Worst worst(row, boundOf(info.name));
@@ -267,7 +267,7 @@ TEST(Lanes, PowersAndAnglesKeepTheirBounds) {
   }
 }
 
-// There the sine, the cosine or the tangent is next to 0, and x has few digits more than the
+// There the sine, the cosine or the tangent is close to 0, and x has few digits more than the
 // multiple of π/2.
 TEST(Lanes, AnglesNextToMultiplesOfRightAnglesKeepTheirDigits) {
   std::vector<float> xs;
@@ -282,7 +282,7 @@ TEST(Lanes, AnglesNextToMultiplesOfRightAnglesKeepTheirDigits) {
     Worst(rowNamed(name), boundOf(name)).check(xs);
 }
 
-// Of the float next to 2^86 · 1.5707964 or so: W. Kahan's hard case for the reduction of angles.
+// The float closest to 2^86 · 1.5707964 or so: W. Kahan's hard case for the reduction of angles.
 TEST(Lanes, HugeAnglesAreReducedExactly) {
   for (const std::string_view name : {"sin", "cos", "tan"})
     Worst(rowNamed(name), boundOf(name))

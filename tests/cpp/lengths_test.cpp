@@ -1,5 +1,5 @@
-// Lengths are corrected where a name changes; the tests compare them with lengths that are measured
-// anew from their definition.
+// Lengths are updated when a name changes; the tests compare them with lengths that are recomputed
+// from their definition.
 #include "emit/lengths.hpp"
 
 #include <gtest/gtest.h>
@@ -25,11 +25,11 @@ class LengthsTest : public testing::Test {
       const int label = std::min(static_cast<int>(input.label.size()), 12);
       return input.shape.isNumber() ? label : label + Lengths::member;
     }
-    return levels == 0 ? Lengths::usualNumber : expectedOperation(id, levels);
+    return levels == 0 ? Lengths::typicalNumber : expectedOperation(id, levels);
   }
 
   int expectedOperation(NodeId id, int levels) const {
-    if (!graph.isOperation(id)) return Lengths::usualNumber;
+    if (!graph.isOperation(id)) return Lengths::typicalNumber;
     auto total =
         static_cast<int>(ops::spelling(graph.node(id).op, ops::Language::Glsl300).text.size());
     for (int i = 0; i < graph.arity(id); ++i)
@@ -39,7 +39,7 @@ class LengthsTest : public testing::Test {
 
   void expectAll(const Lengths& lengths, std::span<const NodeId> nodes) const {
     for (const NodeId id : nodes) {
-      for (const int levels : {1, 2, 3, 7, Lengths::deepest}) {
+      for (const int levels : {1, 2, 3, 7, Lengths::maxLevels}) {
         ASSERT_EQ(lengths.whereRead(id, levels), expectedWhereRead(id, levels)) << index(id);
         ASSERT_EQ(lengths.ofOperation(id, levels), expectedOperation(id, levels)) << index(id);
       }
@@ -54,7 +54,7 @@ TEST_F(LengthsTest, FollowEveryChangeOfAName) {
   const Expression s = scalar(graph, "time");
   std::vector<Expression> made{p[0], p[1], p[2], q[0], q[1], s};
   for (int i = 0; i < 400; ++i) {
-    // Mostly late ones, so that texts nest deeper than lengths are remembered.
+    // Picks mostly recent nodes, so that expressions nest deeper than the measured levels.
     const auto pick = [&] { return made[made.size() - 1 - below(below(4) ? 3 : made.size())]; };
     const Expression x = pick(), y = pick();
     switch (below(5)) {
@@ -107,9 +107,9 @@ TEST_F(LengthsTest, AChainWithoutNamesIsNoChainOfCalls) {
   lengths.setName(nodes[1], Lengths::name);
   lengths.measure(nodes);
   lengths.setName(nodes[1], Lengths::name + Lengths::member);
-  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::deepest), 10);  // `sin(t12.x)`
+  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::maxLevels), 10);  // `sin(t12.x)`
   lengths.removeName(nodes[1]);
-  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::deepest), 11);  // `sin(sin(x))`
+  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::maxLevels), 11);  // `sin(sin(x))`
 }
 
 }  // namespace

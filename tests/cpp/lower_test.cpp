@@ -1,4 +1,4 @@
-// Lowering: what a language lacks becomes what it has, and nothing else changes.
+// Lowering replaces what a language lacks, and changes nothing else.
 #include "emit/lower.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class LowerTest : public testing::Test {
     }
   }
 
-  // Points where every row is defined: above one for acosh, below for asin and its like.
+  // Points where every row is defined: above one for acosh, below for asin and the like.
   Inputs point(std::mt19937& random, ops::Domain domain) {
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
@@ -58,15 +58,15 @@ TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissi
   for (const ops::Declaration& info : ops::declarations) {
     const Expression root = apply(info.name);
     for (const Language language : languages) {
-      // What has no text for bits says so; see tests/glsl-source/glsl.test.js.
-      if (!refused(graph, {&root.id, 1}, language).empty()) continue;
+      // Languages without bitwise operations report that; see tests/glsl-source/glsl.test.js.
+      if (!findUnsupported(graph, {&root.id, 1}, language).empty()) continue;
       const Expression low = lowered(root, language);
       expectWritable(low.id, language, info.name);
       for (int i = 0; i < 50; ++i) {
         Inputs at = point(random, domains[index(rowNamed(info.name))]);
-        // No language promises anything of whole numbers divided by zero.
+        // Integer division by zero is undefined in all languages.
         if (info.name == "intMod" && std::abs(at[v[1].id]) < 1) continue;
-        // Few bits of a whole number make a float.
+        // Few bit patterns of integers are valid floats.
         if (info.name == "intBitsToFloat" && std::isnan(evaluateNode(graph, root.id, at))) continue;
         EXPECT_NEAR(evaluateNode(graph, low.id, at), evaluateNode(graph, root.id, at), 1e-12)
             << info.name;

@@ -1,5 +1,5 @@
-// Machine code: numbers and a whole module against bytes by hand. That it computes what the
-// interpreter does, tests/cpu/machine-code.test.js sees, where there is an engine.
+// Machine code: numbers and a whole module against bytes by hand. tests/cpu/machine-code.test.js
+// checks in an engine that it computes the same as the interpreter.
 #include "eval/machine_code.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Bytes signedly(std::int32_t x) {
   return bytes.bytes();
 }
 
-// The examples of the DWARF standard, which LEB128 comes from, and the ends of 32 bits.
+// The examples of the DWARF standard, where LEB128 comes from, and the limits of 32 bits.
 TEST(WasmBytes, NumbersAreLEB128) {
   EXPECT_EQ(numbered(2), (Bytes{2}));
   EXPECT_EQ(numbered(127), (Bytes{127}));
@@ -63,7 +63,7 @@ class MachineCodeTest : public testing::Test {
     const auto made = program(graph, std::array{result.id});
     const RegisterProgram registers =
         allocateRegisters(made->words, made->instructions, std::array{0u}, {false, true});
-    // x of 4 vertices, the time, and room for 4 results.
+    // x of 4 vertices, the time, and space for 4 results.
     const Placement inputs[] = {{0, 1}, {16, 1, true}}, results[] = {{20, 1}};
     return machineCode(registers, inputs, results, 36);
   }
@@ -73,7 +73,7 @@ class MachineCodeTest : public testing::Test {
   }
 };
 
-// x + 2, worked out with the specification's tables of opcodes.
+// x + 2, assembled with the specification's tables of opcodes.
 TEST_F(MachineCodeTest, AModuleByHand) {
   const MachineCode made = codeOf(x + 2.0);
   EXPECT_EQ(made.sharedAt, 36u);
@@ -98,7 +98,7 @@ TEST_F(MachineCodeTest, AModuleByHand) {
   EXPECT_TRUE(holds(made.module, body));
 }
 
-// What all vertices share is computed by `start`: it is among the shared numbers, after the
+// `start` computes the values that all vertices share: they are among the shared numbers, after the
 // constants and before those of formulas.
 TEST_F(MachineCodeTest, SharedNumbersStandInOrder) {
   const MachineCode made = codeOf(x * (time * 3.0 + 1.0));
@@ -110,7 +110,7 @@ TEST_F(MachineCodeTest, SharedNumbersStandInOrder) {
   EXPECT_GT(codeOf(sin(x)).shared.size(), 5u) << "the coefficients of a sine";
 }
 
-// Only what is used is imported, by the names that js-bindings/wasm/evaluation.cpp exports.
+// Only used functions are imported, by the names that js-bindings/wasm/evaluation.cpp exports.
 TEST_F(MachineCodeTest, ImportsWhatItCalls) {
   const auto name = [](std::string_view text) { return Bytes(text.begin(), text.end()); };
   EXPECT_TRUE(holds(codeOf(exp(x)).module, name("lanes_exp")));
@@ -118,7 +118,7 @@ TEST_F(MachineCodeTest, ImportsWhatItCalls) {
   EXPECT_FALSE(holds(codeOf(x * x).module, name("lanes_exp")));
 }
 
-// Of many instructions there are several functions, and registers in memory between them.
+// Many instructions are split into several functions, with registers in memory between them.
 TEST_F(MachineCodeTest, ALongProgramIsCut) {
   Expression sum = x;
   for (int i = 0; i < 1200; ++i) sum = sum * sum + x;

@@ -1,4 +1,4 @@
-// What extensions of glTF change in the merged mesh; expected numbers are worked out by hand.
+// Changes of the merged mesh by extensions of glTF; expected numbers are computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ TEST(GltfExtensions, ReadsSparseIndicesUponZeros) {
   EXPECT_EQ(meshOf(file.glb()).indices, (Indices{0, 3, 2}));
 }
 
-// A triangle whose one target lifts its third vertex by 2, and turns its normal.
+// A triangle with one target, which lifts its third vertex by 2 and tilts its normal.
 GltfBuilder morphed(const json& meshWeights, const json& nodeWeights) {
   GltfBuilder file;
   const int normals = file.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
@@ -71,10 +71,10 @@ GltfBuilder morphed(const json& meshWeights, const json& nodeWeights) {
 TEST(GltfExtensions, AppliesWeightsOfMorphTargets) {
   const Mesh mesh = meshOf(morphed({0.5}, nullptr).glb());
   EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 1}));
-  // (0, 0.75, 0.75), of length 1 again
+  // (0, 0.75, 0.75), normalized
   expectNear(mesh.normals, {0, 0, 1, 0, 0, 1, 0, std::sqrt(0.5f), std::sqrt(0.5f)});
   EXPECT_EQ(mesh.uvs, (Floats{0.25f, 0.125f, 1, 0, 0, 1}));
-  // Those of a node go before those of its mesh.
+  // The weights of a node override those of its mesh.
   EXPECT_EQ(meshOf(morphed({0.5}, {1}).glb()).positions[8], 2);
   EXPECT_EQ(meshOf(morphed({0.5}, {0}).glb()).positions, triangle);
   EXPECT_EQ(meshOf(morphed(nullptr, {-1}).glb()).positions[8], -2);
@@ -118,7 +118,7 @@ GltfBuilder instanced(const json& attributes, GltfBuilder file = triangleFile())
 TEST(GltfExtensions, MakesTrianglesOfInstances) {
   GltfBuilder file = triangleFile();
   const int places = file.floats({0, 0, 0, 10, 0, 0, 20, 0, 0}, "VEC3");
-  // The second turns a quarter around z.
+  // The second instance is rotated by 90 degrees around z.
   const int turns = file.accessor<std::int16_t>(
       {0, 0, 0, 32767, 0, 0, 23170, 23170, 0, 0, 0, 32767}, "VEC4", {{"normalized", true}});
   const int sizes = file.floats({1, 1, 1, 1, 1, 1, 2, 3, -1}, "VEC3");
@@ -128,7 +128,7 @@ TEST(GltfExtensions, MakesTrianglesOfInstances) {
   expectNear(mesh.positions, {0,  0, 5, 1,  0, 5, 0,  1, 5,  //
                               10, 0, 5, 10, 1, 5, 9,  0, 5,  //
                               20, 0, 5, 22, 0, 5, 20, 3, 5});
-  // The third is mirrored.
+  // The third instance is mirrored.
   EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 3, 4, 5, 6, 8, 7}));
 
   EXPECT_EQ(meshOf(instanced({{"TRANSLATION", places}, {"_ID", 99}}, file).glb()).vertexCount(),
@@ -210,7 +210,7 @@ TEST(GltfExtensions, LosesOnlyTexturesOfFormatsItDoesNotRead) {
   }
 }
 
-// A triangle whose positions are in a view that meshopt has compressed, as nobody here decodes it.
+// A triangle with positions in a view compressed by meshopt, which is not decoded here.
 GltfBuilder compressed(const json& packed = json::object()) {
   GltfBuilder file = triangleFile();
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"EXT_meshopt_compression"};
@@ -283,7 +283,7 @@ TEST(GltfExtensions, RefusesCompressedViewsThatLie) {
             std::string::npos);
 }
 
-// A primitive that Draco has compressed; the numbers in `bytes` are not Draco's.
+// A primitive compressed by Draco; the numbers in `bytes` are not Draco's.
 GltfBuilder dracoFile() {
   GltfBuilder file;
   const int view = file.view<std::uint8_t>({1, 2, 3});

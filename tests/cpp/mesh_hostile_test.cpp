@@ -1,5 +1,6 @@
-// Files that are broken or lie: each must end in one sentence or in a mesh that is right. The build
-// under the sanitizers also finds any read outside of the bytes, which are copied to end exactly.
+// Files that are broken or malicious: each must result in one message or in a valid mesh. The build
+// under the sanitizers also finds any out-of-bounds read, since the bytes are copied to a buffer of
+// their exact size.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +14,7 @@
 namespace warpjet {
 namespace {
 
-// The problem, after checking that there is one sentence or a right mesh.
+// The problem, after checking that there is either one message or a valid mesh.
 std::string problemOfFile(const File& file) {
   const File exact(file.begin(), file.end());
   const Loaded loaded = loadMesh(exact);
@@ -29,7 +30,7 @@ std::string problemOfFile(const File& file) {
   return loaded.problem;
 }
 
-// Everything at once: two parts, indices, stride, sparse values, material, picture, nodes.
+// Contains everything: two parts, indices, stride, sparse values, material, image, nodes.
 GltfBuilder richFile() {
   GltfBuilder file;
   const int positions = file.floats(triangle, "VEC3");
@@ -66,9 +67,9 @@ TEST(HostileMesh, EveryTruncationOfAGlbIsSaid) {
   for (std::size_t length = 0; length < file.size(); ++length)
     EXPECT_NE(problemOfFile({file.begin(), file.begin() + length}), "") << length;
   EXPECT_EQ(problemOfFile({file.begin(), file.begin() + 1000}),
-            "loadMesh: the file ends in the middle of its data (it says " + std::string("1,") +
+            "loadMesh: the file ends in the middle of its data (expected " + std::string("1,") +
                 std::to_string(file.size()).substr(1) +
-                " bytes, 1,000 came); export or download it again.");
+                " bytes, got 1,000); export or download it again.");
 }
 
 TEST(HostileMesh, EveryTruncationOfAGltfIsSaid) {
@@ -111,7 +112,7 @@ TEST(HostileMesh, NoMemberOfAnotherTypeBreaksTheReader) {
   const json flat = whole.flatten();
   std::set<std::string> told;
   for (const auto& member : flat.items()) {
-    // The member itself and everything around it.
+    // The member itself and everything that contains it.
     for (json::json_pointer place(member.key()); !place.empty(); place.pop_back()) {
       if (!told.insert(place.to_string()).second) continue;
       for (const json& lie : lies) {
@@ -127,7 +128,7 @@ TEST(HostileMesh, NoMemberOfAnotherTypeBreaksTheReader) {
 struct Lie {
   const char* what;
   std::function<void(json&)> tell;
-  const char* part;  // of the sentence
+  const char* part;  // of the message
 };
 
 TEST(HostileMesh, EachLieHasItsSentence) {
@@ -175,7 +176,7 @@ TEST(HostileMesh, EachLieHasItsSentence) {
        [](json& t) {
          t["buffers"] = {{{"byteLength", 1}, {"uri", "data:;base64,@@@@"}}};
        },
-       "without right base64"},
+       "without valid base64"},
       {"base64 cut off",
        [](json& t) {
          t["buffers"] = {{{"byteLength", 9}, {"uri", "data:;base64,AAAA"}}};
@@ -185,7 +186,7 @@ TEST(HostileMesh, EachLieHasItsSentence) {
        [](json& t) {
          t["buffers"] = {{{"byteLength", 1}, {"uri", "data:"}}};
        },
-       "data URI without right base64"},
+       "data URI without valid base64"},
       {"no accessor",
        [](json& t) { t["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 99; },
        "accessor 99"},

@@ -1,4 +1,4 @@
-// What comes out of glTF files, form by form; expected numbers are worked out by hand.
+// Loading glTF files, feature by feature; expected numbers are computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST(LoadMesh, ReadsEmbeddedAndExternalBuffersToo) {
   EXPECT_EQ(externalFiles(file.external("a%20b.bin")), std::vector<std::string>{"a%20b.bin"});
   EXPECT_TRUE(externalFiles(file.glb()).empty());
   EXPECT_EQ(loadMesh(file.external("a.bin")).problem,
-            "loadMesh: the model needs the file \"a.bin\"; hand it over with the model, or export "
+            "loadMesh: the model needs the file \"a.bin\"; pass it with the model, or export "
             "the model as .glb.");
 }
 
@@ -118,7 +118,8 @@ TEST(LoadMesh, SeparatesStripsAndFans) {
   EXPECT_EQ(separated(5, {}), (Indices{0, 1, 2, 1, 3, 2, 2, 3, 4}));
   EXPECT_EQ(separated(5, {4, 3, 2, 1}), (Indices{4, 3, 2, 3, 1, 2}));
   EXPECT_EQ(separated(6, {}), (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
-  // Repeated corners join strips: triangles without area go, and every second one is turned.
+  // Repeated corners join strips: triangles without area are removed, and every second one is
+  // reversed.
   EXPECT_EQ(separated(5, {0, 1, 2, 2, 1, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 3, 4}));
   EXPECT_EQ(separated(5, {0, 1, 2, 2, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 4, 3}));
 }
@@ -140,7 +141,7 @@ template <typename T>
 Floats positionsFrom(const std::vector<T>& numbers, bool isNormalized) {
   GltfBuilder file;
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"KHR_mesh_quantization"};
-  // Three elements of three numbers, four apart: strides are multiples of 4.
+  // Three elements of three numbers at a distance of four: strides are multiples of 4.
   const int positions =
       file.accessor(numbers, "VEC3", {{"normalized", isNormalized}, {"count", 3}});
   file.tree["bufferViews"][0]["byteStride"] = 4 * sizeof(T);
@@ -166,7 +167,7 @@ TEST(LoadMesh, ReadsQuantizedPositions) {
 
 TEST(LoadMesh, MakesQuantizedNormalsUnit) {
   GltfBuilder file;
-  // 90/127 and 90/127 are together 1.002 long.
+  // The vector (90/127, 90/127) has a length of 1.002.
   const int normals = file.accessor<std::int8_t>({90, 90, 0, 0, 0, -128, 0, 0, 0, 127, 0, 0},
                                                  "VEC3", {{"normalized", true}, {"count", 3}});
   file.tree["bufferViews"][0]["byteStride"] = 4;
@@ -244,7 +245,7 @@ TEST(LoadMesh, ReadsSparseIndices) {
   EXPECT_EQ(loaded(file.glb()).indices, (Indices{0, 3, 2}));
 }
 
-// A file whose only node has this transform, with a normal and a tangent at each corner.
+// A file whose only node has this transform, with a normal and a tangent per corner.
 GltfBuilder transformed(const json& transform) {
   GltfBuilder file;
   file.mesh({{"POSITION", file.floats({1, 0, 0, 0, 2, 0, 0, 0, 3}, "VEC3")},
@@ -257,17 +258,17 @@ GltfBuilder transformed(const json& transform) {
 }
 
 TEST(LoadMesh, MovesByTranslationRotationAndScale) {
-  // Scaled by (2, 1, 1), then turned by 90 degrees around z: x to y, y to -x. Then moved.
+  // Scaled by (2, 1, 1), then rotated by 90 degrees around z: x to y, y to -x. Then translated.
   const float half = std::sqrt(0.5f);
   const Mesh mesh = loaded(
       transformed(
           {{"translation", {10, 20, 30}}, {"rotation", {0, 0, half, half}}, {"scale", {2, 1, 1}}})
           .glb());
   expectNear(mesh.positions, {10, 22, 30, 8, 20, 30, 10, 20, 33}, 1e-5f);
-  // By the inverse transpose: (0.3, 0.8, 0) of length sqrt(0.73), turned. Zero stays zero.
+  // Inverse transpose: (0.3, 0.8, 0) of length sqrt(0.73), rotated. Zero remains zero.
   const float length = std::sqrt(0.73f);
   expectNear(mesh.normals, {-0.8f / length, 0.3f / length, 0, 0, 0, 1, 0, 0, 0});
-  // By the matrix: (1.6, -0.6, 0) of length sqrt(2.92), turned.
+  // Matrix: (1.6, -0.6, 0) of length sqrt(2.92), rotated.
   const float along = std::sqrt(2.92f);
   expectNear(mesh.tangents, {0.6f / along, 1.6f / along, 0, 1, 0, 1, 0, -1, -1, 0, 0, 1});
   EXPECT_TRUE(mesh.indices.empty());
@@ -288,7 +289,7 @@ TEST(LoadMesh, TurnsTrianglesOverWhereATransformMirrors) {
 }
 
 TEST(LoadMesh, KeepsNormalsOfAFlattenedMesh) {
-  // z is scaled to nothing: the inverse does not exist, but the normals of the plane do.
+  // z is scaled to zero: the inverse doesn't exist, but the normals of the plane do.
   const Mesh mesh = loaded(transformed({{"scale", {1, 1, 0}}}).glb());
   expectNear(mesh.normals, {0, 0, 0, 0, 0, 1, 0, 0, 0});
 }
@@ -342,7 +343,7 @@ TEST(LoadMesh, FillsWhatOnlySomePartsHave) {
                 "Only some parts have tangents and normals; the tangents are left out."});
 }
 
-// Two triangles, each with a material of its own; a texture's source is an image.
+// Two triangles with one material each; the source of a texture is an image.
 GltfBuilder painted(const json& first, const json& second) {
   GltfBuilder file;
   const int positions = file.floats(triangle, "VEC3");
@@ -449,8 +450,8 @@ TEST(LoadMesh, ClampsColors) {
                 "Colours of vertices that lie outside 0 to 1 are clamped to it.", ofMaterials}));
 }
 
-// Node 0 shows the mesh somewhere else, which says nothing. Joint 1 stands at x = 1, as it was
-// bound; joint 2, bound 2 above it, is turned by 90 degrees around z: x to y, y to -x.
+// Node 0 shows the mesh at another place, which has no effect. Joint 1 is at x = 1, as it was
+// bound; joint 2, bound 2 above it, is rotated by 90 degrees around z: x to y, y to -x.
 GltfBuilder skinned() {
   const auto moved = [](float x, float y) {
     return Floats{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1};
@@ -476,7 +477,7 @@ GltfBuilder skinned() {
 
 TEST(LoadMesh, PosesSkinsAsTheirJointsStand) {
   const Mesh mesh = loaded(skinned().glb());
-  // The last follows both: half of (2, 2, 3), where it was, and half of (1, 3, 3).
+  // The last vertex follows both: half of (2, 2, 3), its original position, and half of (1, 3, 3).
   expectNear(mesh.positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, 3});
   const float half = std::sqrt(0.5f);
   expectNear(mesh.normals, {0, 0, 1, 0, 1, 0, half, half, 0});
@@ -488,7 +489,8 @@ TEST(LoadMesh, PosesSkinsAsTheirJointsStand) {
 TEST(LoadMesh, PosesSkinsOfOddFiles) {
   GltfBuilder unbound = skinned();
   unbound.tree["skins"][0].erase("inverseBindMatrices");
-  // As if bound at the origin: (2, 2) turned and moved by (1, 2), and with it half of (3, 2, 3).
+  // The same as if bound at the origin: (2, 2) rotated and translated by (1, 2), blended with half
+  // of (3, 2, 3).
   expectNear(loaded(unbound.glb()).positions, {1, 0, 0, -1, 4, 0, 1, 3, 3});
 
   GltfBuilder mirrored = skinned();
@@ -498,7 +500,7 @@ TEST(LoadMesh, PosesSkinsOfOddFiles) {
   expectNear(loaded(mirrored.glb()).normals,
              {0, 0, -1, 0, 1, 0, std::sqrt(0.5f), std::sqrt(0.5f), 0});
 
-  GltfBuilder scenes = skinned();  // whose joints another scene shows
+  GltfBuilder scenes = skinned();  // another scene shows its joints
   scenes.tree["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
   EXPECT_EQ(loaded(scenes.glb()).positions, loaded(skinned().glb()).positions);
 
@@ -569,9 +571,9 @@ TEST(LoadMesh, RefusesRequiredExtensionsByName) {
     file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {extension};
     return loadMesh(file.glb()).problem;
   };
-  // Required, but nothing uses it.
+  // Required, but unused.
   EXPECT_EQ(problemWith("EXT_meshopt_compression"), "");
-  GltfBuilder optional = triangleFile();  // which it uses, though it does not say so
+  GltfBuilder optional = triangleFile();  // used, but not declared as used
   auto& primitive = optional.tree["meshes"][0]["primitives"][0];
   primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
   optional.tree["extensionsUsed"] = {"KHR_draco_mesh_compression"};

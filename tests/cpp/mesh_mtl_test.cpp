@@ -1,4 +1,4 @@
-// Materials of OBJ files: which files they need, and what colours and pictures come of them.
+// Materials of OBJ files: the files they need, and their colors and images.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,13 +36,13 @@ TEST(Mtl, ColorsFacesByTheirMaterial) {
   for (const char* mark : {"", "\xEF\xBB\xBF"}) {
     const Loaded loaded = load(twoParts, withMaterials(mark + colors));
     const Mesh& mesh = *loaded.mesh;
-    // Corners of two colours become two vertices.
+    // Corners with two colors become two vertices.
     ASSERT_EQ(mesh.vertexCount(), 6u);
     for (int i = 0; i < 3; ++i)
       EXPECT_EQ((Floats{&mesh.colors[4 * i], &mesh.colors[4 * i + 4]}), (Floats{1, 0, 0, 1}));
     EXPECT_NEAR(mesh.colors[13], 0.214041f, 1e-6f);  // ((0.5 + 0.055) / 1.055) ^ 2.4
     EXPECT_EQ(mesh.colors[12], 0);
-    EXPECT_EQ(mesh.colors[15], 1);  // as p5, which reads no "d"
+    EXPECT_EQ(mesh.colors[15], 1);  // like p5, which doesn't read "d"
     EXPECT_TRUE(loaded.warnings.empty());
   }
 }
@@ -118,7 +118,7 @@ TEST(Mtl, SaysWhatIsMissing) {
   EXPECT_EQ(
       load(twoParts, withMaterials("newmtl red\nKd 1 0 0\n")).warnings,
       Names{"A material of the .obj is in none of its .mtl files; those faces have no colour."});
-  // As if it had no materials.
+  // The same as without materials.
   EXPECT_EQ(load(twoParts).mesh->vertexCount(), 4u);
   EXPECT_TRUE(load("mtllib a.mtl\n" + square + "f 1 2 3").warnings.empty());
 }

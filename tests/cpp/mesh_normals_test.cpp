@@ -1,4 +1,4 @@
-// Computed normals, against meshes whose normals everyone knows.
+// Computed normals, against meshes with known normals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,8 +33,8 @@ TEST(ComputeNormals, PointWhereTheTriangleTurnsLeft) {
 }
 
 TEST(ComputeNormals, DoNotDependOnHowAQuadIsCut) {
-  // A cube's faces are equal, so each corner's normal is the diagonal, however many triangles meet
-  // there: angles make up for it, areas alone would not.
+  // A cube's faces are equivalent, so each corner's normal is the diagonal, however many triangles
+  // meet there: weighting by angles ensures that, weighting by areas alone would not.
   Mesh cube =
       meshOf({-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1},
              {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
@@ -45,8 +45,8 @@ TEST(ComputeNormals, DoNotDependOnHowAQuadIsCut) {
 }
 
 TEST(ComputeNormals, WeighByAreaAndAngle) {
-  // At the origin meet a right angle of area 1/2 facing z, and one of 45 degrees of area 2 facing
-  // x: twice the area times the angle is 1 * 90 against 4 * 45.
+  // Two angles meet at the origin: a right angle of area 1/2 facing z, and one of 45 degrees of
+  // area 2 facing x. Twice the area times the angle is 1 * 90 against 4 * 45.
   const Floats normals =
       computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 0, 2, 2}, {0, 1, 2, 0, 3, 4}));
   const float length = std::sqrt(5.0f);
@@ -54,7 +54,7 @@ TEST(ComputeNormals, WeighByAreaAndAngle) {
 }
 
 TEST(ComputeNormals, AreSharedByVerticesAtOnePlace) {
-  // A roof of two sides without common vertices; 0 and -0 are one place.
+  // A roof of two sides without common vertices; 0 and -0 are the same position.
   const Floats normals =
       computeNormals(meshOf({0.0f, 0, 0, 0, 1, 0, -1, 0, -1, -0.0f, 0, 0, 1, 0, -1, 0, 1, 0}, {}));
   expectNear(normals, {0, 0, 1, 0, 0, 1, -std::sqrt(0.5f), 0, std::sqrt(0.5f),  //
@@ -72,7 +72,7 @@ TEST(ComputeNormals, OfVerticesThatBothSidesUseAreThoseOfTheFirst) {
             (Floats{0, 0, -1, 0, 0, -1, 0, 0, -1}));
 }
 
-// Every triangle with vertices of its own.
+// Gives every triangle vertices of its own.
 Mesh soupOf(const Mesh& mesh) {
   Mesh soup;
   for (const std::uint32_t i : mesh.indices)
@@ -80,7 +80,7 @@ Mesh soupOf(const Mesh& mesh) {
   return soup;
 }
 
-// And once more, facing the other way, with vertices of its own.
+// Adds each triangle again, facing the other way, with vertices of its own.
 Mesh twoSided(Mesh mesh) {
   const auto vertices = static_cast<std::uint32_t>(mesh.vertexCount());
   std::vector<std::uint32_t> indices;
@@ -99,7 +99,7 @@ Floats bothWays(Floats normals) {
   return normals;
 }
 
-// With the same vertices.
+// The same, with shared vertices.
 Mesh twoSidedInPlace(Mesh mesh) {
   const std::size_t triangles = mesh.triangleCount();
   for (std::size_t i = 0; i < triangles; ++i) {
@@ -169,7 +169,7 @@ TEST(AddMissingNormals, LeavesEveryCornerAtItsPlace) {
   const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
   for (int i = 0; i < 2000; ++i) {
     Mesh mesh;
-    // So few places that triangles coincide, touch and degenerate in every way.
+    // Few positions, so that triangles coincide, touch and degenerate in every way.
     const std::uint32_t vertices = 3 + below(7);
     for (std::uint32_t k = 0; k < 3 * vertices; ++k)
       mesh.positions.push_back(static_cast<float>(below(2)));
@@ -205,7 +205,7 @@ TEST(ComputeNormals, OfThreeTwoSidedSheetsThatMeetAreThoseOfEach) {
   expectNear(computeNormals(twoSided(sheets)), bothWays(normals));
 }
 
-// As where the nodes of a file show one shape in place, again and again.
+// Occurs if the nodes of a file show one shape at the same place repeatedly.
 TEST(ComputeNormals, OfSurfacesThatAreThereManyTimesAreThoseOfOne) {
   Mesh many;
   for (int i = 0; i < 40000; ++i) append(many.positions, {0, 0, 0, 1, 0, 0, 0, 1, 0});

@@ -1,4 +1,4 @@
-// Wavefront OBJ: what its lines become, and what is said of broken ones.
+// Wavefront OBJ: valid lines and their results, and messages about broken ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using Floats = std::vector<float>;
 using Indices = std::vector<std::uint32_t>;
 
 Loaded load(const std::string& text) {
-  const std::vector<std::uint8_t> bytes(text.begin(), text.end());  // no zero behind the end
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());  // without a terminating zero
   Loaded loaded = loadMesh(bytes);
   EXPECT_EQ(problemOf(loaded.mesh.value_or(Mesh{})), "");
   return loaded;
@@ -43,7 +43,7 @@ TEST(Obj, MakesTrianglesOfPolygonsAsFans) {
 }
 
 TEST(Obj, CutsConcavePolygonsInside) {
-  // The dart covers 6 of its 5 by 3 hull; a fan around its first corner covers 10.
+  // The dart covers 6 of its 5x3 hull; a fan around its first corner covers 10.
   const Mesh mesh = meshOf("v 0 0 0\nv 4 1 0\nv 0 4 0\nv 1 1 0\nf 1 2 3 4\n");
   double area = 0;
   for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
@@ -54,7 +54,7 @@ TEST(Obj, CutsConcavePolygonsInside) {
     EXPECT_GT(twice, 0);
     area += twice / 2;
   }
-  // By the shoelace formula: (0 + 16 - 4 + 0) / 2.
+  // Shoelace formula: (0 + 16 - 4 + 0) / 2.
   EXPECT_EQ(area, 6);
   EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}));
 
@@ -108,7 +108,7 @@ std::string utf16(const std::string& text, bool isBigEndian, bool hasMark) {
 
 TEST(Obj, ReadsFilesWithAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
-  // A vertex that is lost with its line makes every face use its neighbour.
+  // If a vertex is lost with its line, every face uses the wrong vertices.
   const std::string spare = "v 7 7 7\nf 1 2 3\n";
   for (const std::string& text :
        {mark + square + spare, mark + "# made by\n" + square + spare,
@@ -180,7 +180,7 @@ TEST(Obj, GivesEachCombinationItsVertex) {
                            "vt 0 0\nvt 1 0.25\nvn 0 0 2\nvn 0 1 0\n"
                            "f 1/1/1 2/2/1 3/1/1\nf 1/1/1 3/1/1 4/2/2\nf 1/2/1 3/1/1 4/2/2\n");
   EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 0, 2, 3, 4, 2, 3}));
-  // v goes up in an OBJ and down in a Mesh.
+  // v points up in an OBJ and down in a Mesh.
   EXPECT_EQ(mesh.uvs, (Floats{0, 1, 1, 0.75f, 0, 1, 1, 0.75f, 1, 0.75f}));
   EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 1}));
 }
@@ -243,12 +243,15 @@ TEST(Obj, PassesOverWhatItDoesNotKnow) {
 
 TEST(Obj, NamesTheLineOfAFault) {
   const std::string again = "; export the model again.";
-  EXPECT_EQ(problemIn(square + "f 1 2 5"),
-            "loadMesh: line 5 of the .obj speaks of position 5, but only 4 came before it" + again);
-  EXPECT_EQ(problemIn(square + "f 1 2 0"),
-            "loadMesh: line 5 of the .obj speaks of position 0, but only 4 came before it" + again);
-  EXPECT_EQ(problemIn("f 1 2 3"),
-            "loadMesh: line 1 of the .obj speaks of position 1, but none came before it" + again);
+  EXPECT_EQ(
+      problemIn(square + "f 1 2 5"),
+      "loadMesh: line 5 of the .obj refers to position 5, but there are only 4 before it" + again);
+  EXPECT_EQ(
+      problemIn(square + "f 1 2 0"),
+      "loadMesh: line 5 of the .obj refers to position 0, but there are only 4 before it" + again);
+  EXPECT_EQ(
+      problemIn("f 1 2 3"),
+      "loadMesh: line 1 of the .obj refers to position 1, but there is none before it" + again);
   EXPECT_EQ(problemIn(square + "f 1/a 2/1 3/1"),
             "loadMesh: line 5 of the .obj has \"a\" where a face's corner belongs" + again);
   EXPECT_EQ(problemIn(square + "f 1 2 x"),

@@ -1,4 +1,4 @@
-// STL: what text and binary files become, and what is said of broken ones.
+// STL: results of text and binary files, and messages about broken ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ std::string solid(const std::string& facets) {
   return "solid thing\n" + facets + "endsolid thing\n";
 }
 
-// Twelve numbers a facet: its normal and three corners.
+// Twelve numbers per facet: its normal and three corners.
 File binary(const std::vector<Floats>& facets, const std::string& header = "made by a test") {
   File file = bytesOf(header);
   file.resize(80);
@@ -131,7 +131,7 @@ TEST(Stl, LeavesOutFacetsWhosePositionsAreNoNumbers) {
 }
 
 TEST(Stl, LeavesOutColors) {
-  // p5 does not show them either.
+  // p5 doesn't show them either.
   const Loaded loaded = load(binary({facetWith(tilted)}, "COLOR=abcd,MATERIAL="));
   EXPECT_TRUE(loaded.mesh->colors.empty());
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"The colours of the .stl are left out."});
@@ -161,7 +161,7 @@ TEST(Stl, SaysWhatIsWrong) {
   File file = binary({facetWith(tilted), facetWith(tilted)});
   file.resize(file.size() - 1);
   EXPECT_EQ(problem(file),
-            "loadMesh: the file ends in the middle of its data (it says 184 bytes, 183 came); "
+            "loadMesh: the file ends in the middle of its data (expected 184 bytes, got 183); "
             "export or download it again.");
   File solidHeader = binary({facetWith(tilted), facetWith(tilted)}, "solid work");
   solidHeader.resize(150);

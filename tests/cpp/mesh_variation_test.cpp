@@ -1,4 +1,4 @@
-// How normals and uvs vary over meshes of surfaces whose derivatives everyone knows.
+// Variation of normals and uvs over meshes of surfaces with known derivatives.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double pi = std::numbers::pi;
 using Point = std::array<double, 3>;
 using Matrix = std::array<Point, 3>;
 
-// A surface by two parameters from 0 to 1, which are its uvs.
+// A surface with two parameters from 0 to 1, which are its uvs.
 struct Sample {
   Point position, normal;
 };
@@ -46,7 +46,7 @@ Point vectorAt(const std::vector<float>& numbers, std::size_t vertex) {
   return {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
 }
 
-// The derivative of the normal, by rows.
+// The derivative of the normal, row by row.
 Matrix shapeAt(const Mesh& mesh, std::size_t vertex) {
   return {vectorAt(mesh.gradients[0], vertex), vectorAt(mesh.gradients[1], vertex),
           vectorAt(mesh.gradients[2], vertex)};
@@ -61,7 +61,7 @@ Point vGradient(const Mesh& mesh, std::size_t vertex) {
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// k1 along t and k2 across it, 0 along the normal.
+// k1 along t, k2 across it, 0 along the normal.
 Matrix shapeOf(const Point& normal, const Point& t, double k1, double k2) {
   const Point b{normal[1] * t[2] - normal[2] * t[1], normal[2] * t[0] - normal[0] * t[2],
                 normal[0] * t[1] - normal[1] * t[0]};
@@ -131,12 +131,12 @@ TEST(SurfaceVariation, OfACylinderIsOneOverTheRadiusAroundIt) {
     const Point n = vectorAt(mesh.normals, i);
     EXPECT_LT(difference(shapeAt(mesh, i), shapeOf(n, {0, 1, 0}, 0, 0.5)), 1e-5) << i;
     expectNear(vGradient(mesh, i), {0, 0.2, 0}, 1e-5, i);
-    // u goes round once on 4 pi; its chords are a little shorter.
+    // u covers 4 pi once; the chords are a little shorter.
     expectNear(uGradient(mesh, i), {-n[2] / (4 * pi), 0, n[0] / (4 * pi)}, 1e-3, i);
   }
 }
 
-// The largest error of a torus of that many steps, as a part of the largest curvature.
+// The largest error of a torus with that many steps, as a share of the largest curvature.
 double torusError(int steps) {
   constexpr double big = 1, small = 0.4;
   Mesh mesh = meshOf(
@@ -159,8 +159,8 @@ double torusError(int steps) {
   return most;
 }
 
-// Twice as many steps leave a quarter of the error: its order is two, at the seams too, whose
-// vertices share what they have.
+// Twice as many steps leave a quarter of the error: convergence is of order two, also at the seams,
+// whose vertices share their values.
 TEST(SurfaceVariation, OfATorusTendsToItsPrincipalCurvatures) {
   const double coarse = torusError(16), fine = torusError(32), finest = torusError(64);
   EXPECT_LT(coarse, 0.03);
@@ -197,7 +197,7 @@ TEST(SurfaceVariation, OfAPlaneIsOnlyThatOfItsUvs) {
 TEST(SurfaceVariation, EndsAtHardEdges) {
   Mesh mesh = cubeOfFaces(2);
   addSurfaceVariation(mesh);
-  // Each face is 2 long, and its picture goes once across.
+  // Each face has a size of 2, and its image covers it once.
   for (std::size_t i = 0; i < mesh.vertexCount(); ++i) {
     EXPECT_LT(difference(shapeAt(mesh, i), Matrix{}), 1e-7);
     const Point u = uGradient(mesh, i), v = vGradient(mesh, i);
@@ -231,7 +231,7 @@ TEST(SurfaceVariation, IsZeroWhereNoTriangleSaysMore) {
   addSurfaceVariation(none);
   EXPECT_TRUE(none.gradients[0].empty());
 
-  // A normal that a warp took away.
+  // A normal that a warp has collapsed.
   Mesh lost = sphere(1, 8, 4);
   for (std::size_t i = 0; i < 3; ++i) lost.normals[3 * 20 + i] = 0;
   addSurfaceVariation(lost);
@@ -248,12 +248,12 @@ TEST(SurfaceVariation, IsFiniteForTheLargestAndTheSmallestFloats) {
   }
 }
 
-// Triangles a millionth as high as long, with normals as inexact as float32 makes them.
+// Triangles with a height of a millionth of their length, and normals as inexact as in float32.
 TEST(SurfaceVariation, SliversSayLittle) {
   Mesh mesh = sphere(1, 16, 8);
   const Mesh whole = mesh;
   const auto count = static_cast<std::uint32_t>(mesh.vertexCount());
-  // A vertex on a side, almost on it, and the flat triangle between.
+  // A vertex almost on a side, and the flat triangle in between.
   for (int i = 0; i < 3; ++i) {
     mesh.positions.push_back((whole.positions[3 * 60 + i] + whole.positions[3 * 61 + i]) / 2 *
                              (1 + 1e-7f));

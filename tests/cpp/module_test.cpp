@@ -1,4 +1,4 @@
-// A module: what it keeps, and that whoever reads it leaves it as it is.
+// A module: its contents survive serialization, and readers don't modify it.
 #include "module/module.hpp"
 
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ namespace {
 class ModuleTest : public testing::Test, protected Bench {
  protected:
   static std::string textOf(const Module& module, const Dialect& dialect) {
-    const Written made = write(module, dialect);
+    const ShaderTextResult made = write(module, dialect);
     if (!made.text) return made.problem;
     return made.text->declarations + "---\n" + made.text->emitted.code;
   }
 
-  // One of everything.
+  // Creates one of each kind.
   void fill() {
     const int inner = call("sin", {call("mult", {v3, x})});
     builder.comment("let inner = sin(v3 * x)");
@@ -101,7 +101,7 @@ TEST_F(ModuleTest, ItsNamesAreTheHosts) {
   builder.output("gen", "first", call("mult", {v2, x}));
   builder.output("gen", "second", call("sin", {x}));
   const Module kept = load(save(builder.module()));
-  const Written made =
+  const ShaderTextResult made =
       write(kept, glsl300, {.results = {{1, "y"}}, .inputs = {{0, "uTime"}, {1, "inputs.uv"}}});
   ASSERT_TRUE(made.text) << made.problem;
   EXPECT_EQ(made.text->emitted.code, "float y;\n{\n  y = sin(uTime);\n}\n");

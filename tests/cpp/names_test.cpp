@@ -1,4 +1,4 @@
-// Names and expressions from outside: which may stand in a shader.
+// Names and expressions from outside: which of them may be used in a shader.
 #include "emit/names.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(Names, ReservedWordsAreRefused) {
 }
 
 TEST(Names, BuiltInVariablesThatAreNoFloatsNeedAConversion) {
-  EXPECT_EQ(inputProblem(glsl300, "gl_VertexID"), "it is no float; write float(gl_VertexID)");
+  EXPECT_EQ(inputProblem(glsl300, "gl_VertexID"), "it is not a float; write float(gl_VertexID)");
   EXPECT_EQ(inputProblem(glsl300, "float(gl_VertexID)"), "");
   EXPECT_EQ(inputProblem(glsl300, "gl_FragCoord"), "");
 }

@@ -1,4 +1,4 @@
-// How steep noise is: its derivatives at random points, against what src/noise derives for them.
+// The slopes of noise: its derivatives at random points, against the bounds derived in src/noise.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +11,7 @@
 namespace warpjet {
 namespace {
 
-// The largest first derivative of a noise's body, which has no limits as its calls have.
+// The largest first derivative of a noise's body, which unlike its calls isn't clamped.
 double steepestFound(Library& library, const Definition& definition, int points) {
   const Function& function = definition.function;
   Body& body = library.withoutCalls(function.name, 1);

@@ -1,6 +1,5 @@
-// Every row: its value at points worked out by hand from the GLSL ES 3.00 specification, its
-// partial derivatives against finite differences of its value, and what it is lowered to against
-// its value.
+// Every row: its value at points computed by hand from the GLSL ES 3.00 specification, its partial
+// derivatives against finite differences of its value, and its lowered formula against its value.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +29,7 @@ struct Case {
   double value;
 };
 
-// Equal up to roundings; a zero only to a zero, and infinities and NaN to themselves.
+// Equal up to rounding; zeros, infinities and NaN must match exactly.
 void expectValue(const Case& expected) {
   const auto [a, b, c] = expected.operands;
   const double value = valueOfRowNamed(expected.row, a, b, c);
@@ -147,7 +146,7 @@ TEST(Ops, ValuesAreThoseOfGlsl) {
       {"float", {0}, 0},
       {"bool", {-0.5}, 1},
       {"bool", {0}, 0},
-      // 32 bits, from -2^31 up: -1 has all of them, and is the largest without a sign.
+      // 32 bits, from -2^31 up: -1 has all bits set, and is the largest unsigned number.
       {"int", {-2.75}, -2},
       {"int", {3e9}, 2147483647},
       {"int", {NAN}, 0},

@@ -1,4 +1,4 @@
-// Functions of the host: calls, declarations, and the partial derivatives that they are asked for.
+// Functions of the host: calls, declarations, and their partial derivatives.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 class OwnFunctions : public testing::Test, protected Bench {
  protected:
-  // The calls whose partials the derivative of this value needs.
+  // The calls whose partials are needed for the derivative of this value.
   std::vector<NodeId> pendingFor(int value) {
     EXPECT_EQ(call("derivative", {value, x}), Builder::needsPartials);
     return builder.pendingCalls();
@@ -115,9 +115,9 @@ TEST_F(OwnFunctions, PartialsMustBeANumberForEachArgument) {
   ASSERT_EQ(pendingCalls.size(), 1u);
   const NodeId pending = pendingCalls[0];
   EXPECT_FALSE(givePartials(pending, {x, v2}));
-  EXPECT_EQ(builder.problem(), "noise: derivative 2 must be a single number, but is a vec2.");
+  EXPECT_EQ(builder.problem(), "noise: expected a single number as derivative 2, got a vec2.");
   EXPECT_FALSE(givePartials(pending, {x}));
-  EXPECT_EQ(builder.problem(), "noise: 2 derivatives were expected, one for each argument.");
+  EXPECT_EQ(builder.problem(), "noise: expected 2 derivatives, one per argument.");
   EXPECT_EQ(pendingFor(called), pendingCalls) << "still";
   EXPECT_TRUE(givePartials(pending, {x, number(1)}));
   EXPECT_EQ(text(call("derivative", {called, x})), "x + 1.0");

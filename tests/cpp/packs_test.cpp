@@ -1,5 +1,5 @@
-// Packs: what is done to components is one statement on vectors where that is shorter, and only
-// there. Texts as a person would write them.
+// Packs: operations on components become one statement on vectors if that is shorter, and only
+// then. The expected code is what a person would write.
 #include "emit/packs.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST_F(PacksTest, OneComponentIsReadByItself) {
             "  y = t0 * t0 + t1;\n");
 }
 
-// The slope of a chain of sines is no component of the value: it is found from the angles.
+// The derivative of a chain of sines isn't a component of the value: it is found from the angles.
 TEST_F(PacksTest, WhatElseIsComputedOfAVectorIsAVector) {
   const Value angle = each([&](int i) { return p[i] * 3.0 + x; });
   const Value slope = each([&](int i) { return cos(angle[i]) * 5.0; });
@@ -85,7 +85,7 @@ TEST_F(PacksTest, WhatElseIsComputedOfAVectorIsAVector) {
   EXPECT_NE(all.find("vec3 t1 = cos(t0) * 5.0;\n"), all.npos) << all;
 }
 
-// WGSL has min and max of vectors only, GLSL of a vector and a number too, behind it.
+// In WGSL, min and max take only vectors; in GLSL also a vector and a number, in this order.
 TEST_F(PacksTest, ANumberStandsBesideVectorsWhereTheLanguageHasThat) {
   const Value least = each([&](int i) { return min(sin(p[i]), x); });
   EXPECT_EQ(text(least), "  y = min(sin(p), x);\n");
@@ -106,7 +106,8 @@ TEST_F(PacksTest, AConditionOfEachComponentChoosesNumbers) {
   EXPECT_EQ(all, "  y = vec3(p.x < 1.0 ? p.x : x, p.y < 1.0 ? p.y : x, p.z < 1.0 ? p.z : x);\n");
 }
 
-// A number that one statement reads once stands in it; one that is read elsewhere too has a name.
+// A scalar that one statement reads once is written inline; if it is read elsewhere, too, it has a
+// name.
 TEST_F(PacksTest, ANumberOfOneVectorIsWrittenBesideIt) {
   const Expression scale = ifElse(gt(x, 0.0), x, 0.5);
   EXPECT_EQ(text(p * scale), "  y = p * (x > 0.0 ? x : 0.5);\n");
@@ -137,7 +138,7 @@ TEST_F(PacksTest, ANumberThatNestsDeepHasANameBesideAVector) {
             "  y = p * t0;\n");
 }
 
-// As a person writes a turn; the columns of the matrix come first.
+// A rotation is written as a person would; the matrix is column by column.
 TEST_F(PacksTest, APointThatIsTurnedIsMultipliedByAMatrix) {
   const Expression u = x * 2.0, s = sin(u), c = cos(u);
   const auto turn = [&](Expression a, Expression b) {
@@ -178,7 +179,7 @@ TEST_F(PacksTest, ACrossProductIsWrittenAsThat) {
   const Value q = vector3(graph, "q");
   EXPECT_EQ(text(cross(p, q)), "  y = cross(p, q);\n");
   EXPECT_EQ(text(cross(q, p) * x, wgsl), "  y = cross(q, p) * x;\n");
-  // One sign, or one component, that is another.
+  // Differs by one sign, or by one component.
   EXPECT_EQ(
       text(vec3(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[1] * q[0] - p[0] * q[1])),
       "  y = p.yzy * q.zxx - p.zxx * q.yzy;\n");
@@ -203,7 +204,7 @@ TEST_F(PacksTest, ARotationLeavesNoSquaresOfSinesBehind) {
   EXPECT_EQ(text(vec3(c * c + s * s, s * s + c * c, x)), "  y = vec3(1.0, 1.0, x);\n");
 }
 
-// b reads a.x, and a.y reads b: a cannot be one statement.
+// b reads a.x, and a.y reads b: a can't be one statement.
 TEST_F(PacksTest, NothingWaitsForItself) {
   const Expression first = sin(p[0]), between = exp(first) * first, second = sin(between);
   const Value a = vec3(first * first, second * second, between * between);
@@ -216,8 +217,8 @@ TEST_F(PacksTest, WithoutVectorsTheTextIsOfNumbers) {
   EmitOptions options;
   options.vectors = false;
   const Value u = each([&](int i) { return sin(p[i] * x); });
-  const Emitted scalar = emit(graph, glsl300, std::vector{result("y", u * u)}, options),
-                packed = emit(graph, glsl300, std::vector{result("y", u * u)});
+  const EmittedCode scalar = emit(graph, glsl300, std::vector{result("y", u * u)}, options),
+                    packed = emit(graph, glsl300, std::vector{result("y", u * u)});
   EXPECT_EQ(scalar.temporaries, 3u);
   EXPECT_EQ(scalar.vectors, 0u);
   EXPECT_EQ(packed.temporaries, 1u);
@@ -227,7 +228,7 @@ TEST_F(PacksTest, WithoutVectorsTheTextIsOfNumbers) {
 TEST_F(PacksTest, ALongChainOfVectorsIsNoChainOfCalls) {
   Value v = p;
   for (int i = 0; i < 30'000; ++i) v = each([&](int k) { return sin(v[k]); });
-  const Emitted emitted = emit(graph, glsl300, std::vector{result("y", v)});
+  const EmittedCode emitted = emit(graph, glsl300, std::vector{result("y", v)});
   EXPECT_EQ(emitted.vectors, emitted.temporaries);
   EXPECT_LT(emitted.temporaries, 5000u);
 }

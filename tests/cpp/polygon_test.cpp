@@ -1,5 +1,5 @@
-// Polygons cut into triangles. Whatever the cut, areas add up and every edge is used both ways or
-// is a side of the polygon.
+// Triangulation of polygons. Whatever the cuts, areas add up, and every edge is used in both
+// directions or is a side of the polygon.
 #include "mesh/obj/polygon.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Points flat(const std::vector<std::array<double, 2>>& points) {
 
 double cross(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.y - a.y * b.x; }
 
-// By the sum over the polygon's sides (the shoelace formula).
+// The shoelace formula: a sum over the polygon's sides.
 double areaOf(const Points& polygon) {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -36,7 +36,7 @@ double areaOf(const Points& polygon, const std::array<std::uint32_t, 3>& t) {
   return cross(polygon[t[1]] - polygon[t[0]], polygon[t[2]] - polygon[t[0]]) / 2;
 }
 
-// Of a polygon in the plane z = 0 that does not cross itself and turns left.
+// Checks a simple counterclockwise polygon in the plane z = 0.
 void expectExact(const Points& polygon, const std::string& what) {
   const Triangles triangles = trianglesOfPolygon(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2) << what;
@@ -50,7 +50,7 @@ void expectExact(const Points& polygon, const std::string& what) {
       balance[std::minmax(a, b)] += a < b ? 1 : -1;
     }
   }
-  // None is negative, so that they cover it without overlap if the sum is right.
+  // None is negative, so if the sum is right, they cover the polygon without overlap.
   EXPECT_NEAR(sum, areaOf(polygon), 1e-9 * areaOf(polygon)) << what;
   const auto last = static_cast<std::uint32_t>(polygon.size() - 1);
   for (std::uint32_t i = 0; i < last; ++i) balance[{i, i + 1}] -= 1;
@@ -66,10 +66,10 @@ TEST(Polygon, CutsAConcaveOneInside) {
   expectExact(dart, "dart");
   expectExact(flat({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), "L");
   expectExact(flat({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}), "U");
-  // Corners on straight sides and edges, of which none may be left out.
+  // Corners on straight sides and edges, none of which may be omitted.
   expectExact(flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1.5, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}}),
               "L with corners on its sides");
-  // Out of a square, a square, reached by a cut.
+  // A square with a square hole, connected by a cut.
   expectExact(
       flat({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}),
       "hole");
@@ -99,7 +99,7 @@ TEST(Polygon, CutsAnyThatDoesNotCrossItself) {
     return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
   };
   for (int i = 0; i < 2000; ++i) {
-    // Around a point that sees all of it.
+    // A star-shaped polygon around a point that sees all of it.
     const int count = whole(4, 40);
     Points star;
     for (int k = 0; k < count; ++k) {
@@ -107,7 +107,7 @@ TEST(Polygon, CutsAnyThatDoesNotCrossItself) {
       star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
     }
     expectExact(star, "star " + std::to_string(i));
-    // A skyline of whole numbers, so that many corners stand in rows.
+    // A skyline with integer coordinates, so that many corners are aligned.
     Points skyline = flat({{0, 0}});
     const int towers = whole(2, 20);
     skyline.emplace_back(towers, 0, 0);

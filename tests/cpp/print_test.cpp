@@ -1,4 +1,4 @@
-// Nodes and modules as text, written out by hand.
+// Printed nodes and modules, against text written by hand.
 #include "graph/print.hpp"
 
 #include <gtest/gtest.h>

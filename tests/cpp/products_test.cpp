@@ -1,5 +1,5 @@
-// A vector of the host times a matrix, where that is shorter than its sums. Texts as a person would
-// write them.
+// A vector of the host times a matrix, if that is shorter than its sums. The expected code is what
+// a person would write.
 #include "emit/products.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ class ProductsTest : public testing::Test {
   Value p = vector3(graph, "p"), q = vector3(graph, "q");
   Expression a = scalar(graph, "a"), b = scalar(graph, "b"), c = scalar(graph, "c");
 
-  // Three sums: their entries are in `columns`, those of each sum together.
+  // Three sums: `columns` has their entries, those of each sum together.
   Value times(const std::array<Expression, 9>& columns) {
     return fill(graph, vectorOf(3), [&](int i) {
       return columns[3 * i] * p[0] + columns[3 * i + 1] * p[1] + columns[3 * i + 2] * p[2];
@@ -29,7 +29,7 @@ class ProductsTest : public testing::Test {
   static bool has(const std::string& text, const std::string& part) {
     return text.find(part) != text.npos;
   }
-  // Whether it has any matrix.
+  // True if the code has a matrix.
   bool isProduct(const Value& v) { return has(unitText(v), "mat3("); }
 };
 
@@ -50,7 +50,8 @@ TEST_F(ProductsTest, HaveSigns) {
       << unitText(v);
 }
 
-// Sums of fewer products are shorter as they are, and cross products are where all is a cofactor.
+// Sums of fewer products are shorter unchanged, and cross products are, if all entries are
+// cofactors.
 TEST_F(ProductsTest, PayForThemselves) {
   const Expression zero{&graph, graph.constant(0)};
   EXPECT_FALSE(isProduct(times({a, b, c, b, c, a, c, zero, b})));
@@ -72,7 +73,7 @@ TEST_F(ProductsTest, AreOfOneVectorAndNoMore) {
   EXPECT_FALSE(isProduct(constant));
 }
 
-// What another statement reads, or a result, has a name, which the matrix would not read.
+// A term that another statement or a result reads has a name, which a matrix wouldn't use.
 TEST_F(ProductsTest, ShareNoTerm) {
   const Value v = times({a, b, c, b, c, a * b, c, a, b * c});
   const Value shared = normalize(v) + a * p[0];

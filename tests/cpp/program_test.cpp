@@ -1,4 +1,4 @@
-// Evaluation on the CPU: programs against evaluateNode and against numbers worked out by hand.
+// Evaluation on the CPU: programs against evaluateNode and against numbers computed by hand.
 #include "eval/program.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class ProgramTest : public testing::Test {
   Expression time = scalar(graph, "time");
   Value m = variable(graph, "m", matrixOf(2, 3));
 
-  // The inputs have ten numbers: p, time, m. Those that are not given are 0.
+  // The inputs have ten numbers: p, time, m. Omitted ones are 0.
   static std::vector<double> run(const Program& program, std::vector<double> numbers,
                                  std::size_t count) {
     numbers.resize(10);
@@ -76,7 +76,7 @@ TEST_F(ProgramTest, WithACallThereIsNone) {
   EXPECT_TRUE(program(graph, std::array{p[0].id})) << "no root needs the call";
 }
 
-// A derivative of a call by a number that the host gives needs the partial, not the call.
+// A derivative of a call with respect to an input needs the partial, not the call.
 TEST_F(ProgramTest, ADerivativeThatNeedsNoCallHasOne) {
   const std::uint32_t linear = graph.addFunction({"linear", 1});
   const NodeId call = graph.call(linear, std::array{p[0].id});
@@ -88,7 +88,7 @@ TEST_F(ProgramTest, ADerivativeThatNeedsNoCallHasOne) {
   EXPECT_EQ(run(*made, {2.0, 0.0, 0.0}, 1), std::vector<double>{6});
 }
 
-// Every row on top of the others, and its derivative.
+// Stacks every row on top of the others, and its derivative.
 TEST_F(ProgramTest, AgreesWithTheEvaluationOfTheGraph) {
   std::vector<NodeId> roots;
   Differentiator differentiator(graph);

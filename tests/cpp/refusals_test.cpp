@@ -1,4 +1,4 @@
-// What the builder refuses, in which words, and that it works on after that.
+// Errors of the builder: their messages, and that it continues to work afterwards.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -9,22 +9,22 @@ namespace {
 class Refusals : public testing::Test, protected Bench {
  protected:
   void TearDown() override {
-    if (builder.graph().full()) return;
+    if (builder.graph().isFull()) return;
     EXPECT_EQ(text(call("sin", {x})), "sin(x)");
   }
 
-  // A handle that is none; the same builder goes on after it.
+  // An invalid handle; the builder continues to work afterwards.
   void refuses(int handle, const std::string& sentence) {
     EXPECT_EQ(handle, Builder::failed) << sentence;
     EXPECT_EQ(builder.problem(), sentence);
     EXPECT_GE(call("sin", {x}), 0) << "after: " << sentence;
   }
-  // There is no text, and then there would be one without the last result.
+  // There is no shader code, but there would be without the last result.
   void refusesText(const Bench& bench, const std::string& sentence) {
     EXPECT_FALSE(bench.written().text) << sentence;
     EXPECT_EQ(bench.problemOfText(), sentence);
   }
-  // That something of this method cannot be written in GLSL.
+  // Something of this method can't be written in GLSL.
   template <class Ask>
   void refusesToWrite(Ask ask, const std::string& sentence) {
     Bench bench;
@@ -36,17 +36,17 @@ class Refusals : public testing::Test, protected Bench {
 };
 
 TEST_F(Refusals, OfWrongCounts) {
-  refuses(call("sin", {}), "sin: 1 argument was expected, but 0 came.");
-  refuses(method("sin", {x, x}), "sin: no arguments were expected, but 1 came.");
-  refuses(call("mix", {x, x}), "mix: 3 arguments were expected, but 2 came.");
-  refuses(method("mix", {x, x}), "mix: 2 arguments were expected, but 1 came.");
-  refuses(call("add", {}), "add: 2 arguments were expected, but 0 came.");
-  refuses(method("add", {x}), "add: 1 argument was expected, but 0 came.");
-  refuses(call("atan", {x, x, x}), "atan: 1 argument was expected, but 3 came.");
-  refuses(call("dot", {v3}), "dot: 2 arguments were expected, but 1 came.");
-  refuses(method("column", {m2}), "column: 1 argument was expected, but 0 came.");
-  refuses(method("derivative", {x}), "derivative: 1 argument was expected, but 0 came.");
-  refuses(call("derivative", {}), "derivative: 2 arguments were expected, but 0 came.");
+  refuses(call("sin", {}), "sin: expected 1 argument, got 0.");
+  refuses(method("sin", {x, x}), "sin: expected no arguments, got 1.");
+  refuses(call("mix", {x, x}), "mix: expected 3 arguments, got 2.");
+  refuses(method("mix", {x, x}), "mix: expected 2 arguments, got 1.");
+  refuses(call("add", {}), "add: expected 2 arguments, got 0.");
+  refuses(method("add", {x}), "add: expected 1 argument, got 0.");
+  refuses(call("atan", {x, x, x}), "atan: expected 1 argument, got 3.");
+  refuses(call("dot", {v3}), "dot: expected 2 arguments, got 1.");
+  refuses(method("column", {m2}), "column: expected 1 argument, got 0.");
+  refuses(method("derivative", {x}), "derivative: expected 1 argument, got 0.");
+  refuses(call("derivative", {}), "derivative: expected 2 arguments, got 0.");
 }
 
 TEST_F(Refusals, OfShapesThatDoNotFit) {
@@ -74,39 +74,41 @@ TEST_F(Refusals, OfShapesThatDoNotFit) {
 
 TEST_F(Refusals, OfMatricesWhereTheyMeanNothing) {
   refuses(call("sin", {m2}),
-          "sin: it does not work on matrices; take their columns by m.column(0).");
+          "sin: it does not work on matrices; use their columns, such as m.column(0).");
   refuses(call("max", {x, m2}),
-          "max: it does not work on matrices; take their columns by m.column(0).");
+          "max: it does not work on matrices; use their columns, such as m.column(0).");
   refuses(call("div", {x, m2}), "div: a matrix cannot divide; multiply by its inverse().");
   refuses(method("div", {m2, m2}), "div: a matrix cannot divide; multiply by its inverse().");
 }
 
 TEST_F(Refusals, OfOperandsOfTheWrongKind) {
-  refuses(call("length", {x}), "length: argument 1 must be a vector, but is a single number.");
-  refuses(method("length", {m2}), "length: what it is called on must be a vector, but is a mat2.");
-  refuses(method("cross", {v3, v2}), "cross: argument 1 must be a vec3, but is a vec2.");
-  refuses(call("cross", {v3, v2}), "cross: argument 2 must be a vec3, but is a vec2.");
+  refuses(call("length", {x}), "length: expected a vector as argument 1, got a single number.");
+  refuses(method("length", {m2}),
+          "length: expected a vector as the value it is called on, got a mat2.");
+  refuses(method("cross", {v3, v2}), "cross: expected a vec3 as argument 1, got a vec2.");
+  refuses(call("cross", {v3, v2}), "cross: expected a vec3 as argument 2, got a vec2.");
   refuses(call("refract", {v3, v3, v3}),
-          "refract: argument 3 must be a single number, but is a vec3.");
+          "refract: expected a single number as argument 3, got a vec3.");
   refuses(call("radians", {m3}),
-          "radians: argument 1 must be a number or a vector, but is a mat3.");
+          "radians: expected a number or a vector as argument 1, got a mat3.");
   refuses(method("transpose", {v2}),
-          "transpose: what it is called on must be a matrix, but is a vec2.");
-  refuses(method("inverse", {m23}),
-          "inverse: what it is called on must be a matrix of as many rows as columns, but is a "
-          "matrix of 2 columns and 3 rows.");
+          "transpose: expected a matrix as the value it is called on, got a vec2.");
+  refuses(
+      method("inverse", {m23}),
+      "inverse: the value it is called on must be a matrix of as many rows as columns, but is a "
+      "matrix of 2 columns and 3 rows.");
   refuses(call("determinant", {v4}),
-          "determinant: argument 1 must be a matrix of as many rows as columns, but is a vec4.");
-  refuses(call("rotate", {v2, x}), "rotate: argument 1 must be a vec3, but is a vec2.");
+          "determinant: expected a square matrix as argument 1, got a vec4.");
+  refuses(call("rotate", {v2, x}), "rotate: expected a vec3 as argument 1, got a vec2.");
   refuses(call("gradient", {v2, v2}),
-          "gradient: argument 1 must be a single number, but is a vec2.");
+          "gradient: expected a single number as argument 1, got a vec2.");
   refuses(call("jacobian", {x, v2}),
-          "jacobian: argument 1 must be a vector, but is a single number.");
+          "jacobian: expected a vector as argument 1, got a single number.");
 }
 
 TEST_F(Refusals, OfDerivativesByWhatIsNoInput) {
   refuses(method("derivative", {x, v3}),
-          "derivative: argument 1 must be a single input, such as position.x(), but is a vec3.");
+          "derivative: expected a single input, such as position.x() as argument 1, got a vec3.");
   refuses(call("derivative", {x, call("sin", {x})}),
           "derivative: argument 2 must be an input such as millis or position.x(), not something "
           "computed.");
@@ -122,33 +124,31 @@ TEST_F(Refusals, OfDerivativesByWhatIsNoInput) {
           "jacobian: argument 2 must be an input such as millis or position.x(), not something "
           "computed.");
   refuses(call("adjustNormal", {v3, v3, v2}),
-          "adjustNormal: argument 3 must be a vec3 of inputs, such as position, but is a vec2.");
+          "adjustNormal: expected a vec3 of inputs, such as position as argument 3, got a vec2.");
 }
 
 TEST_F(Refusals, OfVectorsAndMatricesOfTheWrongParts) {
-  refuses(call("vec3", {x, x}), "vec3: 3 components were expected, but 2 came.");
-  refuses(call("vec3", {}), "vec3: 3 components were expected, but 0 came.");
-  refuses(call("vec3", {v2, v2}), "vec3: 3 components were expected, but 4 came.");
-  refuses(call("vec4", {m2}), "vec4: argument 1 is a mat2, but must be a vector or a number.");
-  refuses(call("mat2", {}), "mat2: 4 components were expected, but 0 came.");
-  refuses(call("mat2", {x, x, x}), "mat2: 4 components were expected, but 3 came.");
-  refuses(call("mat2", {v3, x}),
-          "mat2: 2 columns of as many components were expected, but a vec3 came.");
-  refuses(call("mat3Rows", {v3, v2, v4}),
-          "mat3Rows: 3 rows of as many components were expected, but a vec2 came.");
-  refuses(call("mat3", {v3, v3}), "mat3: 9 components were expected, but 6 came.");
-  refuses(call("mat3", {v3, m3}), "mat3: argument 2 is a mat3, but must be a vector or a number.");
+  refuses(call("vec3", {x, x}), "vec3: expected 3 components, got 2.");
+  refuses(call("vec3", {}), "vec3: expected 3 components, got 0.");
+  refuses(call("vec3", {v2, v2}), "vec3: expected 3 components, got 4.");
+  refuses(call("vec4", {m2}), "vec4: expected a vector or a number as argument 1, got a mat2.");
+  refuses(call("mat2", {}), "mat2: expected 4 components, got 0.");
+  refuses(call("mat2", {x, x, x}), "mat2: expected 4 components, got 3.");
+  refuses(call("mat2", {v3, x}), "mat2: expected 2 columns of 2 components, got a vec3.");
+  refuses(call("mat3Rows", {v3, v2, v4}), "mat3Rows: expected 3 rows of 3 components, got a vec2.");
+  refuses(call("mat3", {v3, v3}), "mat3: expected 9 components, got 6.");
+  refuses(call("mat3", {v3, m3}), "mat3: expected a vector or a number as argument 2, got a mat3.");
 }
 
 TEST_F(Refusals, OfPartsThatAreNotThere) {
   refuses(method("column", {v3, number(0)}),
-          "column: what it is called on must be a matrix, but is a vec3.");
+          "column: expected a matrix as the value it is called on, got a vec3.");
   refuses(method("column", {m23, number(2)}),
           "column: argument 1 must be a whole number from 0 to 1.");
   refuses(method("row", {m23, number(3)}), "row: argument 1 must be a whole number from 0 to 2.");
   refuses(method("row", {m23, number(0.5)}), "row: argument 1 must be a whole number from 0 to 2.");
   refuses(method("column", {m23, v2}),
-          "column: argument 1 must be a single number, but is a vec2.");
+          "column: expected a single number as argument 1, got a vec2.");
   refuses(call("row", {m23, x}), "row: argument 2 must be a whole number from 0 to 2.");
   refuses(builder.swizzle(v2, 1, 2), "a vec2 has no such components.");
   refuses(builder.swizzle(v3, 3, 0b11'00'00), "a vec3 has no such components.");
@@ -157,10 +157,8 @@ TEST_F(Refusals, OfPartsThatAreNotThere) {
 }
 
 TEST_F(Refusals, OfConstantsWhoseResultNoShaderCanHold) {
-  const std::string sentence =
-      "the result of these constants is not a finite number that a shader can hold.";
-  const std::string divides =
-      "it divides by zero, or by a number too close to zero for a shader to hold.";
+  const std::string sentence = "the result of these constants is not a finite float32 number.";
+  const std::string divides = "it divides by zero, or by a number too close to zero for float32.";
   refuses(call("log", {number(0)}), "log: " + sentence);
   refuses(call("sqrt", {number(-1)}), "sqrt: " + sentence);
   refuses(call("div", {number(1), number(0)}), "div: " + divides);
@@ -187,9 +185,9 @@ TEST_F(Refusals, OfInputsThatNoShaderCanRead) {
           "glsl: \"m2\" was read as a mat2 before, and now as a matrix of 2 columns and 3 rows.");
   refuses(input("a +"), "glsl: \"a +\" cannot be read in a shader: an operand is missing in it.");
   refusesToWrite([](Bench& bench) { EXPECT_GE(bench.input("for"), 0); },
-                 "glsl: \"for\" cannot be read in a shader: \"for\" is a word of GLSL itself.");
+                 "glsl: \"for\" cannot be read in a shader: \"for\" is a reserved word of GLSL.");
   refuses(input("a\nb"),
-          "glsl: \"a b\" cannot be read in a shader: only letters from a to z can stand in it.");
+          "glsl: \"a b\" cannot be read in a shader: only ASCII characters are allowed in it.");
   EXPECT_GE(input("p.x"), 0);
   refuses(input("p", vectorOf(3)),
           "glsl: \"p.x\" was read before \"p\", whose part it is; read the vector first.");
@@ -198,7 +196,7 @@ TEST_F(Refusals, OfInputsThatNoShaderCanRead) {
 
 TEST_F(Refusals, OfOwnFunctionsThatTheSourceDoesNotDefine) {
   const std::string problem =
-      "fn: \"noise\" is not in the source, which must define a function of that name.";
+      "fn: \"noise\" is not in the source, which must define a function with that name.";
   for (const char* source : {"float other(float x) { return x; }", "float noise;",
                              "float mynoise(float x) { return x; }", ""})
     refusesToWrite([&](Bench& bench) { EXPECT_GE(bench.hostFunction("noise", source, 1), 0); },
@@ -215,10 +213,10 @@ TEST_F(Refusals, OfNamesAndCountsOfOwnFunctions) {
         },
         "fn: \"" + name + "\" cannot name a function: " + why);
   };
-  refusesName("2d",
-              "a name is made of letters, digits and underscores and does not start with a digit.");
+  refusesName(
+      "2d", "a name consists of letters, digits and underscores and does not start with a digit.");
   refusesName("sin", "\"sin\" is a function of GLSL.");
-  refusesName("for", "\"for\" is a word of GLSL itself.");
+  refusesName("for", "\"for\" is a reserved word of GLSL.");
 }
 
 TEST_F(Refusals, OfOwnFunctionsWithNamesThatAreTaken) {
@@ -229,10 +227,11 @@ TEST_F(Refusals, OfOwnFunctionsWithNamesThatAreTaken) {
         },
         "fn: \"" + name + "\" cannot name a function: " + why);
   };
-  refusesName("main", "it is the function that a shader begins with.");
+  refusesName("main", "it is the entry point of a shader.");
   refusesName("radians", "\"radians\" is a function of GLSL.");
   refuses(hostFunction("warpjetHash", "float warpjetHash(float x) { return x; }", 1),
-          "fn: \"warpjetHash\" cannot name a function: such names are warpjet's own; rename it.");
+          "fn: \"warpjetHash\" cannot name a function: such names are reserved for warpjet; rename "
+          "it.");
 }
 
 TEST_F(Refusals, OfAVariableWithMembersNamedLikeAFunction) {
@@ -251,7 +250,7 @@ TEST_F(Refusals, OfASecondFunctionOfTheSameName) {
   const std::string source = "float noise(float x) { return x; }";
   const int noise = hostFunction("noise", source, 1);
   EXPECT_EQ(hostFunction("noise", source, 1), noise) << "the same one again is fine";
-  const std::string problem = "fn: \"noise\" is the name of another function already; rename one.";
+  const std::string problem = "fn: \"noise\" is already the name of another function; rename one.";
   refuses(hostFunction("noise", source + ' ', 1), problem);
   refuses(hostFunction("noise", source, 2), problem);
   EXPECT_EQ(text(own(noise, {x})), "noise(x)");
@@ -259,10 +258,10 @@ TEST_F(Refusals, OfASecondFunctionOfTheSameName) {
 
 TEST_F(Refusals, OfCallsOfOwnFunctionsThatDoNotFit) {
   const int noise = hostFunction("noise", "float noise(float x, float y) {}", 2);
-  refuses(own(noise, {x}), "noise: 2 arguments were expected, but 1 came.");
+  refuses(own(noise, {x}), "noise: expected 2 arguments, got 1.");
   refuses(own(noise, {v2, v3}),
           "noise: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
-  refuses(own(noise, {m2, x}), "noise: argument 1 must be a number or a vector, but is a mat2.");
+  refuses(own(noise, {m2, x}), "noise: expected a number or a vector as argument 1, got a mat2.");
   EXPECT_EQ(text(own(noise, {x, x})), "noise(x, x)");
 }
 
@@ -270,7 +269,7 @@ TEST_F(Refusals, OfASourceInAnotherLanguageOnly) {
   builder.addFunction("noise", {{"wgsl", "fn noise(x: f32) -> f32 { return x; }"}}, 1);
   refusesText(
       *this,
-      "fn: the option \"source\" of noise must be a text of GLSL for the target glsl300, or "
+      "fn: the option \"source\" of noise must be a source in GLSL for the target glsl300, or "
       "an object { glsl: … } with one.");
 }
 
@@ -280,7 +279,7 @@ TEST_F(Refusals, OfNamesOfResults) {
   };
   refusesName(
       "a b",
-      "gen: \"a b\" cannot name a result: a name is made of letters, digits and underscores "
+      "gen: \"a b\" cannot name a result: a name consists of letters, digits and underscores "
       "and does not start with a digit.");
   refusesName("cos", "gen: \"cos\" cannot name a result: \"cos\" is a function of GLSL.");
   refusesName("fine", "gen: there are two results named \"fine\"; rename one.");
@@ -301,8 +300,8 @@ TEST_F(Refusals, OfRectangularResultsInWebGl1) {
 
 TEST_F(Refusals, OfResultsThatHideAVariable) {
   const int uv = input("inputs.uv * scale", vectorOf(2));
-  builder.output("gen", "uv", uv);  // a member is not hidden
-  builder.output("gen", "v2", x);   // v2 is not read
+  builder.output("gen", "uv", uv);  // a member isn't hidden
+  builder.output("gen", "v2", x);   // v2 isn't read
   ASSERT_TRUE(written().text) << problemOfText();
   builder.output("gen", "scale", uv);
   refusesText(*this,
@@ -324,23 +323,23 @@ TEST_F(Refusals, OfAVariableNamedLikeAFunction) {
   refusesText(*this, "\"noise\" is both a variable and a function; rename one.");
 }
 
-// An input and a part of it that were two inputs while the function ran.
+// An input and a part of it that were separate inputs while the function ran.
 TEST_F(Refusals, OfNamesThatMakeTwoInputsOne) {
   builder.output("gen", "y", call("mult", {x, v2}));
   for (const char* name : {"v2", "v2.x", "( v2 ) [1]"}) {
-    const Written made = write(builder.module(), glsl300, {.inputs = {{0, name}}});
+    const ShaderTextResult made = write(builder.module(), glsl300, {.inputs = {{0, name}}});
     EXPECT_EQ(made.problem,
               "glsl: \"" + std::string(name) +
-                  "\" is the name of another input already (\"v2\"), but was not when "
+                  "\" is already the name of another input (\"v2\"), but was not when "
                   "the function was compiled; rename one, or compile it with these "
                   "names.");
   }
-  const Written made = write(builder.module(), glsl300, {.inputs = {{0, "v22.x"}}});
+  const ShaderTextResult made = write(builder.module(), glsl300, {.inputs = {{0, "v22.x"}}});
   EXPECT_TRUE(made.text) << made.problem;
 }
 
-// Equal nodes are one node, so what was refused can be met again below one that is there already;
-// to search all of it at each call would take long.
+// Equal nodes are interned, so a rejected node can occur again below an existing node; searching
+// all of it at each call would take long.
 TEST_F(Refusals, AtTheEndOfWhatWasMetAgain) {
   const auto make = [&] { return call("smoothstep", {number(1), number(1), x}); };
   ASSERT_EQ(make(), Builder::failed);
@@ -349,7 +348,7 @@ TEST_F(Refusals, AtTheEndOfWhatWasMetAgain) {
   builder.output("gen", "y", again);
   EXPECT_FALSE(builder.finish());
   EXPECT_EQ(builder.problem(),
-            "A result: it divides by zero, or by a number too close to zero for a shader to hold.");
+            "A result: it divides by zero, or by a number too close to zero for float32.");
 }
 
 TEST_F(Refusals, LeaveNothingInTheText) {
@@ -359,7 +358,7 @@ TEST_F(Refusals, LeaveNothingInTheText) {
   EXPECT_EQ(code(), "float y;\n{\n  y = sin(x);\n}\n");
 }
 
-// Four at a time, to be quicker.
+// Four at a time, to be faster.
 TEST_F(Refusals, OfMoreThanFourMillionOperations) {
   int value = v4;
   std::size_t calls = 0;

@@ -1,5 +1,5 @@
-// Whether AddressSanitizer is at work, where all takes ten times as long: what it looks for is
-// found with fewer numbers, and the native tests have all of them.
+// True under AddressSanitizer, where everything takes ten times as long: fewer numbers suffice to
+// find memory errors, and the native tests use all of them.
 #pragma once
 
 namespace warpjet {

@@ -1,5 +1,5 @@
-// The order of work. Whether it is a good one is counted here from the order alone: how many
-// values are alive at a time.
+// The order of work. Its quality is measured here from the order alone: the number of values that
+// are alive at a time.
 #include "graph/schedule.hpp"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ class ScheduleTest : public testing::Test {
     return static_cast<std::uint32_t>(work.tasks.size() - 1);
   }
 
-  // The most values that are alive between two statements.
-  std::size_t mostAlive(const Order& order) const {
+  // The max number of values that are alive between two statements.
+  std::size_t maxAlive(const Order& order) const {
     std::vector<std::size_t> lastReader(order.size());
     for (std::size_t place = 0; place < order.size(); ++place) {
       for (const std::uint32_t read : work.readsOf(order[place])) lastReader[read] = place;
@@ -56,8 +56,8 @@ TEST_F(ScheduleTest, WhatEndsALifeComesBeforeWhatBeginsOne) {
   EXPECT_EQ(schedule(work), (Order{a, endOfA, b, endOfB}));
 }
 
-// Nested sines: each angle is read by the next one, and four together by a product of slopes. No
-// chain is walked to its end before the other, which would leave a processor waiting for one sine
+// Nested sines: each angle is read by the next one, and four together by a product of derivatives.
+// No chain is computed to its end before the other, which would make a processor wait for one sine
 // after the other.
 TEST_F(ScheduleTest, ChainsAreWalkedSideBySide) {
   Order chains[2];
@@ -79,10 +79,10 @@ TEST_F(ScheduleTest, ChainsAreWalkedSideBySide) {
     EXPECT_LT(place(chains[0][i - 4]), place(chains[1][i])) << i;
     EXPECT_LT(place(chains[1][i - 4]), place(chains[0][i])) << i;
   }
-  EXPECT_LE(mostAlive(order), 12u);
+  EXPECT_LE(maxAlive(order), 12u);
 }
 
-// sum += sin(angle); slope += cos(angle), where the sketch wrote all sums before all slopes.
+// sum += sin(angle); slope += cos(angle), where the source has all sums before all slopes.
 TEST_F(ScheduleTest, ASumAndItsSlopeNeedOneAngleAtATime) {
   Order angles;
   std::uint32_t sum = add({}), slope = add({});
@@ -91,8 +91,8 @@ TEST_F(ScheduleTest, ASumAndItsSlopeNeedOneAngleAtATime) {
     sum = add({sum, angles.back()}, i == 99);
   }
   for (int i = 0; i < 100; ++i) slope = add({slope, angles[i]}, i == 99);
-  EXPECT_GT(mostAlive(written()), 100u);
-  EXPECT_LE(mostAlive(schedule(work)), 4u);
+  EXPECT_GT(maxAlive(written()), 100u);
+  EXPECT_LE(maxAlive(schedule(work)), 4u);
 }
 
 TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
@@ -119,7 +119,7 @@ TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
   }
 }
 
-// As statements share it whose texts read the same values.
+// Statements share a list if their expressions read the same values.
 TEST_F(ScheduleTest, TasksMayShareTheListOfWhatTheyRead) {
   const auto a = add({});
   const auto b = add({a}, result);

@@ -1,4 +1,4 @@
-// Meshes that tests of the mesh room need, made by formula.
+// Meshes for tests of the mesh module, computed by formulas.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline void append(std::vector<float>& to, std::initializer_list<double> numbers
   for (const double number : numbers) to.push_back(static_cast<float>(number));
 }
 
-// A square from -size/2 to size/2 in x and y, facing z, of 2 steps² triangles; uvs 0 to 1.
+// A square from -size/2 to size/2 in x and y, facing z, with 2 steps² triangles; uvs 0 to 1.
 inline Mesh gridPlane(int steps, double size) {
   Mesh mesh;
   for (int j = 0; j <= steps; ++j) {
@@ -40,7 +40,7 @@ inline Mesh gridPlane(int steps, double size) {
   return mesh;
 }
 
-// 12 triangles; each face has its own 4 vertices, with normals, uvs and a colour of its own.
+// 12 triangles; each face has its own 4 vertices, with its own normals, uvs and color.
 inline Mesh cubeOfFaces(double size) {
   Mesh mesh;
   for (std::uint32_t face = 0; face < 6; ++face) {
@@ -80,14 +80,14 @@ inline Mesh cube(double size) {
   return mesh;
 }
 
-// A sphere of rings and sectors as tools write it: uvs split along one meridian, a row of vertices
+// A sphere of rings and sectors as tools export it: uvs split along one meridian, a row of vertices
 // at each pole.
 inline Mesh sphereWithSeam(int sectors, int rings, double radius) {
   const double pi = std::numbers::pi;
   Mesh mesh;
   for (int j = 0; j <= rings; ++j) {
     for (int i = 0; i <= sectors; ++i) {
-      // The last column stands where the first one does, to the last bit.
+      // The last column has exactly the positions of the first one.
       const double longitude = 2 * pi * (i % sectors) / sectors, latitude = pi * j / rings;
       const double around = j == 0 || j == rings ? 0 : std::sin(latitude);
       const double x = around * std::cos(longitude), z = around * std::sin(longitude),
@@ -110,7 +110,8 @@ inline Mesh sphereWithSeam(int sectors, int rings, double radius) {
   return mesh;
 }
 
-// An icosahedron whose triangles are made four, `levels` times, and pushed onto the sphere.
+// An icosahedron whose triangles are split into four, `levels` times, and projected onto the
+// sphere.
 inline Mesh icosphere(int levels, double radius) {
   using Corner = std::array<double, 3>;
   const double g = std::numbers::phi;

@@ -1,5 +1,6 @@
-// Folded and unfolded: random graphs, built with simplification and without, have the same values
-// at every point, but for the exceptions that graph/simplify.hpp lists. Each has a test of its own.
+// Folded and unfolded graphs: random graphs, built with and without simplification, have the same
+// values at every point, with the exceptions that graph/simplify.hpp lists. Each exception has a
+// test of its own.
 #include "graph/simplify.hpp"
 
 #include <gtest/gtest.h>
@@ -20,13 +21,13 @@ constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("su
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// All NaN are the same; zeros of different sign are not.
+// All NaN are equal; zeros of different sign are not.
 bool same(double a, double b) {
   if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
   return a == b && std::signbit(a) == std::signbit(b);
 }
 
-// How many doubles it takes to get from one number to the other.
+// The number of doubles from one number to the other.
 std::uint64_t distance(double a, double b) {
   const auto place = [](double x) {
     std::int64_t bits;
@@ -40,7 +41,7 @@ std::uint64_t distance(double a, double b) {
 
 // --- the exceptions, one by one
 
-// The value of a formula of x and y in a graph that simplifies, and in one that does not.
+// The value of a formula of x and y in a graph that simplifies, and in one that doesn't.
 struct Both {
   double folded, unfolded;
 };
@@ -62,7 +63,7 @@ void expectValues(double folded, double unfolded, Formula formula, double x, dou
   EXPECT_TRUE(same(values.unfolded, unfolded)) << "unfolded: " << values.unfolded;
 }
 
-// x + 0, x - y and 0 - x would have to stay as they are for it, and no shader promises it.
+// Otherwise x + 0, x - y and 0 - x would have to remain, and shaders don't guarantee that sign.
 TEST(SimplifyExceptions, TheSignOfAZero) {
   expectValues(
       -0.0, 0.0, [](auto x, auto) { return x + 0.0; }, -0.0);
@@ -76,7 +77,7 @@ TEST(SimplifyExceptions, TheSignOfAZero) {
       0.0, -0.0, [](auto x, auto) { return x * ifElse(gt(x, 0.0), 1.0, 0.0); }, -2);
 }
 
-// Every structural zero of a Jacobian would stay for it.
+// Otherwise every structural zero of a Jacobian would remain.
 TEST(SimplifyExceptions, InfinityTimesZeroIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return x * 0.0; }, infinity);
@@ -88,7 +89,7 @@ TEST(SimplifyExceptions, InfinityTimesZeroIsZero) {
   expectValues(0, NAN, chosenNot, infinity);
 }
 
-// As above: a derivative of moved - position.
+// The same applies to a derivative of moved - position.
 TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return x - x; }, infinity);
@@ -98,7 +99,7 @@ TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
       0, NAN, [](auto x, auto) { return x - x; }, NAN);
 }
 
-// As above: the derivative of a quotient whose numerator is constant.
+// The same applies to the derivative of a quotient with a constant numerator.
 TEST(SimplifyExceptions, OverItsRootANumberIsItsRoot) {
   const auto formula = [](auto x, auto) { return x / sqrt(x); };
   expectValues(0, std::nan(""), formula, 0);
@@ -119,7 +120,7 @@ TEST(SimplifyExceptions, ZeroDividedByAnythingIsZero) {
       0, NAN, [](auto x, auto) { return 0.0 / x; }, NAN);
 }
 
-// mix(x, y, t) is x * (1 - t) + y * t; what has the factor zero is left out.
+// mix(x, y, t) is x * (1 - t) + y * t; a term with the factor zero is dropped.
 TEST(SimplifyExceptions, InfinityAtTheOtherEndOfAMix) {
   const auto mix = [](auto x, auto y, auto t) {
     Graph& graph = *x.graph;
@@ -140,7 +141,7 @@ TEST(SimplifyExceptions, InfinityAtTheOtherEndOfAMix) {
       infinity, 1);
 }
 
-// A chain of constant factors, as the chain rule makes it, is one.
+// A chain of constant factors, as produced by the chain rule, becomes one.
 TEST(SimplifyExceptions, ConstantFactorsAreMultipliedFirst) {
   int different = 0;
   for (int i = 1; i <= 20; ++i) {
@@ -151,7 +152,7 @@ TEST(SimplifyExceptions, ConstantFactorsAreMultipliedFirst) {
   EXPECT_GT(different, 0);
 }
 
-// (x - 500) + 500 is x, and keeps its digits.
+// (x - 500) + 500 is x, with all its digits.
 TEST(SimplifyExceptions, ConstantTermsAreAddedFirst) {
   const auto there = [](auto x, auto) { return x - 500.0 + 500.0; };
   const auto back = [](auto x, auto) { return x + 500.0 - 500.0; };
@@ -166,7 +167,7 @@ TEST(SimplifyExceptions, ConstantTermsAreAddedFirst) {
   EXPECT_NEAR(sum.unfolded, 2.9, 2e-15);
 }
 
-// One operation instead of two, and nearer to the true value.
+// One operation instead of two, and closer to the exact value.
 TEST(SimplifyExceptions, AProductWithAReciprocalIsAQuotient) {
   for (const double y : {3.0, 49.0, -0.7, 1e10, 1e-10}) {
     const Both values = both([](auto a, auto b) { return a * (1.0 / b); }, 5, y);
@@ -176,7 +177,7 @@ TEST(SimplifyExceptions, AProductWithAReciprocalIsAQuotient) {
   EXPECT_NE(both([](auto a, auto b) { return a * (1.0 / b); }, 5, 49).unfolded, 5.0 / 49);
 }
 
-// GLSL's pow is undefined for a negative base. A rounding for each product.
+// GLSL's pow is undefined for a negative base. Each product is rounded.
 TEST(SimplifyExceptions, WholePowersAreRoundedProductByProduct) {
   for (int n = -16; n <= 16; ++n) {
     for (const double x : {0.3, -0.7, 1.1, -2.3, 1000.1}) {
@@ -187,7 +188,7 @@ TEST(SimplifyExceptions, WholePowersAreRoundedProductByProduct) {
   }
 }
 
-// WGSL refuses a clamp between constants that cross, so none may be left.
+// WGSL rejects clamp with crossing constants, so none may remain.
 TEST(SimplifyExceptions, NotANumberBetweenConstantsThatCross) {
   const auto clamped = [](auto x, auto) {
     Graph& graph = *x.graph;
@@ -197,7 +198,7 @@ TEST(SimplifyExceptions, NotANumberBetweenConstantsThatCross) {
   expectValues(2, NAN, clamped, NAN);
 }
 
-// In double; float32 has its own ends.
+// In double; float32 has its own range.
 TEST(SimplifyExceptions, AnIntermediateThatOverflowsOrUnderflows) {
   const auto scaled = [](auto x, auto) { return x * 2.0 * 0.5; };
   expectValues(1e308, infinity, scaled, 1e308);
@@ -208,8 +209,8 @@ TEST(SimplifyExceptions, AnIntermediateThatOverflowsOrUnderflows) {
   expectValues(0, 0x1p-1040, squared, 0x1p520);
 }
 
-// A comparison of constants decides as in the shader, which reads 0.30000000000000004 and 0.3 as
-// the same float.
+// A comparison of constants decides as in the shader, where 0.30000000000000004 and 0.3 are the
+// same float.
 TEST(SimplifyExceptions, StepsOfConstantsAreThoseOfFloat32) {
   const auto sum = [](auto x) { return Expression{x.graph, x.graph->constant(0.1)} + 0.2; };
   const auto third = [](auto x) { return Expression{x.graph, x.graph->constant(1.0)} / 3.0; };
@@ -228,9 +229,9 @@ TEST(SimplifyExceptions, StepsOfConstantsAreThoseOfFloat32) {
       7, 5, [&](auto x, auto) { return chosen(sum(x) * 1e-60); }, 0);
 }
 
-// --- what random graphs seldom meet
+// --- cases that random graphs rarely contain
 
-// x where y > 0 and zero elsewhere, or the other way round.
+// x where y > 0 and zero elsewhere, or the reverse.
 template <class X, class Y>
 Expression chosen(X x, Y y, bool ifPositive) {
   return ifPositive ? ifElse(gt(y, 0.0), x, 0.0) : ifElse(gt(y, 0.0), 0.0, x);
@@ -252,9 +253,9 @@ TEST(Simplify, SumsOfChoicesOfOneConditionAreOneChoice) {
   }
 }
 
-// --- what is turned back
+// --- rotations that cancel
 
-// The same on every machine, as the distributions of the standard library are not.
+// Deterministic on all machines, unlike the distributions of the standard library.
 class Chance {
  public:
   std::size_t below(std::size_t end) { return random_() % end; }
@@ -266,8 +267,9 @@ class Chance {
   std::mt19937 random_{1};
 };
 
-// A turned point, across and turned back, or what only resembles that: factors and terms in any
-// order, the second product with either sign. No angle is left exactly where algebra says so:
+// A rotated point, its perpendicular, rotated back, or something that only resembles it: factors
+// and terms in any order, the second product with either sign. No angle remains where algebra
+// cancels it:
 //
 //   c (a c ± b s) + s (a s ∓ b c) = a     c (a s ± b c) - s (a c ∓ b s) = ±b
 TEST(Simplify, WhatIsTurnedBackIsWhatItWas) {
@@ -315,7 +317,7 @@ TEST(Simplify, WhatIsTurnedBackIsWhatItWas) {
 
 // --- random graphs
 
-// How the value of an operation differs from that of what it was simplified to.
+// The difference between the value of an operation and that of its simplification.
 enum Difference {
   Nothing,
   SignOfZero,
@@ -375,8 +377,8 @@ class Pair {
   }
 };
 
-// Says which exception explains that an operation on simplified operands and what it was simplified
-// to differ at a point.
+// Finds the exception that explains why an operation on simplified operands and its simplification
+// differ at a point.
 class Judge {
  public:
   Judge(Graph& graph, const std::vector<double>& values) : graph_(graph), values_(values) {}
@@ -395,7 +397,7 @@ class Judge {
       case Add:
       case Sub:
         if (becameZero && isDifferenceWithItself(op, operands)) return MinusItself;
-        if (op == Add && operands[0] == operands[1])  // becomes the product
+        if (op == Add && operands[0] == operands[1])  // becomes a product
           return judge(Mult, {operands[0], graph_.constant(2)}, found);
         return judgeSum(operands, expected, found);
       case Div:
@@ -415,7 +417,7 @@ class Judge {
  private:
   double at(NodeId id) const { return values_[index(id)]; }
   bool isKnown(NodeId id, double value) const { return graph_.known(id) == value; }
-  // A number as a condition is such a step too.
+  // A number as a condition is also such a step.
   bool isStepOfConstants(Op op, const Operands<NodeId>& operands, double found) const {
     const ops::Declaration& info = ops::declaration(op);
     Operands<double> x{};
@@ -458,7 +460,7 @@ class Judge {
     return Unexplained;
   }
 
-  // Zero, or now the zero of a choice between 1 and 0.
+  // Zero, or the zero of a choice between 1 and 0 at this point.
   bool isZeroFactor(NodeId id) const {
     if (isKnown(id, 0)) return true;
     if (!graph_.is(id, IfElse) || at(id) != 0) return false;
@@ -466,7 +468,7 @@ class Judge {
     return (isKnown(yes, 1) && isKnown(no, 0)) || (isKnown(yes, 0) && isKnown(no, 1));
   }
 
-  // x / sqrt(x), which is no number at zero and infinity, and otherwise rounded twice.
+  // x / sqrt(x), which is NaN at zero and infinity, and otherwise rounded twice.
   bool isOverItsRoot(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [x, root, unused] = operands;
     if (!graph_.is(root, ops::find("sqrt")) || graph_.operand(root, 0) != x) return false;
@@ -503,9 +505,9 @@ class Judge {
   const std::vector<double>& values_;
 };
 
-// Rows that have rules are taken with this chance, in percent; any row otherwise.
+// Chooses rows that have rules with this probability, in percent; any row otherwise.
 Pair randomPair(Chance& chance, std::size_t percentRuled) {
-  constexpr int mostDepth = 6, operations = 14;
+  constexpr int maxDepth = 6, operations = 14;
   constexpr std::array ruled{Neg, Add, Sub, Mult, Div, Pow, Mix, IfElse};
   Pair pair;
   for (const char* name : {"x", "y", "z"}) pair.input(name);
@@ -513,7 +515,7 @@ Pair randomPair(Chance& chance, std::size_t percentRuled) {
     pair.constant(value);
   const std::size_t inputs = 3, leaves = pair.steps.size();
 
-  // An input, any leaf, or something computed.
+  // An input, any leaf, or a computed node.
   const auto pick = [&] {
     for (;;) {
       const std::size_t computed = pair.steps.size() - leaves;
@@ -521,11 +523,11 @@ Pair randomPair(Chance& chance, std::size_t percentRuled) {
       const std::size_t i = kind == 0   ? chance.below(inputs)
                             : kind == 1 ? chance.below(leaves)
                                         : leaves + chance.below(computed);
-      if (pair.steps[i].depth < mostDepth) return i;
+      if (pair.steps[i].depth < maxDepth) return i;
     }
   };
   for (int i = 0; i < operations; ++i) {
-    // Not of whole numbers, which conversions that stand in one graph only make of floats.
+    // Excludes integers: conversions that exist in only one of the graphs turn them into floats.
     const Op any{static_cast<std::uint8_t>(chance.below(index(ops::find("int"))))};
     const Op op = chance.below(100) < percentRuled ? ruled[chance.below(ruled.size())] : any;
     const std::size_t x = pick(), y = pick(), z = pick();
@@ -543,7 +545,7 @@ std::array<double, 3> randomPoint(Chance& chance) {
   return point;
 }
 
-// Of all nodes, by index. The inputs came first.
+// The values of all nodes, by index. The inputs are first.
 std::vector<double> valuesOf(const Graph& graph, const std::array<double, 3>& point) {
   std::vector<double> values(graph.size());
   for (std::uint32_t i = 0; i < graph.size(); ++i) {
@@ -566,8 +568,8 @@ class SimplifyRandom : public testing::Test {
   std::array<std::size_t, Unexplained + 1> counts{};
   std::size_t compared = 0, exempted = 0;
 
-  // Compares every operation with what it was simplified to, on the same operands; then the values
-  // of both graphs, which can differ only above an operation that differed.
+  // Compares every operation with its simplification on the same operands; then the values of both
+  // graphs, which can differ only above an operation that differed.
   void compare(Pair& pair, const std::array<double, 3>& point, int number) {
     const std::vector<double> folded = valuesOf(pair.folded, point),
                               unfolded = valuesOf(pair.unfolded, point);

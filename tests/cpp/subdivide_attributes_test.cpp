@@ -1,4 +1,4 @@
-// Subdivision: what new vertices carry, and meshes and warps that nobody would draw.
+// Subdivision: attributes of new vertices, and degenerate meshes and warps.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -117,7 +117,7 @@ TEST(SubdivideAttributes, DirectionsThatCancelOutAreThoseOfTheFirstEnd) {
   }
 }
 
-// The warp may read them: here each face of the cube goes its own way.
+// The warp may read attributes: here each face of the cube moves independently.
 TEST(SubdivideAttributes, WarpsThatReadThemLeaveTheUnwarpedSurfaceClosed) {
   const WarpFunction warp = [](const Mesh& vertices) {
     Moved moved{vertices.positions, vertices.normals};
@@ -161,8 +161,7 @@ TEST(SubdivideOddMeshes, WithoutIndicesTheyGetSome) {
   EXPECT_EQ(eulerCharacteristic(result), 2);
 }
 
-// Three planes that meet in an edge, one of them twice; triangles without an area; vertices that
-// nobody uses.
+// Three planes that meet in an edge, one of them twice; triangles without area; unused vertices.
 TEST(SubdivideOddMeshes, EdgesOfManyTrianglesAreSplitForAllOfThem) {
   Mesh mesh;
   mesh.positions = {0, -50, 0, 0, 50, 0, 70, 0, 0, -70, 5, 0, 0, 0, 70, 9, 9, 9, 0, 50, 0};
@@ -178,7 +177,7 @@ TEST(SubdivideOddMeshes, EdgesOfManyTrianglesAreSplitForAllOfThem) {
     const auto& [a, b] = edge;
     if (a[0] != 0 || b[0] != 0 || a[2] != 0 || b[2] != 0) continue;
     ++pieces;
-    EXPECT_EQ(uses.first + uses.second, 4);  // those with two corners in one place are gone
+    EXPECT_EQ(uses.first + uses.second, 4);  // those with two corners in one place are removed
   }
   EXPECT_GT(pieces, 2);
 }
@@ -256,10 +255,10 @@ TEST(SubdivideOddWarps, NoToleranceIsTooSmallToEnd) {
         subdivide(small, {tolerance, infinity, 1 << 18}, onMeshes([](const Point& p) {
                     return p + Point{0, 0, 1000 + 1e-4 * std::sin(1000 * p[0])};
                   }));
-    // Floats near 1000 are 6e-5 apart: there is nothing to see.
+    // Floats near 1000 are 6e-5 apart: there is no visible difference.
     EXPECT_EQ(result.mesh.triangleCount(), 12u) << tolerance;
   }
-  // Neighbouring floats have no middle.
+  // Adjacent floats have no number in between.
   Mesh sliver;
   sliver.positions = {1, 0, 0, std::nextafter(1.0f, 2.0f), 0, 0, 1, 1e-7f, 0};
   const Refined result = subdivide(sliver, {1e-30f, infinity, 1 << 18}, [](const Mesh& vertices) {

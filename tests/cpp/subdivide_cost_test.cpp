@@ -1,4 +1,4 @@
-// Subdivision of meshes that would take minutes if it looked at all triangles for each of them.
+// Subdivision of meshes that would take minutes if it searched all triangles for each of them.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// A second or so on a slow machine; it was minutes.
+// Takes a second or so on a slow machine; it used to take minutes.
 class SubdivideCost : public testing::Test {
  protected:
   void TearDown() override { EXPECT_LT(std::clock() - start_, 20 * CLOCKS_PER_SEC); }
@@ -22,7 +22,7 @@ class SubdivideCost : public testing::Test {
   std::clock_t start_ = std::clock();
 };
 
-// As where the nodes of a file show one shape in place, again and again.
+// Occurs if the nodes of a file show one shape at the same place repeatedly.
 TEST_F(SubdivideCost, TrianglesInOnePlaceAreSplitLikeOne) {
   constexpr std::uint32_t copies = 25000;
   Mesh mesh;
@@ -44,7 +44,7 @@ TEST_F(SubdivideCost, TrianglesInOnePlaceAreSplitLikeOne) {
 }
 
 // A fan whose spokes grow: splitting the first one makes the next one's triangle a worse sliver,
-// and so on to the last. Its triangles come in the other order.
+// and so on to the last. Its triangles are in reverse order.
 TEST_F(SubdivideCost, OneSliverLeadsToTheNext) {
   constexpr int spokes = 50000;
   Mesh mesh;
@@ -61,7 +61,7 @@ TEST_F(SubdivideCost, OneSliverLeadsToTheNext) {
   EXPECT_GE(result.mesh.triangleCount(), 2u * spokes);
 }
 
-// Areas that no float holds have their share of the samples, and no more.
+// Areas that overflow floats get their share of the samples, and no more.
 TEST_F(SubdivideCost, LargeTrianglesAreNotEachSampledAsTheWhole) {
   Mesh mesh;
   for (const float size : {1e15f, 1e30f, 1e30f, 1e30f, 1e30f})

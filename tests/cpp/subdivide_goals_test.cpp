@@ -1,5 +1,5 @@
-// Both goals of a subdivision hold, measured more densely than it looks itself; what it cannot
-// reach, it says.
+// Both goals of a subdivision are reached, measured with more samples than it takes itself; it
+// reports goals that it can't reach.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,7 +16,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-// Three octaves of products of sines, which never line up.
+// Three octaves of products of sines, which never align.
 double rough(const Point& p) {
   double sum = 0, size = 1;
   for (int octave = 0; octave < 3; ++octave, size /= 2) {
@@ -49,7 +49,7 @@ TEST(SubdivideGoals, ASpikeOfA200thIsSeen) {
   }
 }
 
-// The issue's: a tolerance that two triangles meet, and normals that are 1.5 radians off.
+// From an issue: a tolerance that two triangles meet, and normals that are 1.5 radians off.
 TEST(SubdivideGoals, AnglesCountWhereTheToleranceIsMet) {
   const PointWarp ripples = [](const Point& p) {
     return p + Point{0, 0, 0.3 * std::sin(4 * p[0])};

@@ -1,5 +1,5 @@
 // Adaptive subdivision, judged from outside: triangles still meet, and the warped triangles are
-// near the warped surface, which is sampled densely in double.
+// close to the warped surface, which is sampled densely in double.
 #include "mesh/refine/subdivide.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ struct Pair {
   const PointWarp& warp;
 };
 
-// Of each mesh and each warp; with sanitizers every third of them, so that each mesh and each warp
-// is among them.
+// All pairs of meshes and warps; with sanitizers every third of them, which still includes each
+// mesh and each warp.
 std::vector<Pair> pairsOf(const std::vector<NamedMesh>& meshes) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -198,7 +198,7 @@ TEST(Subdivide, LocalWarpsNeedAtMostAThirdOfTheTriangles) {
   for (const auto& [name, warp] :
        {NamedWarp{"bump", bump}, {"twist near one end", twistNearOneEnd}, {"genie", genie}}) {
     const Refined adaptive = refined(mesh, warp, 0.2f);
-    // The finest that has less than three times as many.
+    // The finest one with less than three times as many.
     const Mesh uniform = subdivideUniformly(mesh, 20, 3 * adaptive.mesh.triangleCount() - 1).mesh;
     EXPECT_GT(geometricError(uniform, warp), geometricError(adaptive.mesh, warp)) << name;
   }
@@ -219,9 +219,10 @@ TEST(Subdivide, NothingIsAskedTwice) {
     asked += vertices.vertexCount();
     return warp(vertices);
   });
-  // About 3 edges of 5 samples and 2 triangles of 4 a vertex, and the vertex; what is split asked a
-  // third of that before. And once, however fine the result, 320 points along and 320 across its
-  // size, on 3.14 such squares: a spike as wide as a 200th of the mesh is met by no fewer.
+  // Per vertex about 3 edges of 5 samples and 2 triangles of 4, and the vertex; split pieces were
+  // sampled a third as often before. And once, however fine the result, 320 points along and 320
+  // across its size, on 3.14 such squares: fewer could miss a spike with a width of a 200th of the
+  // mesh.
   EXPECT_GT(result.mesh.vertexCount(), 10000u);
   EXPECT_LT(asked, 32 * result.mesh.vertexCount() + 322000);
 }

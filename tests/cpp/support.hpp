@@ -1,5 +1,5 @@
-// What the tests of several rooms need: a graph with inputs, and an evaluator of whole graphs in
-// double. It takes each operation's value from the table, which ops_test checks by itself.
+// Shared by the tests of several modules: a graph with inputs, and an evaluator of whole graphs in
+// double. It takes each operation's value from the table, which ops_test checks separately.
 #pragma once
 
 #include <cmath>
@@ -41,21 +41,21 @@ inline std::string code(Expression y, int maxDepth = 8, const Dialect& dialect =
   return emit(*y.graph, dialect, std::vector{result("y", y)}, options).code;
 }
 
-// What stands for it in those statements.
+// The expression of `y` in those statements.
 inline std::string body(Expression y, const Dialect& dialect = glsl300) {
   const std::string text = code(y, 8, dialect);
   const std::size_t start = text.find("y = ") + 4;
   return text.substr(start, text.find(';', start) - start);
 }
 
-// The number of the row of that name.
+// The number of the row with that name.
 inline Op rowNamed(std::string_view name) {
   std::size_t i = 0;
   while (i < ops::count && ops::declarations[i].name != name) ++i;
   return Op{static_cast<std::uint8_t>(i)};
 }
 
-// By input node, its value.
+// Maps input node → its value.
 using Inputs = std::map<NodeId, double>;
 
 // The values of all nodes that `roots` need, in double.

@@ -1,4 +1,4 @@
-// The warp's normal, against formulas worked out by hand.
+// The warp's normal, against formulas derived by hand.
 #include "warp/warp.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class WarpTest : public testing::Test {
   }
 
   Point normalOf(const Value& offset, Point position, Point normal) {
-    const Value warped = turnedNormal(deformation(differentiator, offset, p), n);
+    const Value warped = warpNormal(deformation(differentiator, offset, p), n);
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
       inputs[p[i].id] = position[i];
@@ -50,13 +50,13 @@ TEST_F(WarpTest, AHeightFieldHasTheNormalOfItsGradient) {
              {-slope / length, 0, 1 / length});
 }
 
-// Scaling by (2, 1, 1) turns (1, 1, 0) into (1/2, 1, 0).
+// Scaling by (2, 1, 1) transforms the normal (1, 1, 0) to (1/2, 1, 0).
 TEST_F(WarpTest, NormalsTurnByTheCofactorNotByTheJacobian) {
   expectNear(normalOf(vec3(p[0], zero, zero), {0, 0, 0}, {1, 1, 0}),
              {0.5 / std::hypot(0.5, 1.0), 1 / std::hypot(0.5, 1.0), 0});
 }
 
-// x -> 0 collapses all but the surfaces that face along x.
+// x -> 0 collapses all surfaces except those that face along x.
 TEST_F(WarpTest, WhereTheSurfaceCollapsesTheNormalIsZero) {
   const Value flatten = vec3(-p[0], zero, zero);
   expectNear(normalOf(flatten, {1, 2, 3}, {0, 1, 0}), {0, 0, 0});
@@ -65,7 +65,7 @@ TEST_F(WarpTest, WhereTheSurfaceCollapsesTheNormalIsZero) {
 }
 
 // The paper's equation follows the surface as a mirror turns it inside out: cof(diag(-1, 1, 1)) =
-// diag(1, -1, -1). See MirrorTest for which side is the outer one.
+// diag(1, -1, -1). MirrorTest checks which side is the outer one.
 TEST_F(WarpTest, ThePapersEquationFlipsTheNormalOfAMirror) {
   expectNear(normalOf(vec3(p[0] * -2.0, zero, zero), {0, 0, 0}, {0, 1, 0}), {0, -1, 0});
 }
@@ -78,7 +78,7 @@ TEST_F(WarpTest, AMovedPositionMinusThePositionCancels) {
   expectNear(normalOf(offset, {1, 2, 3}, {0, 1, 0}), {-1 / length, 0.5 / length, 0});
 }
 
-// cof(M) n = (M u) x (M v) for tangents with u x v = n, here of a warp that turns, scales and
+// cof(M) n = (M u) x (M v) for tangents with u x v = n, here for a warp that rotates, scales and
 // shears.
 TEST_F(WarpTest, AgreesWithTurnedTangentsOnAGeneralWarp) {
   const Value offset = vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0] + cos(p[2]) * 0.5);
@@ -101,7 +101,7 @@ TEST_F(WarpTest, AgreesWithTurnedTangentsOnAGeneralWarp) {
   expectNear(normalOf(offset, {x, y, z}, crossed(u, v)), expected);
 }
 
-// Unless it is said how they vary over the surface.
+// Unless their gradients over the surface are given.
 TEST_F(WarpTest, OtherInputsCountAsConstant) {
   expectNear(normalOf(n * 2.0, {1, 2, 3}, {0.6, 0, 0.8}), {0.6, 0, 0.8});
 }
@@ -112,7 +112,7 @@ TEST_F(WarpTest, TheDeformationIsOneAndTheJacobian) {
   const double x = 0.4, y = -0.8, z = 1.3;
   const Inputs inputs{{p[0].id, x}, {p[1].id, y}, {p[2].id, z}};
   const double expected[3][3] = {
-      {1, 0.6 * x, 1}, {std::cos(y) * z, 1, 0}, {std::sin(y), 0, 1}};  // by column
+      {1, 0.6 * x, 1}, {std::cos(y) * z, 1, 0}, {std::sin(y), 0, 1}};  // column by column
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row)
       EXPECT_NEAR(evaluateNode(graph, m.at(column, row).id, inputs), expected[column][row], 1e-15)
@@ -120,8 +120,8 @@ TEST_F(WarpTest, TheDeformationIsOneAndTheJacobian) {
   }
 }
 
-// A tangent by finite differences of the moved curve p + s t, made square to the warped normal; and
-// the bitangent of the same side, also where the warp is a mirror.
+// A tangent by finite differences of the moved curve p + s t, orthogonalized to the warped normal;
+// and the bitangent with the same sign, also if the warp is a mirror.
 TEST_F(WarpTest, TangentsGoWithTheSurface) {
   const Value t = vector3(graph, "tangent");
   const Value wave = vec3(sin(p[1] * 2.0) * 0.3, p[0] * p[2] * 0.4, cos(p[0]) * 0.5);
@@ -151,8 +151,8 @@ TEST_F(WarpTest, TangentsGoWithTheSurface) {
     for (int i = 0; i < 3; ++i) expected[i] = u[i] - across[i] * dotted(across, u);
     const double size = std::sqrt(dotted(expected, expected));
 
-    const Value turned = turnedNormal(deformation(differentiator, offset, p), n);
-    const Value result = turnedTangent(deformation(differentiator, offset, p), t, turned);
+    const Value turned = warpNormal(deformation(differentiator, offset, p), n);
+    const Value result = warpTangent(deformation(differentiator, offset, p), t, turned);
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
       inputs[p[i].id] = at[i];
@@ -174,7 +174,7 @@ TEST_F(WarpTest, TangentsGoWithTheSurface) {
 
 TEST_F(WarpTest, WhereTheWarpCollapsesTheTangentItIsZero) {
   const Value t = vector3(graph, "tangent");
-  const Value result = turnedTangent(deformation(differentiator, vec3(-p[0], zero, zero), p), t, n);
+  const Value result = warpTangent(deformation(differentiator, vec3(-p[0], zero, zero), p), t, n);
   Inputs inputs{{p[0].id, 1.0}, {p[1].id, 2.0}, {p[2].id, 3.0}};
   for (int i = 0; i < 3; ++i) {
     inputs[t[i].id] = i == 0;
@@ -238,7 +238,7 @@ class SurfaceTest : public WarpTest {
     return found;
   }
 
-  // The normal of the moved surface, from differences along its angles.
+  // The normal of the moved surface, by differences along its angles.
   Point movedNormal(const Value& offset, double a, double b) const {
     const double step = 1e-5;
     const auto slope = [&](double da, double db) {
@@ -256,7 +256,7 @@ class SurfaceTest : public WarpTest {
 
   void expectRight(const Value& offset) {
     const Value m = surfaceDeformation(offset);
-    const Value turned = turnedNormal(m, n);
+    const Value turned = warpNormal(m, n);
     for (double a = 0.1; a < 6; a += 0.9) {
       for (double b = 0.2; b < 6; b += 0.7) {
         const Point found = at(turned, {a, b}), expected = movedNormal(offset, a, b);
@@ -280,7 +280,7 @@ TEST_F(SurfaceTest, AllOfThemCountTogether) {
                    uv[1] * uv[0] * 0.02 * n[1] + sin(p[2] * 2.0) * 0.1));
 }
 
-// What is moved to n itself loses its position: M is W alone, to the last digit.
+// If the target is n itself, the position cancels: M is W alone, to the last digit.
 TEST_F(SurfaceTest, TheOnesCancelOfAMovedPositionMinusThePosition) {
   const Value m = surfaceDeformation(n - p);
   for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, gradients[i % 3][i / 3].id);
@@ -294,7 +294,7 @@ TEST_F(SurfaceTest, WithoutNormalAndUvItIsTheDeformation) {
 }
 
 // Inwards past the middle of the tube, but not past that of the ring: one direction of the surface
-// is turned round, and the side that was outside is inside of the moved surface.
+// is reversed, and the outer side becomes the inner side of the moved surface.
 TEST_F(SurfaceTest, TheDeterminantTellsWhereTheSidesChangePlaces) {
   const auto sign = [&](double amount) {
     const Value m = surfaceDeformation(n * amount);
@@ -323,9 +323,9 @@ TEST_F(WholeWarpTest, ItHasTheParts) {
   expectSame(warp.position, p + offset);
   EXPECT_TRUE(warp.varies);
   const Value along = vec3(t[0], t[1], t[2]);
-  const auto expectParts = [&](const Turned& turned, const Value& m) {
-    expectSame(turned.normal, turnedNormal(m, n));
-    const Value tangent = turnedTangent(m, along, turned.normal);
+  const auto expectParts = [&](const WarpedDirections& turned, const Value& m) {
+    expectSame(turned.normal, warpNormal(m, n));
+    const Value tangent = warpTangent(m, along, turned.normal);
     expectSame(turned.direction, multiply(m, along));
     EXPECT_EQ(turned.determinant.id, determinant(m).id);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(turned.tangent[i].id, tangent[i].id);
@@ -335,7 +335,7 @@ TEST_F(WholeWarpTest, ItHasTheParts) {
   expectParts(*warp.surface, surfaceDeformation(offset));
 }
 
-// M t by differences of the moved curve p + s t, neither of length 1 nor square to the normal.
+// M t by differences of the moved curve p + s t, neither normalized nor orthogonal to the normal.
 TEST_F(WholeWarpTest, TheDirectionIsTheTangentOfTheMovedCurve) {
   const Value offset = vec3(sin(p[1] * 2.0) * 0.3, p[0] * p[2] * 0.4, cos(p[0]) * 0.5);
   const Warp warp = makeWarp(differentiator, offset, inputs);
@@ -360,21 +360,21 @@ TEST_F(WholeWarpTest, AnOffsetByThePositionAloneNeedsNoGradients) {
   const Warp warp = makeWarp(differentiator, vec3(sin(p[1]), zero, zero), inputs);
   EXPECT_FALSE(warp.varies);
   expectSame(warp.flat->normal, warp.surface->normal);
-  // Reading the normal is not yet depending on it.
+  // Reading the normal is not the same as depending on it.
   const Warp cancelled = makeWarp(differentiator, vec3(n[0] - n[0] + p[1], zero, zero), inputs);
   EXPECT_FALSE(cancelled.varies);
 }
 
 TEST_F(WholeWarpTest, WhatIsNotAskedForIsNotMade) {
   const Value offset = n * p[0];
-  const Warp moved = makeWarp(differentiator, offset, inputs, {.turns = false});
+  const Warp moved = makeWarp(differentiator, offset, inputs, {.needsDirections = false});
   EXPECT_FALSE(moved.flat || moved.surface);
   const Warp turned = makeWarp(differentiator, offset, inputs, {.isFlat = false});
   EXPECT_FALSE(turned.flat);
   EXPECT_TRUE(turned.surface);
 }
 
-// Normals, bitangents and triangles of warps that mirror space, against a mirror made by hand.
+// Normals, bitangents and triangles of warps that mirror space, against a mirror computed by hand.
 class MirrorTest : public WholeWarpTest {
  protected:
   Expression u = scalar(graph, "u"), w = scalar(graph, "w");
@@ -407,7 +407,7 @@ class MirrorTest : public WholeWarpTest {
 
   bool isKnown(const Warp& warp) const { return graph.isConstant(warp.orientation->id); }
 
-  // About an oblique axis, by more the higher the place is.
+  // Rotates about an oblique axis, by an angle that grows with the height.
   Value screwed(const Value& q, Expression by) {
     const Expression x{&graph, graph.constant(0.6)}, z{&graph, graph.constant(0.8)};
     return multiply(rotationAbout(vec3(x, zero, z), by), q);
@@ -419,14 +419,14 @@ class MirrorTest : public WholeWarpTest {
   }
 };
 
-// (-x, y, z): the normal of a mirrored surface is the mirrored normal, its bitangent the mirrored
-// one.
+// (-x, y, z): the normal of a mirrored surface is the mirrored normal, and its bitangent is the
+// mirrored bitangent.
 TEST_F(MirrorTest, AMirrorMirrorsTheNormalAndTheBitangent) {
   const Warp warp = warpOf(vec3(p[0] * -2.0, zero, zero));
   ASSERT_TRUE(isKnown(warp));
   EXPECT_EQ(signOf(warp), -1);
   const double normal[] = {-0.48, 0.6, 0.64}, tangent[] = {-0.8, 0, -0.6, -1};
-  for (const Turned& turned : {*warp.flat, *warp.surface}) {
+  for (const WarpedDirections& turned : {*warp.flat, *warp.surface}) {
     for (int i = 0; i < 3; ++i)
       EXPECT_NEAR(evaluateNode(graph, turned.normal[i].id, at()), normal[i], 1e-15);
     for (int i = 0; i < 4; ++i)
@@ -461,7 +461,7 @@ TEST_F(MirrorTest, ASignIsKnownFromTheRange) {
   }
 }
 
-// Nothing is written for these.
+// These need no code.
 TEST_F(MirrorTest, WhatDoesNotMirrorOrFoldsHasTheEquationOfThePaper) {
   const Expression x = p[0], y = p[1], z = p[2];
   const Value others[] = {
@@ -475,8 +475,8 @@ TEST_F(MirrorTest, WhatDoesNotMirrorOrFoldsHasTheEquationOfThePaper) {
       vec3(x * x, y, z),                 // folded
       vec3(-x * y, y, z),                // mirrored on one side
       vec3(x + n[0] * -3.0, y, z),       // by the normal
-      vec3(-x * uv[0], y, z),            // one side of the texture
-      vec3(x * (y + 2e4) * -1.0, y, z),  // mirrored but for places far away
+      vec3(-x * uv[0], y, z),            // one half of the texture
+      vec3(x * (y + 2e4) * -1.0, y, z),  // mirrored except at distant places
   };
   for (const Value& place : others) {
     const Warp warp = to(place);
@@ -520,14 +520,14 @@ TEST_F(MirrorTest, UniformsDecideASign) {
   EXPECT_TRUE(isKnown(to(vec3(x + u, y * w - y * w + y, z)))) << "read, but not by M";
 }
 
-// A mirror by a uniform, whichever way: that of the part whose sign is known counts too.
+// Signs multiply: a mirror by a uniform, in either direction, times a part with a known sign.
 TEST_F(MirrorTest, SignsMultiply) {
   const Warp warp = to(twisted(vec3(p[0] * u, p[1], p[2] * -2.0)));
   EXPECT_EQ(signOf(warp, 0.7), -1);
   EXPECT_EQ(signOf(warp, -0.7), 1);
 }
 
-// Where the gradients are zero the surface is flat, and what is mirrored is space.
+// With zero gradients the surface is flat, and space itself is mirrored.
 TEST_F(MirrorTest, AnOffsetAlongTheNormalIsMirroredAsSpaceIs) {
   const Warp warp = warpOf(vec3(p[0] * -2.0, zero, zero) + n * 0.1);
   EXPECT_EQ(signOf(warp), -1);

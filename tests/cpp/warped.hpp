@@ -1,5 +1,5 @@
-// Warps written by hand for tests of the mesh room, and the distance of a warped surface from the
-// triangles that stand for it. All in double, and nothing of src/ is used.
+// Warps written by hand for tests of the mesh module, and the distance of a warped surface from the
+// triangles that approximate it. Everything is in double, without any code of src/.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline Point pointOf(const std::vector<float>& numbers, std::size_t vertex) {
   return {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
 }
 
-// Warps for meshes of a size of about 100.
+// Warps for meshes with a size of about 100.
 inline Point turnedAboutY(const Point& p, double angle) {
   return {p[0] * std::cos(angle) - p[2] * std::sin(angle), p[1],
           p[0] * std::sin(angle) + p[2] * std::cos(angle)};
@@ -54,7 +54,7 @@ inline Point sines(const Point& p) {
                    22 * std::sin(0.035 * p[0])};
 }
 
-// Almost five waves on a length of 100.
+// Almost five waves over a length of 100.
 inline Point waves(const Point& p) { return p + Point{0, 0, 6 * std::sin(0.3 * p[0])}; }
 
 // About 40 wide, on the side where z = 50.
@@ -63,7 +63,7 @@ inline Point bump(const Point& p) {
   return p + Point{0, 0, 20 * std::exp((d[0] * d[0] + d[1] * d[1] + 0.1 * d[2] * d[2]) / -200)};
 }
 
-// Pulled into a spout, what is nearest first, along a curve.
+// Pulls the mesh into a spout along a curve, nearest parts first.
 inline Point genie(const Point& p) {
   const Point spout{50, 93, 0}, above{75, 0, 0};
   const double s = std::clamp((0.8 - length(p - spout) / 240) / 0.5, 0.0, 1.0);
@@ -83,7 +83,7 @@ inline Point warpedNormal(const PointWarp& warp, const Point& p, const Point& n)
   return length(normal) > 0 ? (1 / length(normal)) * normal : Point{};
 }
 
-// As `subdivide` wants it.
+// Adapts the warp for `subdivide`.
 inline WarpFunction onMeshes(const PointWarp& warp) {
   return [warp](const Mesh& vertices) {
     Moved moved;
@@ -105,8 +105,8 @@ inline double distanceToSegment(const Point& p, const Point& a, const Point& b) 
   return length(p - (a + t * ab));
 }
 
-// The foot of the perpendicular has barycentric coordinates from a 2 by 2 system; outside, the
-// nearest point lies on a side.
+// The foot of the perpendicular has barycentric coordinates from a 2x2 system; outside of the
+// triangle, the nearest point is on a side.
 inline double distanceToTriangle(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Point ab = b - a, ac = c - a, ap = p - a;
   const double bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
@@ -120,7 +120,7 @@ inline double distanceToTriangle(const Point& p, const Point& a, const Point& b,
       {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
 }
 
-// The largest distance of the warped surface from the warped triangles, on (steps + 1)(steps + 2)/2
+// The largest distance of the warped surface from the warped triangles, at (steps + 1)(steps + 2)/2
 // points of each triangle.
 inline double geometricError(const Mesh& mesh, const PointWarp& warp, int steps = 5) {
   double largest = 0;

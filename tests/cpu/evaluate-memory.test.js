@@ -1,4 +1,4 @@
-// What a call of `evaluate` into arrays of the caller leaves for the garbage collector, and what it keeps.
+// The garbage that a call of `evaluate` into arrays of the caller creates, and the references that it keeps.
 import assert from 'node:assert/strict'
 import { Session } from 'node:inspector/promises'
 import { describe, test } from 'node:test'
@@ -17,17 +17,17 @@ const towards = ({ position, uniforms: { center, amount } }) =>
   position.sub(center).sin().mult(amount)
 
 /**
- * Bytes of JavaScript's heap that a call takes, collected since or not: the least of some rounds, as the engine compiles when it
- * likes, and then makes objects of its own. What each call makes is in every round.
+ * Returns the bytes of JavaScript's heap that a call allocates, collected or not. It is the minimum of some rounds, since the engine
+ * compiles at any time, and then allocates objects of its own; allocations of every call are in every round.
  */
 async function bytesOf(call, calls) {
-  let least = Infinity
-  for (let round = 0; round < 5 && least >= 16; round++)
-    least = Math.min(least, await bytesInRound(call, calls))
-  return least
+  let min = Infinity
+  for (let round = 0; round < 5 && min >= 16; round++)
+    min = Math.min(min, await bytesInRound(call, calls))
+  return min
 }
 
-/** As the engine's sampling sees them. */
+/** Measures one round by the engine's sampling profiler. */
 async function bytesInRound(call, calls) {
   const session = new Session()
   session.connect()
@@ -47,8 +47,8 @@ async function bytesInRound(call, calls) {
 const numbers = (count) => Float32Array.from({ length: count }, (_, i) => Math.sin(i))
 const arrays = (vertices) => ({ positions: numbers(3 * vertices), normals: numbers(3 * vertices) })
 
-describe('evaluate into arrays of the caller makes no object, however many vertices there are', () => {
-  let x = 0.25
+describe('evaluate into arrays of the caller allocates nothing, whatever the number of vertices', () => {
+  const x = 0.25
   const cases = {
     'a uniform that is given': [compileWarp(wave), { millis: 5 }],
     'a vector that is given': [
@@ -66,19 +66,19 @@ describe('evaluate into arrays of the caller makes no object, however many verti
         const options = { uniforms, out: arrays(vertices) }
         return () => warp.evaluate(mesh, options)
       }
-      // Until the engine has taken its best compiler, and the warp has its machine code.
+      // Enough calls for the optimizing compiler of the engine, and for machine code of the warp.
       const few = calling(8)
       for (let i = 0; i < 20_000; i++) few()
       const sizes = {}
-      // The last needs several batches of the machine code, of which one is not full.
+      // The last size needs several batches of machine code, of which one is not full.
       for (const vertices of [8, 80, 2000, 9000])
         sizes[vertices] = await bytesOf(calling(vertices), vertices > 1000 ? 1000 : 4000)
-      // The smallest object takes 16 bytes, and an array of it as many again: less is the engine's own, now and then.
+      // The smallest object takes 16 bytes, and an array another 16; occasional smaller allocations are the engine's own.
       for (const bytes of Object.values(sizes)) assert.ok(bytes < 16, JSON.stringify(sizes))
     })
 })
 
-test('what the caller gave comes back, unless it holds something else', () => {
+test('the object of the caller is returned, unless it holds other arrays', () => {
   const warp = compileWarp(wave)
   const mesh = arrays(5)
   const uniforms = { millis: 5 }
@@ -110,7 +110,7 @@ test("a uniform's function and a getter may evaluate the same warp", () => {
   warp = compileWarp(towards, {
     uniforms: { center: [1, 2, 3], amount: () => (nested(), amount) },
   })
-  // Later calls have what the first ones made.
+  // Later calls reuse objects of the first ones.
   for (const _ of [1, 2, 3]) {
     const plain = compileWarp(towards, { uniforms: { center: [1, 2, 3], amount } })
     const expected = plain.evaluate(mesh)
@@ -129,13 +129,13 @@ test("a uniform's function and a getter may evaluate the same warp", () => {
   }
 })
 
-test('a call that throws leaves the next one right', () => {
+test('the call after one that throws is correct', () => {
   const warp = compileWarp(towards, { uniforms: { center: [1, 2, 3], amount: 0.5 } })
   const mesh = arrays(7)
   const expected = warp.evaluate(mesh)
   const out = arrays(7)
   assert.throws(() => warp.evaluate(mesh, { uniforms: { center: [9, 9, NaN] }, out }), /NaN/)
-  assert.throws(() => warp.evaluate(mesh, { uniforms: { amount: [1] }, out }), /takes a number/)
+  assert.throws(() => warp.evaluate(mesh, { uniforms: { amount: [1] }, out }), /got an array of 1/)
   assert.throws(
     () => warp.evaluate(mesh, { out: { positions: new Float32Array(2) } }),
     /got one of 2/,
@@ -143,7 +143,7 @@ test('a call that throws leaves the next one right', () => {
   assert.deepEqual(warp.evaluate(mesh, { out }), expected)
 })
 
-test('new numbers in the same arrays count, and arrays that have become longer', () => {
+test('new numbers in the same arrays are used, and arrays that have grown', () => {
   const warp = compileWarp(wave)
   const uniforms = { millis: 5 }
   const buffer = new ArrayBuffer(12 * 9000, { maxByteLength: 12 * 10_000 })
@@ -157,7 +157,7 @@ test('new numbers in the same arrays count, and arrays that have become longer',
   }
 })
 
-test('arrays of the caller are not kept', async () => {
+test('arrays of the caller are not retained', async () => {
   const warp = compileWarp(wave)
   const given = () => {
     const mesh = arrays(9000)

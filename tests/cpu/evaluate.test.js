@@ -1,8 +1,7 @@
-// Warps on the CPU: what comes out, bounds, and what wrong input gives. tests/compile/normals.browser.test.js holds all of the numbers
-// against an oracle, beside those of the GPU.
+// Warps on the CPU: results, bounds, and errors. tests/compile/normals.browser.test.js compares all numbers with an oracle, and with
+// those of the GPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { evaluationMemoryInUse } from '../../dist/memory.js'
 import { WarpError, compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
 import { moments } from '../support/browser/compare.js'
@@ -15,7 +14,7 @@ const uniforms = { millis: 250 }
 const plane = { positions: [0, 0, 0, 1, 0, 0], normals: [0, 1, 0, 0, 1, 0] }
 
 describe('evaluate', () => {
-  test('gives float32 arrays and leaves what came in alone', () => {
+  test('returns float32 arrays and leaves its arguments unchanged', () => {
     const mesh = {
       positions: new Float32Array(plane.positions),
       normals: Object.freeze([...plane.normals]),
@@ -27,7 +26,7 @@ describe('evaluate', () => {
     assert.equal(positions[3], 1)
   })
 
-  test('writes into arrays that come along, also into its own input', () => {
+  test('writes into arrays of the caller, also into its own input', () => {
     const { positions, normals } = wave.evaluate(plane, { uniforms })
     const out = { positions: new Float32Array(9).fill(7), normals: new Float32Array(6) }
     const given = wave.evaluate(plane, { uniforms, out })
@@ -57,7 +56,7 @@ describe('evaluate', () => {
     refused({ normal: new Float32Array(6) }, /normal/)
   })
 
-  test('makes no array of the size of the mesh where all are given', () => {
+  test('allocates no array of the size of the mesh if all are passed', () => {
     const count = 3 * 10_000
     const mesh = { positions: new Float32Array(count), normals: new Float32Array(count) }
     const out = { positions: new Float32Array(count), normals: new Float32Array(count) }
@@ -81,7 +80,7 @@ describe('evaluate', () => {
     for (let i = 0; i < 3; i++) assert.ok(largest({ uniforms, out }) < 1000)
   })
 
-  test('checks a Float32Array when it comes for the first time, and none that it made', () => {
+  test('checks a Float32Array when it is passed for the first time, and none of its own results', () => {
     const refusal = {
       name: 'WarpError',
       message: /expected a finite number for positions\[0\].*, got NaN/,
@@ -101,12 +100,12 @@ describe('evaluate', () => {
     assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), refusal)
   })
 
-  test('takes any number of vertices, none too', () => {
+  test('accepts any number of vertices, also none', () => {
     assert.deepEqual(wave.evaluate({ positions: [], normals: [] }, { uniforms }), {
       positions: new Float32Array(0),
       normals: new Float32Array(0),
     })
-    // Around what is in the wasm at a time.
+    // Around the number of vertices per batch.
     for (const count of [1, 5, 4095, 4096, 4097, 9001]) {
       const xs = Float32Array.from({ length: count }, (_, i) => Math.sin(i))
       const positions = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 ? 0 : xs[i / 3]))
@@ -125,7 +124,7 @@ describe('evaluate', () => {
     }
   })
 
-  test('gives normals only where normals came, tangents where both came', () => {
+  test('returns normals only if normals were passed, and tangents if both were passed', () => {
     const keys = (mesh) => Object.keys(wave.evaluate(mesh, { uniforms }))
     const { positions, normals } = plane
     const tangents = [1, 0, 0, 1, 1, 0, 0, -1]
@@ -137,7 +136,7 @@ describe('evaluate', () => {
     assert.deepEqual(Object.keys(bare.evaluate({ positions, normals })), ['positions'])
   })
 
-  test('turns tangents with the surface: y = 0.2 sin(3x + t) has the slope 0.6 cos(3x + t)', () => {
+  test('transforms tangents with the surface: y = 0.2 sin(3x + t) has the slope 0.6 cos(3x + t)', () => {
     const { normals, tangents } = wave.evaluate(
       { ...plane, tangents: [1, 0, 0, 1, 0, 0, 2, -1] },
       { uniforms },
@@ -152,7 +151,7 @@ describe('evaluate', () => {
     }
   })
 
-  test('finds inputs by the names of the warp, whatever the shader calls them', () => {
+  test('finds inputs by the names of the warp, whatever their names in the shader', () => {
     const renamed = compileWarp(
       ({ glsl, position, millis, uv, mouseX }) =>
         position
@@ -174,7 +173,7 @@ describe('evaluate', () => {
     )
   })
 
-  test('leaves nothing behind: a thousand times is like once', () => {
+  test('leaves no memory behind: a thousand calls need as much as one', () => {
     const before = process.memoryUsage().arrayBuffers
     const positions = new Float32Array(3 * 5000)
     for (let i = 0; i < 1000; i++) wave.evaluate({ positions }, { uniforms })
@@ -184,7 +183,7 @@ describe('evaluate', () => {
 })
 
 describe('foldover', () => {
-  test('marks where det(I + J) is not above 0', () => {
+  test('marks vertices where det(I + J) <= 0', () => {
     // x -> x + 2 sin(x) has the derivative 1 + 2 cos(x).
     const folded = compileWarp(({ glsl, position }) => glsl.vec3(position.x().sin().mult(2), 0, 0))
     const xs = Array.from({ length: 1000 }, (_, i) => i / 100)
@@ -195,7 +194,7 @@ describe('foldover', () => {
     assert.ok(mask instanceof Uint8Array)
   })
 
-  test('a mirror is inside out everywhere, and so is what is flattened', () => {
+  test('a mirror is inside out everywhere, and so is a flattened surface', () => {
     const positions = [1, 2, 3, 4, 5, 6]
     const count = (warp) => compileWarp(warp).foldover({ positions }).count
     assert.equal(
@@ -219,8 +218,8 @@ describe('bounds', () => {
 
   const cells = 10
 
-  /** What becomes of a box, at a grid of points. */
-  function sampled(offset, size, inputs) {
+  /** Returns the bounds of a warped box at a grid of points. */
+  function sampleBox(offset, size, inputs) {
     const truth = { min: Array(3).fill(Infinity), max: Array(3).fill(-Infinity) }
     for (let i = 0; i <= cells; i++)
       for (let j = 0; j <= cells; j++)
@@ -243,11 +242,11 @@ describe('bounds', () => {
   for (const { name, compile, offset, size, reach, params, kept } of warps) {
     const warp = compile('glsl300')
     if (!warp.bounds) continue
-    test(`hold all that becomes of a box, and in the gallery at most twice as much: ${name}`, () => {
+    test(`contain the warped box, and are at most twice as large in the gallery: ${name}`, () => {
       for (const moment of moments) {
         const all = { ...moment, ...params }
         const bounds = warp.bounds(box(size), { uniforms: all })
-        const truth = sampled(offset, size, all)
+        const truth = sampleBox(offset, size, all)
         assert.ok(holds(bounds, truth), `${JSON.stringify([bounds, truth])}`)
         for (let axis = 0; kept && axis < 3; axis++) {
           const extent = Math.max(truth.max[axis] - truth.min[axis], reach / 1000)
@@ -258,8 +257,8 @@ describe('bounds', () => {
     })
   }
 
-  // A grid of 25 × 25 × 25 finds the same.
-  test('that are a twentieth too small would be found, of nearly every warp', () => {
+  // A grid of 25 × 25 × 25 has the same result.
+  test('that are 5% too small would be detected, for nearly every warp', () => {
     const moment = moments[1]
     const refused = warps.filter(({ compile, offset, size, params }) => {
       const inputs = { ...moment, ...params }
@@ -268,12 +267,12 @@ describe('bounds', () => {
       const { min, max } = bounds
       const inwards = (ends, others) => ends.map((x, i) => x + 0.05 * (others[i] - x))
       const tooSmall = { min: inwards(min, max), max: inwards(max, min) }
-      return !holds(tooSmall, sampled(offset, size, inputs))
+      return !holds(tooSmall, sampleBox(offset, size, inputs))
     })
     assert.ok(refused.length >= 65, `only ${refused.length} of ${warps.length}`)
   })
 
-  test('hold both sides of the cut of atan(y, x), of a plane too', () => {
+  test('contain both sides of the cut of atan(y, x), also for a plane', () => {
     const angle = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, position.y().atan(position.x())),
     )
@@ -282,7 +281,7 @@ describe('bounds', () => {
     assert.ok(max[2] >= angle.evaluateAt([-1, 0, 0]).position[2])
   })
 
-  test('count uvs as 0 to 1 unless the box says otherwise', () => {
+  test('assume uvs from 0 to 1 by default', () => {
     const warp = compileWarp(({ glsl, uv, color, normal }) =>
       glsl.vec3(uv.x(), color.x(), normal.x()),
     )
@@ -297,7 +296,7 @@ describe('bounds', () => {
   })
 })
 
-describe('one sentence for', () => {
+describe('errors for', () => {
   const refuses = (work, expected) =>
     assert.throws(work, (error) => {
       assert.ok(error instanceof WarpError, `${error.stack}`)
@@ -313,11 +312,11 @@ describe('one sentence for', () => {
     )
     refuses(
       () => wave.evaluate({ positions: 3 }),
-      /expected a flat array of 3 numbers a vertex for positions, got the number 3/,
+      /expected a flat array of 3 numbers per vertex for positions, got the number 3/,
     )
     refuses(
       () => wave.evaluate({ positions: [1, 2] }),
-      /expected three numbers a vertex for positions, got 2 numbers/,
+      /expected 3 numbers per vertex for positions, got 2 numbers/,
     )
     refuses(
       () =>
@@ -332,7 +331,7 @@ describe('one sentence for', () => {
     )
     refuses(
       () => wave.evaluate({ positions, normals: [1] }),
-      /expected 3 numbers a vertex, 3 for these positions, for normals, got 1/,
+      /expected 3 numbers per vertex, 3 for these positions, for normals, got 1/,
     )
     refuses(
       () => wave.evaluate({ positions: [1, 2, 3, 4, NaN, 6] }, { uniforms }),
@@ -355,7 +354,7 @@ describe('one sentence for', () => {
   test('uniforms', () => {
     refuses(
       () => wave.evaluate({ positions }),
-      /the warp reads "millis"; give it a value in the uniforms, as in \{ "millis": 0 \}/,
+      /the warp reads "millis"; pass a value in the uniforms, as in \{ "millis": 0 \}/,
     )
     refuses(
       () => wave.evaluate({ positions }, { uniforms: { milis: 3 } }),
@@ -372,7 +371,7 @@ describe('one sentence for', () => {
     const follows = compileWarp(({ glsl, mouse }) => glsl.vec3(mouse, glsl.param('amount')))
     refuses(
       () => wave.evaluate({ positions, uniforms }),
-      /uniforms stand beside the mesh, not in it, as in evaluate\(mesh, \{ uniforms/,
+      /uniforms are an option, not a part of the mesh, as in evaluate\(mesh, \{ uniforms/,
     )
     refuses(
       () => wave.bounds({ min: [0, 0, 0], max: [1, 1, 1] }, { millis: 1 }),
@@ -393,12 +392,12 @@ describe('one sentence for', () => {
     const colored = compileWarp(({ color }) => color.rgb())
     refuses(
       () => colored.evaluate({ positions }),
-      /the warp reads the color of each vertex, but no "colors" came/,
+      /the warp reads the color of each vertex; pass "colors" too/,
     )
     const inflated = compileWarp(({ normal }) => normal.mult(2))
     refuses(
       () => inflated.evaluateAt(positions),
-      /evaluateAt: the warp reads the normal of each vertex, but no "normal" came/,
+      /evaluateAt: the warp reads the normal of each vertex; pass "normal" too/,
     )
   })
 
@@ -448,24 +447,24 @@ describe('one sentence for', () => {
   test('tangents without normals', () => {
     refuses(
       () => compileWarp(({ position }) => position, { normals: false, tangents: true }),
-      /compileWarp: tangents are turned with the normal; leave "normals: false" out/,
+      /compileWarp: tangents are transformed with the normal; remove "normals: false"/,
     )
     refuses(
       () => compileWarp(({ position }) => position, { tangents: 1 }),
-      /compileWarp: the option "tangents" must be true or false, but is the number 1/,
+      /compileWarp: expected true or false for the option "tangents", got the number 1/,
     )
   })
 })
 
-describe('bounds of what is NaN somewhere', () => {
+describe('bounds of a warp that is NaN somewhere', () => {
   const box = { min: [-1, -1, -1], max: [1, 1, 1] }
   const boundsOf = (offset) => compileWarp(offset).bounds(box)
-  /** Around these numbers, and not much larger. */
+  /** Checks that bounds contain these numbers, and are not much larger. */
   function assertAround([min, max], [low, high]) {
     assert.ok(min <= low && low - min < 0.05 && max >= high && max - high < 0.05, `${[min, max]}`)
   }
 
-  test('are around the numbers', () => {
+  test('contain the other values', () => {
     const root = boundsOf(({ glsl, position: { x, y } }) =>
       glsl.vec3(y.sqrt(), 0, x.asin().mult(2)),
     )
@@ -475,7 +474,7 @@ describe('bounds of what is NaN somewhere', () => {
     assertAround([far.min[1], far.max[1]], [-1 - Math.PI / 2, 1 + Math.PI / 2])
   })
 
-  test('are infinite where the values are, and empty where there are none', () => {
+  test('are infinite if the values are, and empty if there are none', () => {
     const pole = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.log(), 0))
     assert.equal(pole.min[1], -Infinity)
     assert.ok(pole.max[1] >= 1 && pole.max[1] < 1.05)
@@ -485,7 +484,7 @@ describe('bounds of what is NaN somewhere', () => {
   })
 })
 
-describe('memory that inputs and results share', () => {
+describe('inputs and results that share memory', () => {
   const bend = compileWarp(({ glsl, position }) =>
     glsl.vec3(position.y.mult(0.5), position.x.sin(), position.z.mult(position.x)),
   )
@@ -498,33 +497,33 @@ describe('memory that inputs and results share', () => {
   const positions = values.slice(0, 3 * count)
   const expected = bend.evaluate({ positions, normals, tangents })
 
-  /** An array of a buffer that has room on both sides, filled with what is given. */
-  function placed(buffer, at, numbers) {
+  /** Makes an array of `values` in a buffer with room on both sides. */
+  function arrayInBuffer(buffer, at, numbers) {
     const view = new Float32Array(buffer, 4 * at, numbers.length)
     view.set(numbers)
     return view
   }
 
-  test('gives the same, wherever the result lies', () => {
+  test('do not change the result, wherever it is in memory', () => {
     for (let run = 0; run < 3; run++)
       for (const shift of [
         -30_001, -12_288, -3, -1, 0, 1, 2, 3, 4, 12_287, 12_288, 15_000, 29_999, 30_000,
       ]) {
         const buffer = new ArrayBuffer(4 * 100_000)
-        const input = placed(buffer, 40_000, positions)
+        const input = arrayInBuffer(buffer, 40_000, positions)
         const out = { positions: new Float32Array(buffer, 4 * (40_000 + shift), 3 * count) }
         const { positions: moved } = bend.evaluate({ positions: input }, { out })
         assert.deepEqual(moved, expected.positions, `by ${shift}`)
       }
   })
 
-  test('of another kind of input too: normals over positions, tangents over normals, doubles', () => {
+  test('with other kinds of input: normals over positions, tangents over normals, doubles', () => {
     for (const shift of [-9000, -1, 0, 1, 5000]) {
       const buffer = new ArrayBuffer(4 * 200_000)
       const mesh = {
-        positions: placed(buffer, 50_000, positions),
-        normals: placed(buffer, 90_000, normals),
-        tangents: placed(buffer, 130_000, tangents),
+        positions: arrayInBuffer(buffer, 50_000, positions),
+        normals: arrayInBuffer(buffer, 90_000, normals),
+        tangents: arrayInBuffer(buffer, 130_000, tangents),
       }
       const at = (offset, size) => new Float32Array(buffer, 4 * (offset + shift), size * count)
       const out = { positions: at(130_000, 3), normals: at(50_000, 3), tangents: at(90_000, 4) }
@@ -539,7 +538,7 @@ describe('memory that inputs and results share', () => {
     }
   })
 
-  test('two results need memory of their own', () => {
+  test('two results must not share memory', () => {
     const same = new Float32Array(4 * count)
     const refused = (out, message) =>
       assert.throws(() => bend.evaluate({ positions, normals, tangents }, { out }), {
@@ -548,7 +547,7 @@ describe('memory that inputs and results share', () => {
       })
     refused(
       { positions: same, normals: same },
-      /^evaluate: out\.positions and out\.normals must have memory of their own, but are the same array\.$/,
+      /^evaluate: out\.positions and out\.normals must not share memory, but are the same array\.$/,
     )
     refused({ normals: same, tangents: same }, /out\.normals and out\.tangents .* same array/)
     const buffer = new ArrayBuffer(4 * 80_000)
@@ -558,7 +557,7 @@ describe('memory that inputs and results share', () => {
       /out\.positions and out\.tangents .* same part of a buffer/,
     )
     refused({ positions: at(3 * count - 1), normals: at(0) }, /out\.positions and out\.normals/)
-    // Neighbours are fine, and so are arrays that are not written.
+    // Adjacent arrays are allowed, and so are arrays that are not written.
     const out = { positions: at(0), normals: at(3 * count) }
     assert.deepEqual(
       bend.evaluate({ positions, normals }, { out }).normals.slice(0, 3 * count),
@@ -571,10 +570,10 @@ describe('memory that inputs and results share', () => {
   })
 })
 
-describe('uniforms that nothing depends on', () => {
+describe('unused uniforms', () => {
   const box = { min: [0, 0, 0], max: [1, 1, 1] }
   const mesh = { positions: [1, 2, 3] }
-  /** Each entry point with these uniforms. */
+  /** Calls each method with these uniforms. */
   function callAll(warp, uniforms) {
     warp.evaluate(mesh, { uniforms })
     warp.evaluateAt([1, 2, 3], { uniforms })
@@ -593,7 +592,7 @@ describe('uniforms that nothing depends on', () => {
     'return p * pow(amount, 0.0);',
   ]
   for (const perFrame of [false, true])
-    test(`may be given, ${perFrame ? 'with' : 'without'} frame constants`, () => {
+    test(`may be passed, ${perFrame ? 'with' : 'without'} frame constants`, () => {
       for (const body of sources) {
         const text = glslOffset(`uniform float amount;\nvec3 offset(vec3 p) { ${body} }`)
         for (const more of [{}, { uniforms: { amount: 2 } }]) {
@@ -618,7 +617,7 @@ describe('uniforms that nothing depends on', () => {
       callAll(built, {})
     })
 
-  test('of every type that a text can declare', () => {
+  test('of every type that GLSL source can declare', () => {
     const types = {
       int: -3,
       uint: 3e9,

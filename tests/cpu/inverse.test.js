@@ -1,4 +1,4 @@
-// inverseAt: where a warp brings a point from, against inverses by hand.
+// inverseAt: finds positions that a warp moves to a point, against inverses derived by hand.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -7,7 +7,7 @@ const twist = compileWarp(({ glsl, position }) =>
   glsl.rotateY(position.y().mult(2)).mult(position).sub(position),
 )
 
-/** x by an offset of x alone. */
+/** Makes a warp that moves x by an offset that depends on x alone. */
 const along = (offset) =>
   compileWarp(({ glsl, position }) => glsl.vec3(offset(position.x(), glsl), 0, 0))
 
@@ -17,12 +17,12 @@ const isClose = (found, expected, bound) =>
     `${found} is not ${expected}`,
   )
 
-test('a twist is undone by the twist back, from anywhere', () => {
+test('a twist is undone by the opposite twist, from anywhere', () => {
   for (let i = 0; i < 500; i++) {
     const from = [Math.sin(i), Math.cos(2.1 * i), Math.sin(3.7 * i + 1)].map((x) => 3 * x)
     const [x, y, z] = from
     const [c, s] = [Math.cos(2 * y), Math.sin(2 * y)]
-    // Of a rotation about y either way round, the one that evaluateAt has.
+    // The rotation about y may be in either direction: the one of evaluateAt.
     const [moved] = twist.evaluateAt(from).position
     const to =
       Math.abs(moved - (c * x + s * z)) < 1e-5
@@ -35,7 +35,7 @@ test('a twist is undone by the twist back, from anywhere', () => {
   }
 })
 
-test('a wave that does not fold has one place, and says so', () => {
+test('a wave that does not fold has one position, and is not folded', () => {
   const wave = along((x) => x.sin().mult(0.9))
   for (let i = -40; i <= 40; i++) {
     const from = i / 4
@@ -48,8 +48,8 @@ test('a wave that does not fold has one place, and says so', () => {
 describe('a wave that folds', () => {
   const wave = along((x) => x.sin().mult(-3))
 
-  test('has several, of which near chooses', () => {
-    // x - 3 sin x = 0 at 0, inside out there, and on both sides of it.
+  test('has several positions, of which near selects one', () => {
+    // x - 3 sin x is 0 at x = 0, where space is inside out, and at one position on each side.
     const side = 2.27886266
     for (const near of [0.1, 2.2, -2.2]) {
       const { position, isFolded } = wave.inverseAt([0, 0, 0], { near: [near, 0, 0] })
@@ -58,12 +58,12 @@ describe('a wave that folds', () => {
     }
   })
 
-  test('has one layer of three that is inside out, between two that are not', () => {
+  test('is inside out in the middle one of three layers', () => {
     const isFolded = (near) => wave.inverseAt([0.5, 0, 0], { near: [near, 0, 0] }).isFolded
     assert.deepEqual([-2, 0, 2.4].map(isFolded), [false, true, false])
   })
 
-  test('is reached from everywhere', () => {
+  test('has a solution from every start', () => {
     for (let i = -30; i <= 30; i++) {
       const { position } = wave.inverseAt([i / 3, 0, 0])
       assert.ok(Math.abs(position[0] - 3 * Math.sin(position[0]) - i / 3) < 1e-9)
@@ -71,7 +71,7 @@ describe('a wave that folds', () => {
   })
 })
 
-test('a mirror is inside out everywhere, though one place alone comes to each point', () => {
+test('a mirror is inside out everywhere, though it moves only one position to each point', () => {
   const mirror = along((x) => x.mult(-2))
   for (const near of [-9, 0, 5]) {
     const { position, isFolded } = mirror.inverseAt([3, 1, 2], { near: [near, 0, 0] })
@@ -80,7 +80,7 @@ test('a mirror is inside out everywhere, though one place alone comes to each po
   }
 })
 
-test('where nothing comes, nothing is found', () => {
+test('there is no result for a point that nothing is moved to', () => {
   const parabola = along((x) => x.mult(x))
   assert.equal(parabola.inverseAt([-1, 0, 0]), undefined)
   isClose(parabola.inverseAt([0.75, 0, 0], { near: [1, 0, 0] }).position, [0.5, 0, 0], 1e-9)
@@ -88,7 +88,7 @@ test('where nothing comes, nothing is found', () => {
   assert.equal(flat.inverseAt([1, 1, 1]), undefined)
 })
 
-test('uniforms by value and by call, and what else the offset reads', () => {
+test('uniforms by value and by function, and other inputs of the offset', () => {
   const moving = compileWarp(
     ({ glsl, normal, millis, uniforms: { amount } }) =>
       normal.mult(amount).add(glsl.vec3(millis.div(1000), 0, 0)),
@@ -100,7 +100,7 @@ test('uniforms by value and by call, and what else the offset reads', () => {
   isClose(moving.inverseAt([5, 5, 5], other).position, [5, 4, 5], 1e-12)
 })
 
-test('what is wrong is said in a sentence', () => {
+test('errors', () => {
   const refused = (work, message) => assert.throws(work, { name: 'WarpError', message })
   refused(
     () => twist.inverseAt([1, 2]),
@@ -122,7 +122,7 @@ test('what is wrong is said in a sentence', () => {
   refused(() => flat.inverseAt([1, 2, 3]), /^inverseAt: .*normals: false/)
 })
 
-/** x + y², y + xz, z + x²: it folds, and turns its own far places into farther ones. */
+/** x + y², y + xz, z + x²: it folds, and moves far positions farther away. */
 const quadratic = compileWarp(({ glsl, position: { x, y, z } }) =>
   glsl.vec3(y.mult(y), x.mult(z), x.mult(x)),
 )
@@ -130,14 +130,14 @@ const quadraticOf = ([x, y, z]) => [x + y * y, y + x * z, z + x * x]
 
 const sizeOf = (numbers) => Math.hypot(...numbers)
 
-/** What is stated of an answer, by the warp in double, worked out here. */
+/** The documented properties of a result, computed from the warp in double precision. */
 function assertReaches(placeOf, position, target, slack = 1) {
   const left = sizeOf(placeOf(position).map((x, i) => x - target[i]))
   const bound = 1e-9 * sizeOf(target) + 1e-14 * Math.min(sizeOf(position), 1e4)
   assert.ok(left <= slack * bound, `${position} comes to ${placeOf(position)}, not ${target}`)
 }
 
-test('an answer comes to the target, also of a warp that leads the search far away', () => {
+test('a result is moved to the target, also by a warp that leads the search far away', () => {
   const target = [1.3524719, 2.9967473, 2.3314333]
   assertReaches(quadraticOf, quadratic.inverseAt(target).position, target)
   let found = 0
@@ -152,7 +152,7 @@ test('an answer comes to the target, also of a warp that leads the search far aw
   assert.ok(found > 190, `${found} of 200 are found, of which each has a place`)
 })
 
-test('what is no answer does not become one by a start far away', () => {
+test('a wrong result is not accepted because the start is far away', () => {
   const flat = along((x) => x.mult(x).sub(x))
   for (const near of [1, 1e3, 1e6, 1e9, 1e12, 1e20, -1e30]) {
     assert.equal(flat.inverseAt([-1e-3, 0, 0], { near: [near, near, near] }), undefined)
@@ -164,7 +164,7 @@ test('what is no answer does not become one by a start far away', () => {
 
 describe('random warps, targets and starts', () => {
   const randomOf = (seed) => () => ((seed = (seed * 1664525 + 1013904223) >>> 0), seed / 2 ** 32)
-  /** Of the coordinates x, y and z: a warp and, by itself, its place in double. */
+  /** Makes a warp of the coordinates x, y and z and, independently, its warped position in double precision. */
   const kinds = {
     quadratic(number, size) {
       const rows = [0, 1, 2].map(() => Array.from({ length: 6 }, () => number(0.7)))
@@ -228,7 +228,7 @@ describe('random warps, targets and starts', () => {
             const inverse = warp.inverseAt(target, { near })
             if (!inverse) continue
             found++
-            // Rounding here is not the same as there.
+            // Rounding differs from that of the warp.
             assertReaches(placeOf, inverse.position, target, 2)
           }
         }

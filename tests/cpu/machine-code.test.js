@@ -1,5 +1,5 @@
-// Warps as machine code on the CPU: the same bits as by the interpreter, which computes the first call; and what becomes of
-// the code. Of a NaN, whose bits WebAssembly leaves open, only that it is one.
+// Warps as machine code on the CPU: the same bits as by the interpreter, which computes the first call; and the lifetime of the code.
+// NaNs may differ in their bits, which WebAssembly does not define.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { setTimeout } from 'node:timers/promises'
@@ -49,7 +49,7 @@ function meshOf(vertices, numberAt) {
 const random = seededRandom(7)
 const ordinary = meshOf(1000, () => 2 * random() - 1)
 
-/** Where formulas change over: zeros, denormals, the ends of float32, and what is too large for a sine by its formula. */
+/** Numbers at which formulas switch: zeros, denormals, the limits of float32, and arguments too large for the formula of a sine. */
 const extremes = [
   0,
   -0,
@@ -99,7 +99,7 @@ function assertSame(found, expected, message) {
   }
 }
 
-/** A warp that was never run: by the interpreter, and then, on so many vertices at a time, by its code. */
+/** Evaluates a new warp by the interpreter, and then by machine code, with a number of vertices at a time. */
 function assertBothSame(warp, mesh, uniforms, counts, message) {
   const expected = warp.evaluate(mesh, { uniforms })
   const before = made
@@ -171,7 +171,7 @@ describe('the same bits', () => {
     }
   })
 
-  test('of a warp in several functions of code, between which values are kept', () => {
+  test('of a warp whose code has several functions, which pass values to each other', () => {
     const warp = compileWarp(({ glsl, position, millis }) => {
       const [x, y, z] = [position.x(), position.y(), position.z()]
       const waves = Array.from({ length: 300 }, (_, i) =>
@@ -188,7 +188,7 @@ describe('the same bits', () => {
     assertBothSame(warp, ordinary, { millis: 3 }, counts, 'waves')
   })
 
-  test('of more vertices than are in the memory at a time, and into arrays that came along', () => {
+  test('of more vertices than a batch has, and into arrays of the caller', () => {
     const warp = compileWarp(({ position, millis }) => position.yzx().mult(3).add(millis).sin())
     const mesh = {
       positions: Float32Array.from({ length: 3 * 9001 }, (_, i) => Math.sin(i)),
@@ -215,7 +215,7 @@ const offsets =
   ({ glsl, position }) =>
     glsl.vec3(position.y().mult(i).sin(), position.z().add(i).exp(), 0)
 
-test('nothing is left of warps that are dropped', async () => {
+test('code of unreachable warps is freed', async () => {
   const count = isRun('thousands of warps') ? 3000 : 300
   const mesh = first(ordinary, 64)
   compileWarp(offsets(0)).evaluate(mesh) // what runs programs has started
@@ -244,8 +244,8 @@ test('nothing is left of warps that are dropped', async () => {
   assert.ok(kept.evaluate(mesh), 'which goes on')
 })
 
-// The last one: nothing is compiled any more.
-test('where compiling is forbidden the interpreter goes on, and nobody notices', () => {
+// Must be the last test: no code is compiled after it.
+test('if compiling is forbidden, the interpreter takes over', () => {
   const allowed = compileWarp(offsets(1))
   const expected = [1, 2].map(() => allowed.evaluate(ordinary))[1]
   let tried = 0

@@ -1,4 +1,4 @@
-// NaN and infinity as values: what divides by a uniform of 0, and vertices that are nowhere, in each host that runs on the CPU.
+// NaN and infinity: divisions by a uniform that is 0, and vertices without a finite position, in each host that evaluates on the CPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js'
@@ -20,7 +20,7 @@ const drift = ({ glsl, millis, uniforms }) => glsl.vec3(0, millis.div(uniforms.p
 describe('with frame constants', () => {
   const options = { perFrame: true, uniforms: { period: 0 } }
 
-  test('a quotient by 0 is no missing uniform', () => {
+  test('a division by 0 is not a missing uniform', () => {
     for (const offset of [beat, drift])
       for (const millis of [0, 1200]) {
         const made = compileWarp(offset, options)
@@ -40,7 +40,7 @@ describe('with frame constants', () => {
       }
   })
 
-  test('what is named as missing is what is read, whatever the others are', () => {
+  test('the message names a missing input that is read, whatever the other values are', () => {
     const made = compileWarp(beat, options)
     const missing = (method) => new RegExp(`^WarpError: ${method}: the warp reads "millis"`)
     assert.throws(() => made.frameUniforms({}), missing('frameUniforms'))
@@ -54,7 +54,7 @@ describe('with frame constants', () => {
     assert.throws(() => pointed.evaluateAt([0, 0, 0]), /the warp reads "mouse"/)
   })
 
-  test('a declared uniform is given as everywhere else', () => {
+  test('a declared uniform is passed as everywhere else', () => {
     const made = compileWarp(
       ({ glsl, millis, uniforms: { isOn, center } }) =>
         glsl.vec3(center.x.mult(millis), isOn.mult(millis), 0),
@@ -66,7 +66,7 @@ describe('with frame constants', () => {
   })
 })
 
-/** Whether three.js draws it. */
+/** Tests whether three.js draws an object. */
 function isSeen(object) {
   const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 100)
   camera.position.z = 6
@@ -85,7 +85,7 @@ const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
 const lifted = ({ glsl, position }) => glsl.vec3(0, 0, position.x.sin().mult(0.2))
 const spaces = ['local', 'rest', 'world']
 
-/** One vertex, in a corner that the ray is far from. */
+/** A vertex in a corner, far from the ray. */
 function broken(geometry, number, attribute = 'position') {
   geometry.attributes[attribute].array[0] = number
   return geometry
@@ -93,7 +93,7 @@ function broken(geometry, number, attribute = 'position') {
 
 describe('three.js', () => {
   for (const space of spaces)
-    test(`draws what divides by 0, in the space ${space}, and rays go on`, () => {
+    test(`draws a warp that divides by 0, in the space ${space}, and rays still work`, () => {
       for (const offset of [beat, drift]) {
         const mesh = new THREE.Mesh(plane(), material)
         const warped = warp(mesh, offset, { space, uniforms: { period: 200 } })
@@ -135,7 +135,7 @@ describe('three.js', () => {
     },
   }
   for (const [kind, make] of Object.entries(objects))
-    test(`a vertex of ${kind} that is nowhere neither throws nor hides the others`, () => {
+    test(`a vertex of ${kind} without a finite position neither throws nor hides the others`, () => {
       for (const space of spaces)
         for (const number of [NaN, Infinity, -Infinity, 1e39]) {
           const object = make(broken(plane(), number))
@@ -149,7 +149,7 @@ describe('three.js', () => {
         }
     })
 
-  test('nor does a texture coordinate, or one geometry of a batch', () => {
+  test('neither does such a texture coordinate, or such a geometry of a batch', () => {
     const along = ({ glsl, position, uv }) => glsl.vec3(0, 0, uv.x.mult(0.1).add(position.x))
     const mesh = new THREE.Mesh(broken(plane(), NaN, 'uv'), material)
     warp(mesh, along)
@@ -166,7 +166,7 @@ describe('three.js', () => {
     }
   })
 
-  test('a group with such a part is everywhere, not NaN', () => {
+  test('the bounds of a group with such a part are infinite, not NaN', () => {
     const group = new THREE.Group()
     group.add(new THREE.Mesh(plane(), material), new THREE.Mesh(broken(plane(), NaN), material))
     group.children[1].position.x = 3
@@ -178,7 +178,7 @@ describe('three.js', () => {
     )
   })
 
-  test('what has no value at all is drawn, for the GPU may have one', () => {
+  test('an object without any value is drawn, since the GPU may have one', () => {
     const mesh = new THREE.Mesh(plane(), material)
     warp(mesh, ({ glsl, position }) => glsl.vec3(position.x.abs().add(1).neg().sqrt(), 0, 0))
     assert.equal(isSeen(mesh), true)
@@ -207,7 +207,7 @@ describe('Babylon.js', () => {
     return camera.isInFrustum(mesh)
   }
 
-  test('draws what divides by 0', () => {
+  test('draws a warp that divides by 0', () => {
     for (const offset of [beat, drift])
       for (const millis of [0, 1200]) {
         const there = sceneWith(offset, { uniforms: { period: 0 } })
@@ -219,7 +219,7 @@ describe('Babylon.js', () => {
       }
   })
 
-  test('a vertex that is nowhere neither throws nor hides the others', () => {
+  test('a vertex without a finite position neither throws nor hides the others', () => {
     for (const number of [NaN, Infinity]) {
       const there = sceneWith(({ glsl }) => glsl.vec3(0, 0.5, 0), {})
       const positions = there.mesh.getVerticesData('position')

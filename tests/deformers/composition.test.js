@@ -1,5 +1,5 @@
-// chain, add, blend, mask and inSpace: what they do to positions and normals equals the same composition of plain functions
-// of numbers, worked out here step by step.
+// chain, add, blend, mask and inSpace: positions and normals equal those of the same composition of plain functions of numbers,
+// computed step by step.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
@@ -45,7 +45,7 @@ const vertices = Array.from({ length: 40 }, () => ({
 }))
 const step = 0.02
 
-/** In double: from a vertex and uniforms to the offset, its Jacobian's columns, and the turned normal. */
+/** In double: maps a vertex and uniforms to the offset, the columns of its Jacobian, and the warped normal. */
 function inDouble(warp) {
   return compile((glsl) => {
     const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
@@ -96,18 +96,18 @@ const after = (a, b) => (p, inputs) => {
   const first = a(p, inputs)
   return plus(first, b(plus(p, first), inputs))
 }
-/** The normal of the surface that `offset` moved, at what was p; from differences alone. */
+/** Returns the normal of the surface moved by `offset`, at the image of p, by differences only. */
 const normalAfter = (offset, p, inputs) =>
   warpVertex(offset, { position: p, normal: inputs.normal }, inputs, step).normal
 
 describe('chain', () => {
-  test('is the second warp after the first', () => {
+  test('applies the second warp after the first', () => {
     agree(chain(twisted[0], bent[0]), after(twisted[1], bent[1]))
     agree(chain(bent[0], twisted[0]), after(bent[1], twisted[1]))
     agree(chain(waved[0], twisted[0], bent[0]), after(after(waved[1], twisted[1]), bent[1]))
   })
 
-  test('of one warp is that warp, and chains nest', () => {
+  test('of one warp is that warp, and chains can be nested', () => {
     agree(chain(twisted[0]), twisted[1])
     const expected = after(waved[1], after(twisted[1], bent[1]))
     agree(chain(waved[0], chain(twisted[0], bent[0])), expected)
@@ -121,7 +121,7 @@ describe('chain', () => {
     assert.ok(Math.hypot(...subtract(one, other)) > 1)
   })
 
-  test('gives the normal of what came before, turned to length 1', () => {
+  test('passes the warped normal of the previous warps, normalized', () => {
     for (const [warp, oracle] of [
       [chain(twisted[0], inflate({ amount: 10 })), twisted[1]],
       [chain(waved[0], chain(twisted[0], inflate({ amount: 10 }))), after(waved[1], twisted[1])],
@@ -143,7 +143,7 @@ describe('chain', () => {
     }
   })
 
-  test('moves along a turned normal with the derivative of its turning', () => {
+  test('moves along a warped normal, including the derivative of the normal', () => {
     // By hand: on the plane y = 0, sheared by x² / 200, the normal is (-x / 100, 1, 0) / √(1 + x² / 10⁴).
     const hill = ({ glsl, position }) => glsl.vec3(0, position.x().pow(2).div(200), 0)
     const evaluate = inDouble(chain(hill, inflate({ amount: 30 })))
@@ -156,14 +156,14 @@ describe('chain', () => {
         millis: 0,
       })
       assertClose(offset, [(-30 * slope) / length, x ** 2 / 200 + 30 / length, 0], 1e-9)
-      // d/dx of them; a parallel surface has the normal of the surface.
+      // Their derivatives d/dx; a parallel surface has the normal of the original.
       const byX = [-0.3 / length ** 3, slope - (0.3 * slope) / length ** 3, 0]
       assertClose(derivatives.slice(0, 3), byX, 1e-9)
       assertClose(turned, [-slope / length, 1 / length, 0], 1e-9)
     }
   })
 
-  test('makes no normal that nobody reads', () => {
+  test('computes no unused normal', () => {
     const matrix = columns(spaces['a turn'])
     const warp = chain(
       waved[0],
@@ -192,13 +192,13 @@ describe('chain', () => {
     assert.ok(stats.operations < 250, `${stats.operations} operations`)
   })
 
-  test('of eight is compiled in no time, and its text grows with its length alone', () => {
+  test('of eight warps compiles quickly, and its code grows linearly', () => {
     const size = (count) => compileWarp(chain(...Array(count).fill(twisted[0]))).stats.operations
     const [two, four, eight] = [2, 4, 8].map(size)
     assert.ok(eight - four < 2.2 * (four - two), `${two} ${four} ${eight}`)
   })
 
-  test('says that nothing can be derived by a moved position', () => {
+  test('has a message that a moved position cannot be differentiated by', () => {
     const slope = ({ glsl, position }) => glsl.derivative(position.yzx(), position.x())
     assert.equal(typeof compileWarp(slope).code, 'string')
     assert.equal(typeof compileWarp(chain(slope, twisted[0])).code, 'string')
@@ -215,7 +215,7 @@ describe('add', () => {
     agree(add(waved[0]), waved[1])
   })
 
-  test('shares what its warps share', () => {
+  test('shares common parts of its warps', () => {
     const { code } = compileWarp(add(waved[0], waved[0], wave({ amount: 7 })))
     assert.equal(code.match(/\bsin\(/g).length, 1)
   })
@@ -254,7 +254,7 @@ describe('blend', () => {
   })
 })
 
-test('mask weakens a warp, and counts the slope of its weight', () => {
+test('mask weakens a warp, and accounts for the slope of its weight', () => {
   agree(mask(twisted[0], 0.25), (p, inputs) => times(twisted[1](p, inputs), 0.25))
   agree(
     mask(twisted[0], ({ glsl }) => glsl.param('w')),
@@ -266,7 +266,7 @@ test('mask weakens a warp, and counts the slope of its weight', () => {
     mask(twisted[0], ({ position }) => position.dot(position).div(-5000).exp()),
     (p, inputs) => times(twisted[1](p, inputs), near(p)),
   )
-  // Inside of a chain, where the warp before has moved things to.
+  // Inside of a chain, where the previous warp has moved the points.
   agree(
     chain(
       waved[0],
@@ -297,7 +297,7 @@ const spaces = {
   'a mirror': product(translation(1, 2, 3), scaling(-1, 1, 2)),
 }
 
-/** The way back for directions. */
+/** The inverse transform of directions. */
 function backward(matrix, v) {
   const [a, b, c] = matrix.slice(0, 3).map((row) => row.slice(0, 3))
   const determinant = dot(a, cross(b, c))
@@ -314,7 +314,7 @@ const inside = (matrix, oracle) => (p, inputs) =>
 
 describe('inSpace', () => {
   for (const [name, matrix] of Object.entries(spaces)) {
-    test(`lets a warp act in the space of ${name}, given in any form`, () => {
+    test(`applies a warp in the space of ${name}, for each form of the matrix`, () => {
       const flat = columns(matrix)
       for (const form of [
         flat,
@@ -336,15 +336,15 @@ describe('inSpace', () => {
       )
     })
 
-    test(`turns normals into it and back: ${name}`, () => {
+    test(`transforms normals into it and back: ${name}`, () => {
       const flat = columns(matrix)
       agree(inSpace(flat, inflate({ amount: 8 })), inside(matrix, oracles.inflate({ amount: 8 })))
-      // A normal looks out of the shape, and an offset along it has a part that does, for a mirror too.
+      // A normal points outwards, and an offset along it has an outward component, also under a mirror.
       const evaluate = inDouble(inSpace(flat, inflate({ amount: 8 })))
       for (const vertex of vertices) assert.ok(dot(evaluate(vertex).offset, vertex.normal) > 0)
     })
 
-    test(`goes with chains, inside and outside: ${name}`, () => {
+    test(`works inside and outside of chains: ${name}`, () => {
       const flat = columns(matrix)
       const around = chain(waved[0], inSpace(flat, chain(twisted[0], inflate({ amount: 8 }))))
       const evaluate = inDouble(around)
@@ -361,7 +361,7 @@ describe('inSpace', () => {
     })
   }
 
-  test('takes a mat3, which shifts nothing', () => {
+  test('accepts a mat3, which has no translation', () => {
     const matrix = product(rotation(0.4, 0, 2), scaling(2, 1, 0.5))
     const numbers = [0, 1, 2].flatMap((i) => matrix.slice(0, 3).map((row) => row[i]))
     agree(
@@ -375,7 +375,7 @@ describe('inSpace', () => {
     )
   })
 
-  test('leaves points where they are while a computed matrix has determinant 0', () => {
+  test('does not move points while a computed matrix has determinant 0', () => {
     const warp = compileWarp(inSpace(({ glsl }) => glsl.mat3Param('m'), twisted[0]))
     const m = [1, 0, 0, 2, 0, 0, 0, 0, 1]
     const { position, normal } = warp.evaluateAt([1, 2, 3], {
@@ -406,7 +406,7 @@ function refuses(work, pattern) {
   })
 }
 
-describe('says what is wrong:', () => {
+describe('has a message about', () => {
   test('no offset functions', () => {
     for (const [name, make] of Object.entries({ chain, add }))
       refuses(
@@ -432,19 +432,19 @@ describe('says what is wrong:', () => {
     refuses(() => inSpace(twist(), 5), /^inSpace: expected an offset function, .* for argument 2/)
   })
 
-  test('what they return', () => {
-    const made = (warp) => () => compileWarp(warp)
+  test('wrong results', () => {
+    const compiling = (warp) => () => compileWarp(warp)
     refuses(
-      made(chain(twist(), () => twist())),
+      compiling(chain(twist(), () => twist())),
       /^chain: expected the offset function that is argument 2 to return a vec3, such as .*, got a function\.$/,
     )
     refuses(
-      made(add(({ millis }) => millis)),
+      compiling(add(({ millis }) => millis)),
       /^add: .* argument 1 to return a vec3, got a single number\.$/,
     )
-    refuses(made(mask(({ uv }) => uv, 1)), /^mask: .* to return a vec3, got a vec2\.$/)
+    refuses(compiling(mask(({ uv }) => uv, 1)), /^mask: .* to return a vec3, got a vec2\.$/)
     refuses(
-      made(
+      compiling(
         inSpace(
           ({ glsl }) => glsl.mat3(1),
           () => undefined,
@@ -454,9 +454,9 @@ describe('says what is wrong:', () => {
     )
   })
 
-  test('a deformer in the place of what it makes', () => {
+  test('a deformer passed instead of its result', () => {
     const sentence =
-      /^twist: it makes an offset function; call it with its options, as in createWarp/
+      /^twist: got the inputs of an offset function; call it with its options, as in createWarp/
     for (const warp of [twist, chain(bend(), twist)]) refuses(() => compileWarp(warp), sentence)
   })
 
@@ -493,25 +493,25 @@ describe('says what is wrong:', () => {
       matrix(columns(product(rotation(0.3, 0, 1), scaling(1, 0, 1), rotation(0.3, 1, 2)))),
       /determinant 0/,
     )
-    const made = (value) => () => compileWarp(inSpace(value, twist()))
+    const compiling = (value) => () => compileWarp(inSpace(value, twist()))
     refuses(
-      made(() => columns(scaling(1, 0, 1))),
+      compiling(() => columns(scaling(1, 0, 1))),
       /the matrix has the determinant 0/,
     )
     refuses(
-      made(({ millis }) => millis),
+      compiling(({ millis }) => millis),
       /for the matrix, got a single number\.$/,
     )
     refuses(
-      made(({ position }) => position),
+      compiling(({ position }) => position),
       /for the matrix, got a vec3\.$/,
     )
     refuses(
-      made(({ glsl }) => glsl.mat2(1)),
+      compiling(({ glsl }) => glsl.mat2(1)),
       /for the matrix, got a matrix of another size\.$/,
     )
     refuses(
-      made(({ glsl }) => glsl.mat3(0)),
+      compiling(({ glsl }) => glsl.mat3(0)),
       /determinant .* is 0/,
     )
   })

@@ -20,7 +20,7 @@ after(async () => {
 
 for (const [version, p5] of p5InThisRun)
   describe(`script tags and p5 ${version}:`, () => {
-    test('the names stand on the global warpjet, and a warp made of them is drawn', async () => {
+    test('the names are on the global warpjet, and a warp made of them is drawn', async () => {
       const { right, local } = await drawScenes(browser, server, [p5, ...scripts], {
         size: 200,
         setup: `
@@ -51,7 +51,7 @@ for (const [version, p5] of p5InThisRun)
       assert.deepEqual(redAt(local), [true, false, false, false])
     })
 
-    test('there is one WarpError', async () => {
+    test('there is only one class WarpError', async () => {
       const { page, messages } = await runSketch(
         browser,
         server,
@@ -72,7 +72,7 @@ for (const [version, p5] of p5InThisRun)
     })
   })
 
-test('the second script says that it needs the first', async () => {
+test('the second script has a message that it needs the first', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,
@@ -81,6 +81,6 @@ test('the second script says that it needs the first', async () => {
   )
   await leavePage(page)
   assert.deepEqual(messages, [
-    'uncaught: warpjet: the script p5.warpjet.min.js must stand in a tag before this one.',
+    'uncaught: warpjet: the script p5.warpjet.min.js must be loaded by a tag before this one.',
   ])
 })

@@ -1,5 +1,5 @@
-// 'warpjet/deformers': each deformer moves points as its documentation says and turns normals by the exact derivative of
-// that, whatever its options are made of. The oracle is the documented formula in plain numbers and its differences.
+// 'warpjet/deformers': each deformer moves points by its documented formula and transforms normals by the exact derivative, for
+// options of every form. The oracle is the documented formula in plain numbers, and its differences.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
@@ -17,7 +17,7 @@ const anyPoint = (size) => [0, 1, 2].map(() => between(-size, size))
 const oblique = [1, -2, 0.5]
 const center = [20, -30, 10]
 
-/** Options of constants, for each deformer several. The empty ones are the defaults. */
+/** Constant options, several sets for each deformer. The empty ones are the defaults. */
 const cases = {
   twist: [
     {},
@@ -83,13 +83,13 @@ const cases = {
   ],
 }
 
-/** Of differences. */
+/** Step of the differences. */
 const step = 0.02
 
-/** An amount that moves nothing, by the option that has it. */
+/** Maps a deformer to its option that makes it move nothing. */
 const amountOf = (name) => (name === 'twist' || name === 'bend' ? 'angle' : 'amount')
 
-/** A warp in double: from inputs by name to its offset, the columns of its Jacobian, and the turned normal. */
+/** A warp in double: maps inputs by name to its offset, the columns of its Jacobian, and the warped normal. */
 function inDouble(warp) {
   const { evaluate } = compile((glsl) => {
     const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
@@ -139,7 +139,7 @@ for (const [name, list] of Object.entries(cases))
         assert.ok(smooth > 0.9 * vertices.length, `only ${smooth} points are smooth`)
       })
 
-      test(`turns normals: ${title}`, () => {
+      test(`transforms normals: ${title}`, () => {
         const [evaluate, warp] = [inDouble(make(options)), compileWarp(make(options))]
         for (const vertex of vertices) {
           const expected = warpVertex(oracle, vertex, vertex, step)
@@ -160,13 +160,13 @@ for (const [name, list] of Object.entries(cases))
             const inFloat = angleBetween(normal, expected.normal)
             assert.ok(inFloat < 0.005 * expected.sensitivity, `${inFloat}° at ${vertex.position}`)
           } else if (typeof options.axis === 'string')
-            // Along other axes, rounding leaves a trace of what has collapsed.
+            // Along other axes, rounding leaves traces of collapsed normals.
             assert.deepEqual([turned, normal].flat().filter(Boolean), [])
         }
       })
     }
 
-    test('at amount 0 moves nothing, as a constant and as a uniform', () => {
+    test('moves nothing at amount 0, as a constant and as a uniform', () => {
       for (const amount of [0, () => 0, ({ glsl }) => glsl.param('nothing')]) {
         const evaluate = inDouble(make({ [amountOf(name)]: amount }))
         for (const vertex of vertices) {
@@ -177,7 +177,7 @@ for (const [name, list] of Object.entries(cases))
       }
     })
 
-    test('takes its options as constants, functions, expressions, and uniforms alike', () => {
+    test('accepts options as constants, functions, expressions, and uniforms', () => {
       const full = list.at(-1)
       const isComputable = ([, value]) => typeof value === 'number' || Array.isArray(value)
       const computable = Object.fromEntries(Object.entries(full).filter(isComputable))
@@ -215,7 +215,7 @@ for (const [name, list] of Object.entries(cases))
       }
     })
 
-    test('stays finite at its centre, on its axis, and far away', () => {
+    test('is finite at its centre, on its axis, and far away', () => {
       for (const options of [...list, { [amountOf(name)]: ({ glsl }) => glsl.param('much') }]) {
         const warp = compileWarp(make(options))
         const middle = options.center ?? (name === 'genie' ? [0, 200, 0] : [0, 0, 0])
@@ -235,7 +235,7 @@ for (const [name, list] of Object.entries(cases))
     })
   })
 
-test('where computed options have no meaning, nothing becomes infinite', () => {
+test('is finite where computed options have no meaning', () => {
   const strange = {
     twist: { length: 0, axis: [0, 0, 0] },
     taper: { length: 0 },
@@ -267,11 +267,11 @@ test('known points, by hand', () => {
   const at = (warp, position, more = {}) =>
     inDouble(warp)({ position, normal: [0, 0, 1], millis: 0, ...more }).offset
   const { twist, taper, stretch, bend, spherify, shear, wave, melt, genie } = deformers
-  // A quarter turn over 200 units: an eighth at 100, where z goes to (z + x) / √2.
+  // A quarter turn over 200 units: an eighth at 100, where z maps to (z + x) / √2.
   assertClose(at(twist(), [0, 100, 10]), [Math.SQRT1_2 * 10, 0, 10 * Math.SQRT1_2 - 10], 1e-12)
   assertClose(at(taper(), [40, 100, 8]), [-10, 0, -2], 1e-12)
   assertClose(at(stretch({ amount: 3, keepVolume: true }), [10, 10, 10]), [-5, 30, -5], 1e-12)
-  // Half a circle of the radius 100 / π about the end of a line; positive angles take y to -x.
+  // Half a circle of the radius 100 / π about the end of a line; positive angles map y to -x.
   const half = bend({ angle: PI, from: 0, to: 100 })
   assertClose(at(half, [0, 100, 0]), [-200 / PI, -100, 0], 1e-12)
   assertClose(at(half, [0, 150, 7]), [-200 / PI, -200, 0], 1e-12)
@@ -283,7 +283,7 @@ test('known points, by hand', () => {
   assertClose(at(genie({ amount: 1 }), [60, -50, 30]), [-60, 250, -30], 1e-12)
 })
 
-test('volume stays in a twist, and in a stretch that is told so', () => {
+test('twist preserves volume, and so does stretch with keepVolume', () => {
   const { twist, stretch } = deformers
   for (const warp of [twist({ axis: oblique }), stretch({ keepVolume: true, amount: 0.7 })]) {
     const { evaluate } = compile((glsl) => {
@@ -296,7 +296,7 @@ test('volume stays in a twist, and in a stretch that is told so', () => {
   }
 })
 
-test('options and compositions pass on all inputs, such as uniforms', () => {
+test('options and compositions get all inputs, such as uniforms', () => {
   const { chain, inSpace, mask, shear } = deformers
   const turned = [0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
   const warp = chain(
@@ -309,7 +309,7 @@ test('options and compositions pass on all inputs, such as uniforms', () => {
     const position = glsl.vec3Param('position')
     return { offset: warp({ glsl, position, normal, uniforms, uv: glsl.vec2(7, 8) }) }
   })
-  // To the right by 10 · 3 · 0.5; then x and y of the turned space are -y and x of this one.
+  // To the right by 10 · 3 · 0.5; then x and y of the rotated space are -y and x of this one.
   const { offset } = evaluate({ position: [1, 10, 2], amount: 3, weight: 0.5 })
   assertClose(offset, [15 - 7, 0.5, 8], 1e-12)
 })
@@ -323,13 +323,13 @@ test('value and derivative share their sines', () => {
     assert.deepEqual(count(deformers[name]()), [1, 1], name)
 })
 
-test('a wave that stands still reads no time', () => {
+test('a wave with speed 0 reads no time', () => {
   assert.deepEqual(compileWarp(deformers.wave({ speed: 0 })).uniforms, [])
   assert.deepEqual(compileWarp(deformers.ripple({ speed: 0 })).uniforms, [])
   assert.deepEqual(compileWarp(deformers.wave()).uniforms, [{ name: 'millis', type: 'float' }])
 })
 
-describe('says what is wrong:', () => {
+describe('has a message about', () => {
   const refuses = (work, pattern) =>
     assert.throws(work, (error) => {
       assert.ok(error instanceof WarpError, String(error))
@@ -339,7 +339,7 @@ describe('says what is wrong:', () => {
     })
   const { twist, bend, stretch, bulge, wave, genie, inflate } = deformers
 
-  test('options that there are not, for every deformer', () => {
+  test('unknown options, for every deformer', () => {
     for (const name of Object.keys(cases)) {
       const hasAmount = !/^(bend|twist)$/.test(name)
       const advice = !hasAmount ? 'there are ' : 'did you mean amount\\? There are '
@@ -445,32 +445,38 @@ describe('says what is wrong:', () => {
     assert.equal(typeof bend({ axis: [0, -2, 0] }), 'function')
   })
 
-  test('what functions return, and expressions', () => {
-    const made = (warp) => () => compileWarp(warp)
+  test('results of functions, and expressions', () => {
+    const compiling = (warp) => () => compileWarp(warp)
     refuses(
-      made(twist({ angle: () => 'x' })),
+      compiling(twist({ angle: () => 'x' })),
       /^twist: expected the function of the option "angle" to return a number or an expression of one number, got the text "x"\.$/,
     )
-    refuses(made(twist({ angle: ({ position }) => position })), /to return .*, got a vec3\.$/)
-    refuses(made(twist({ angle: ({ glsl }) => glsl.mat3(1) })), /to return .*, got a matrix\.$/)
+    refuses(compiling(twist({ angle: ({ position }) => position })), /to return .*, got a vec3\.$/)
     refuses(
-      made(twist({ length: () => -1 })),
+      compiling(twist({ angle: ({ glsl }) => glsl.mat3(1) })),
+      /to return .*, got a matrix\.$/,
+    )
+    refuses(
+      compiling(twist({ length: () => -1 })),
       /to return a number above 0 or .*, got the number -1\.$/,
     )
     refuses(
-      made(twist({ axis: ({ millis }) => millis })),
+      compiling(twist({ axis: ({ millis }) => millis })),
       /to return "x", .*, got a single number\.$/,
     )
-    refuses(made(twist({ axis: () => [0, 0, 0] })), /not all 0 or a vec3, got an array of 3\.$/)
     refuses(
-      made((inputs) => twist({ angle: inputs.uv })(inputs)),
+      compiling(twist({ axis: () => [0, 0, 0] })),
+      /not all 0 or a vec3, got an array of 3\.$/,
+    )
+    refuses(
+      compiling((inputs) => twist({ angle: inputs.uv })(inputs)),
       /expected .* for the option "angle", got a vec2\.$/,
     )
     let stolen
     compileWarp(({ glsl, millis }) => ((stolen = millis), glsl.vec3(0)))
     refuses(
-      made(twist({ angle: stolen })),
-      /^twist: the option "angle" comes from another warp; give a function such as/,
+      compiling(twist({ angle: stolen })),
+      /^twist: the option "angle" belongs to another warp; pass a function such as/,
     )
   })
 })

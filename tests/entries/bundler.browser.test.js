@@ -16,7 +16,7 @@ import 'warpjet/p5'
 import { compileWarp } from 'warpjet'
 import { chain, twist } from 'warpjet/deformers'
 
-// p5's own check of variable names takes those of a bundle for the sketch's.
+// p5's check of variable names mistakes variables of a bundle for those of the sketch.
 p5.disableFriendlyErrors = true
 
 new p5((p) => {

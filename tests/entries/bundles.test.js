@@ -1,4 +1,4 @@
-// What the files in dist are made of, and what a bundler makes of them.
+// The contents of the files in dist, and of bundles of them.
 import assert from 'node:assert/strict'
 import {
   copyFileSync,
@@ -18,7 +18,7 @@ const root = fileURLToPath(new URL('../../', import.meta.url))
 const read = (file) => readFileSync(`${root}${file}`, 'utf8')
 const { version, license } = JSON.parse(read('package.json'))
 
-/** The beginning of each wasm as text, by which one knows a file that has it. */
+/** The beginning of each inlined wasm, which identifies a file that contains it. */
 const wasm = Object.fromEntries(
   ['core', 'evaluation', 'mesh', 'glsl'].map((name) => {
     const [, text] = /"text":"([^"]+)"/.exec(read(`js-bindings/generated/${name}-wasm.js`))
@@ -35,7 +35,7 @@ const files = ['dist', 'dist/shared'].flatMap((folder) =>
     .map((name) => `${folder}/${name}`),
 )
 
-test('files keep their names from one release to the next', () => {
+test('names of files do not change between releases', () => {
   const shared = [
     'basics',
     'compiler',
@@ -56,7 +56,7 @@ test('files keep their names from one release to the next', () => {
   )
 })
 
-test('every file says its version and licence, and where its code comes from', () => {
+test('every file has its version, its licence, and a source map', () => {
   for (const file of files) {
     const text = read(file)
     const lines = text.split('\n').slice(0, 2).join('\n')
@@ -75,7 +75,7 @@ test('every file says its version and licence, and where its code comes from', (
   }
 })
 
-test('the minified files keep the name of the class that errors have', () => {
+test('minified files keep the name of the error class', () => {
   for (const file of files.filter((name) => name.endsWith('.min.js')))
     if (!/warpjet\.(?:deformers|glsl|operators)\.min\.js$/.test(file))
       assert.match(read(file), /\bWarpError=class extends Error/, file)
@@ -96,8 +96,8 @@ test('warpjet.min.js and mesh.min.js need no other file', async () => {
   assert.equal(WarpError.name, 'WarpError')
 })
 
-describe('one loads what one uses', () => {
-  /** All that the modules of `file` import without being asked. */
+describe('an entry loads only what it needs', () => {
+  /** Finds all files that `file` imports statically. */
   function closure(file, known = new Set()) {
     if (known.has(file)) return known
     known.add(file)
@@ -133,7 +133,7 @@ describe('one loads what one uses', () => {
     })
 })
 
-/** The one file that Rolldown makes of `code`. */
+/** Bundles `code` by Rolldown, and returns the file. */
 async function bundle(name, code, platform) {
   const folder = `${root}.build/bundles`
   mkdirSync(folder, { recursive: true })
@@ -151,7 +151,7 @@ async function bundle(name, code, platform) {
 }
 
 describe("import 'warpjet/p5' registers with the imported p5", () => {
-  // Rollup's plugin for packages asks for no platform unless it is told to.
+  // Rollup's plugin for packages has no platform by default.
   for (const platform of ['browser', 'neutral'])
     test(`on the platform ${platform}`, async () => {
       const code = "import 'warpjet/p5'\nexport { default } from 'p5'"
@@ -166,7 +166,7 @@ test("'warpjet/p5' in a bundle for Node brings no p5", async () => {
   assert.doesNotMatch(readFileSync(file, 'utf8'), /class P5/)
 })
 
-test('a bundle for text alone has no evaluation, and says where it is', async () => {
+test('a bundle of warpjet/text has no evaluation, and the message says which entry has it', async () => {
   const file = await bundle('text', "export { compileWarp } from 'warpjet/text'", 'browser')
   assert.deepEqual(inside(readFileSync(file, 'utf8')), ['core'])
   const { compileWarp } = await import(pathToFileURL(file))
@@ -178,15 +178,15 @@ test('a bundle for text alone has no evaluation, and says where it is', async ()
     assert.throws(() => warp[method]({ positions: [] }), {
       name: 'WarpError',
       message: new RegExp(
-        `^${method}: this compileWarp makes text only; .* script p5\\.warpjet\\.min\\.js, and of 'warpjet'\\.$`,
+        `^${method}: this compileWarp only writes shader code; .* script p5\\.warpjet\\.min\\.js, and of 'warpjet', also runs on the CPU\\.$`,
       ),
     })
 })
 
-test('warpjet has nothing of warpjet/three, which adds what is printed', async () => {
+test('warpjet contains nothing of warpjet/three, whose size is printed', async () => {
   const size = async (name, code) => {
     const text = readFileSync(await bundle(name, code, 'browser'), 'utf8')
-    // The WebAssembly as text is in each: with it the difference hangs on where gzip's blocks end.
+    // Without the inlined WebAssembly, which is in both: it makes the difference depend on where gzip's blocks end.
     const script = text
       .split('"')
       .filter((part) => part.length < 50_000)
@@ -196,7 +196,7 @@ test('warpjet has nothing of warpjet/three, which adds what is printed', async (
   }
   const alone = await size('alone', "export { compileWarp } from 'warpjet'")
   assert.doesNotMatch(alone.text, /onBeforeCompile|begin_vertex|"three/)
-  // What reads models is a file of its own, that addSurfaceVariation fetches.
+  // The code that loads models is a separate file, which addSurfaceVariation fetches.
   for (const [entry, names] of [
     ['three', 'warp, warpMaterial'],
     ['three/webgpu', 'warp, warpMaterial, warpNode'],
@@ -207,11 +207,11 @@ test('warpjet has nothing of warpjet/three, which adds what is printed', async (
   }
 })
 
-// What translates names import(…) in sentences of its parser.
-test('no module imports what a bundler cannot follow', () => {
+// Excludes the translator of operators, whose parser has import(…) in its messages.
+test('bundlers can resolve all imports', () => {
   for (const file of files.filter((name) => !/cli\.js$|min\.js$|translating\.js$/.test(name)))
     for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
-      // Node alone runs what bundlers are asked to leave as it is.
+      // Imports that bundlers must ignore are for Node only.
       if (!asked.includes('/* webpackIgnore: true */'))
         assert.match(asked, /^(["'])(\.\/(?:surface-variation|with-mesh)\.js|https:.*)\1$/, file)
 })

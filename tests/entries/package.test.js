@@ -1,4 +1,4 @@
-// What `npm i warpjet` brings.
+// The contents of the package that `npm i warpjet` installs.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { existsSync, readFileSync, readdirSync } from 'node:fs'
@@ -9,7 +9,7 @@ import { bundles, declared, sources } from '../../.scripts/lib/entries.mjs'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
-/** What npm would put into the package. */
+/** The files that npm would put into the package. */
 function packedFiles() {
   const packed = execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], {
     cwd: root,
@@ -21,7 +21,7 @@ function packedFiles() {
   return files
 }
 
-test('the package holds what a user needs and nothing else', () => {
+test('the package contains what users need and nothing else', () => {
   const files = packedFiles()
   const others = files
     .map(({ path }) => path)
@@ -49,7 +49,7 @@ test('the package holds what a user needs and nothing else', () => {
 test('files with side effects are files of the package and their sources', () => {
   const { sideEffects } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   for (const file of sideEffects) assert.ok(existsSync(`${root}${file}`), file)
-  // A bundler must keep what an entry does when it is loaded.
+  // Bundlers must keep the side effects of an entry.
   const acts = (file) => /^[\w.]+\(/m.test(readFileSync(`${root}${file}`, 'utf8'))
   const acting = sources.filter(acts)
   assert.ok(acting.includes('js-bindings/glsl.ts'))
@@ -81,7 +81,7 @@ test('require loads every entry, in the versions of Node that package.json names
   assert.ok(entries.length > 10)
   for (const entry of entries.map((key) => key.slice(1)))
     assert.ok(Object.keys(require(`warpjet${entry}`)).length, entry)
-  // The first of each line that has require for modules.
+  // The first version of each release line whose require loads ES modules.
   const { engines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   assert.equal(engines.node, '^20.19.0 || >=22.12.0')
 })
@@ -91,11 +91,11 @@ test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
   assert.equal(typeof globalThis.AutoDiff.gen, 'function')
 })
 
-test('the links and pictures of what is shipped live wherever it is shown', () => {
+test('links and pictures of shipped pages work wherever they are shown', () => {
   const { version, homepage } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   const cdn = `https://cdn.jsdelivr.net/npm/warpjet@${version.replace(/\.\d+$/, '')}/`
   const paths = new Set(packedFiles().map(({ path }) => path))
-  /** Each page of the docs is made of a file that is shipped, too. */
+  /** Each page of the docs is generated from a shipped file. */
   const isOfSite = (page) =>
     ['', 'docs/', 'playground/'].includes(page) || paths.has(`web/${page.replace(/html$/, 'md')}`)
   const wrong = [...paths]
@@ -107,7 +107,7 @@ test('the links and pictures of what is shipped live wherever it is shown', () =
     })
     .filter(({ path, link }) => {
       if (link.startsWith('#')) return false
-      // npm shows the README by itself; the others lie beside what they name.
+      // npm shows the README alone; the other pages are beside the files that they refer to.
       const { href } = new URL(link, path === 'README.md' ? undefined : `${cdn}${path}`)
       const page = href.replace(/#.*/, '')
       if (page.startsWith(homepage)) return !isOfSite(page.slice(homepage.length))
@@ -118,18 +118,18 @@ test('the links and pictures of what is shipped live wherever it is shown', () =
   assert.deepEqual(wrong, [])
 })
 
-test('npm shows where the source is, and where to ask', () => {
+test('npm shows the repository and the issue tracker', () => {
   const { repository, homepage, bugs } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   const source = 'https://github.com/warpjet/warpjet'
   assert.deepEqual(repository, { type: 'git', url: `git+${source}.git` })
-  // Where the workflow puts the site.
+  // The address to which the workflow deploys the site.
   assert.equal(homepage, 'https://warpjet.github.io/warpjet/')
   assert.equal(bugs, `${source}/issues`)
 })
 
 test('NOTICE names every library that is compiled in', () => {
   const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
-  // What the linker adds, and what Vite bundles; .cmake/wasm.cmake says which allocator is where.
+  // Libraries that the linker adds, and those that Vite bundles; .cmake/wasm.cmake selects the allocators.
   const others = ['emscripten', 'embind', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
   for (const name of [...others, 'compiler-rt', 'acorn', 'magic-string'])
     assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)

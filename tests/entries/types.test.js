@@ -1,4 +1,4 @@
-// The shipped types, as a project sees them that has the package, in the oldest TypeScript they are for and in the newest.
+// The shipped types in a project that has installed the package, in the oldest supported TypeScript and in the newest.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import {
@@ -26,7 +26,7 @@ cpSync(`${root}tests/types/shipped`, project, { recursive: true })
 const modules = ['modules.ts']
 const sketches = ['p5-module.ts', 'p5-global.ts']
 
-/** p5's own types are not what is checked. */
+/** Ignores errors in p5's own types. */
 const optionsFor = (files, moduleResolution) => ({
   strict: true,
   noEmit: true,
@@ -62,7 +62,7 @@ for (const [compiler, files, moduleResolution] of [
     assert.equal(status, 0)
   })
 
-test('each entry has one file of types, beside the one that they share', () => {
+test('each entry has one file of types, and all share another one', () => {
   const { exports } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   const named = Object.values(exports).flatMap(({ types }) => types ?? [])
   assert.deepEqual(
@@ -71,14 +71,14 @@ test('each entry has one file of types, beside the one that they share', () => {
       ...new Set([
         ...named,
         './dist/types/shared.d.ts',
-        // What needs the types of three.js.
+        // These need the types of three.js.
         './dist/types/three.shared.d.ts',
       ]),
     ].sort(),
   )
 })
 
-/** What an editor shows over each place of `code` that a # follows. */
+/** Returns the hint that an editor shows at each position of `code` that a # follows. */
 function hovers(code) {
   const name = `${project}/hover.ts`
   const text = code.replaceAll('#', '')
@@ -109,7 +109,7 @@ function hovers(code) {
   )
 }
 
-test('an editor says what operations do', () => {
+test('hints of an editor explain operations', () => {
   const sentences = hovers(`
     import { compileWarp } from 'warpjet'
     compileWarp(({ glsl, position, millis }) => {
@@ -124,7 +124,7 @@ test('an editor says what operations do', () => {
   for (const sentence of sentences) assert.match(sentence, /\w.* .*\w/)
 })
 
-test('an editor says something of all that an expression and the builder have', () => {
+test('all members of expressions and of the builder have a hint', () => {
   const program = ts.createProgram(
     [`${root}dist/types/warpjet.d.ts`],
     ts.convertCompilerOptionsFromJson(optionsFor(modules, 'bundler'), project).options,

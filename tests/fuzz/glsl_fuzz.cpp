@@ -1,5 +1,5 @@
-// Any text for the front end: it ends in one sentence with its place, or in lists whose operands
-// all stand before them.
+// Fuzz target of the GLSL front end: any text results in one message with its location, or in
+// listings whose operands precede their use.
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -21,8 +21,8 @@ void requireSentence(const std::string& problem) {
   require(problem.size() < 2000, "a sentence is not long", std::to_string(problem.size()));
 }
 
-// Reads a listing: each operand stands before what it is used in, and nothing that a loop or a
-// function has for itself is used outside of it.
+// Checks a listing: each operand precedes its use, and nothing that belongs to a loop or a function
+// is used outside of it.
 class Order {
  public:
   explicit Order(const Listing& listing) : words_(listing.words), constants_(listing.constants) {
@@ -34,7 +34,7 @@ class Order {
   }
 
  private:
-  // A loop whose body is read: where its own numbers begin, and how many states it has.
+  // A loop whose body is being read: the first of its own numbers, and the number of its states.
   struct Fold {
     std::size_t first;
     std::uint32_t states;
@@ -141,7 +141,7 @@ void check(std::string text) {
   if (!source.problem().empty()) return requireSentence(source.problem());
   const std::vector<FunctionHead> functions = source.functions();
   if (functions.empty()) return;
-  // The last one, as calls it all the others.
+  // The last function, since it can call all others.
   const Listing listing = source.lower(static_cast<int>(functions.back().number), 3);
   if (!source.problem().empty()) return requireSentence(source.problem());
   Order{listing};

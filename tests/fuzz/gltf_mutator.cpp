@@ -32,7 +32,7 @@ void append(FileBytes& file, std::size_t word) {
     file.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-// As far as its lengths can be believed.
+// Parses a GLB as far as its lengths are valid.
 std::optional<Glb> glbOf(const FileBytes& file) {
   constexpr std::size_t start = headerSize + chunkHeaderSize;
   if (file.size() < start || !std::equal(file.begin(), file.begin() + 4, "glTF")) return {};
@@ -62,7 +62,7 @@ FileBytes bytesOf(Glb glb) {
   return file;
 }
 
-// A tree no deeper than recursion bears, or nothing.
+// Parses JSON that is shallow enough for recursion; nullopt otherwise.
 std::optional<json> parsed(const std::string& text) {
   const auto isShallow = [](int depth, json::parse_event_t, json&) { return depth < 40; };
   json tree = json::parse(text, isShallow, false);
@@ -77,7 +77,7 @@ void collect(json& tree, std::vector<json*>& values) {
   }
 }
 
-// Values that have broken readers of files.
+// Values that have broken file readers.
 json oddValue(Random& random) {
   static const std::array<json, 24> values = {nullptr,
                                               true,
@@ -106,7 +106,7 @@ json oddValue(Random& random) {
   return values[below(random, values.size())];
 }
 
-// One change of one value.
+// Makes one change to one value.
 void change(json& tree, Random& random) {
   std::vector<json*> values;
   collect(tree, values);
@@ -150,7 +150,7 @@ void change(json& tree, Random& random) {
   }
 }
 
-void mutateText(std::string& text, std::size_t most, Random& random, const MutateBytes& mutate) {
+void mutateText(std::string& text, std::size_t maxSize, Random& random, const MutateBytes& mutate) {
   auto tree = below(random, 8) == 0 ? std::nullopt : parsed(text);
   if (tree) {
     for (std::size_t n = 1 + below(random, 3); n > 0; --n) change(*tree, random);
@@ -158,13 +158,14 @@ void mutateText(std::string& text, std::size_t most, Random& random, const Mutat
     return;
   }
   FileBytes bytes(text.begin(), text.end());
-  mutate(bytes, most);
+  mutate(bytes, maxSize);
   text.assign(bytes.begin(), bytes.end());
 }
 
 }  // namespace
 
-FileBytes mutatedFile(FileBytes file, std::size_t most, unsigned seed, const MutateBytes& mutate) {
+FileBytes mutatedFile(FileBytes file, std::size_t maxSize, unsigned seed,
+                      const MutateBytes& mutate) {
   Random random(seed);
   FileBytes mutated = file;
   const bool isText = !file.empty() && file[0] == '{';
@@ -174,21 +175,21 @@ FileBytes mutatedFile(FileBytes file, std::size_t most, unsigned seed, const Mut
     if (kind < 5 && !glb->binary.empty()) {
       // The description knows its size.
       const std::size_t size = glb->binary.size();
-      mutate(glb->binary, most);
+      mutate(glb->binary, maxSize);
       glb->binary.resize(size);
     } else {
-      mutateText(glb->text, most, random, mutate);
+      mutateText(glb->text, maxSize, random, mutate);
     }
     mutated = bytesOf(std::move(*glb));
   } else if (isText && kind > 0) {
     std::string text(file.begin(), file.end());
-    mutateText(text, most, random, mutate);
+    mutateText(text, maxSize, random, mutate);
     mutated.assign(text.begin(), text.end());
   } else {
-    mutate(mutated, most);
+    mutate(mutated, maxSize);
   }
-  if (mutated.size() <= most) return mutated;
-  mutate(file, most);
+  if (mutated.size() <= maxSize) return mutated;
+  mutate(file, maxSize);
   return file;
 }
 

@@ -1,4 +1,4 @@
-// Changes glTF files in ways that keep most of them readable, which changes of single bytes do not.
+// Mutates glTF files so that most remain readable, which changes of single bytes don't achieve.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,14 @@ namespace warpjet {
 
 using FileBytes = std::vector<std::uint8_t>;
 
-// Changes some bytes, to no more than so many.
-using MutateBytes = std::function<void(FileBytes&, std::size_t most)>;
+// Changes some bytes; the result has at most that many.
+using MutateBytes = std::function<void(FileBytes&, std::size_t maxSize)>;
 
-// Another file of no more than `most` bytes: of a GLB either the description or the binary chunk is
-// changed and the lengths in its headers are put right, of a .gltf the description. Descriptions
-// are changed as trees of JSON, or as text. Some of all files, and other formats always, are
+// Returns another file of at most `maxSize` bytes. For a GLB, changes either the description or the
+// binary chunk and updates the lengths in its headers; for a .gltf, changes the description.
+// Descriptions are changed as JSON trees, or as text. Some files, and all other formats, are
 // changed byte by byte.
-FileBytes mutatedFile(FileBytes file, std::size_t most, unsigned seed, const MutateBytes& mutate);
+FileBytes mutatedFile(FileBytes file, std::size_t maxSize, unsigned seed,
+                      const MutateBytes& mutate);
 
 }  // namespace warpjet

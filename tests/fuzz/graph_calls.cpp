@@ -15,7 +15,7 @@ namespace warpjet {
 namespace {
 
 // Derivatives of derivatives grow without end.
-constexpr std::size_t mostNodes = 4000, mostValues = 1000;
+constexpr std::size_t maxNodes = 4000, maxValues = 1000;
 
 constexpr double largest = std::numeric_limits<float>::max();
 constexpr double tiny = std::numeric_limits<float>::denorm_min();
@@ -55,7 +55,7 @@ constexpr std::array names{"x",      "y",           "position", "position.x", "p
 constexpr std::array shapes{oneNumber,      vectorOf(2),    vectorOf(3),   vectorOf(4),
                             matrixOf(2, 2), matrixOf(3, 3), matrixOf(4, 4)};
 
-// How many operands an operation takes, or two if any number.
+// The number of operands that an operation takes, or two if it takes any number.
 std::size_t arityOf(const Operation& operation) {
   using Source = Operation::Source;
   switch (operation.source) {
@@ -88,7 +88,7 @@ void requireSentence(const std::string& problem) {
 void GraphCalls::run() {
   keep(builder_.input("vec3Param", "position", vectorOf(3)));
   keep(builder_.input("param", "time", oneNumber));
-  while (!reader_.isAtEnd() && builder_.graph().size() < mostNodes && values_.size() < mostValues)
+  while (!reader_.isAtEnd() && builder_.graph().size() < maxNodes && values_.size() < maxValues)
     step();
   for (; !repeats_.empty(); repeats_.pop_back()) builder_.dropRepeat();
 }
@@ -100,7 +100,7 @@ void GraphCalls::keep(int handle) {
     requireProblem(builder_);
 }
 
-// The latest are the likeliest.
+// Prefers recent values.
 int GraphCalls::value() {
   const std::size_t back = reader_.byte();
   const std::size_t least = back < 128 ? back / 16 : back - 120;
@@ -124,7 +124,7 @@ std::string GraphCalls::name() {
   return reader_.text(static_cast<std::size_t>(which - 224));
 }
 
-// What JavaScript lets through: 0, or within the range of float32 and not 0 there.
+// Numbers that JavaScript accepts: 0, or within the range of float32 and nonzero there.
 void GraphCalls::constant(double value) {
   const bool isHeld = std::abs(value) <= largest && (value == 0 || static_cast<float>(value) != 0);
   if (isHeld) keep(builder_.constant(value));
@@ -186,7 +186,8 @@ void GraphCalls::step() {
         requireProblem(builder_);
         break;
       }
-      const Written made = write(builder_.module(), glsl300, {.emit = {1 + reader_.byte()}});
+      const ShaderTextResult made =
+          write(builder_.module(), glsl300, {.emit = {1 + reader_.byte()}});
       if (!made.text) requireSentence(made.problem);
       break;
     }
@@ -204,7 +205,7 @@ void GraphCalls::step() {
   }
 }
 
-// The last number of steps is more than there may be.
+// The last number of steps exceeds the limit.
 void GraphCalls::openRepeat() {
   constexpr std::array counts{0, 1, 2, 3, 7, 10'001};
   const int steps = counts[static_cast<std::size_t>(reader_.below(counts.size()))];
@@ -219,14 +220,14 @@ void GraphCalls::closeRepeat() {
   if (repeats_.empty()) return;
   const auto [first, count] = repeats_.back();
   repeats_.pop_back();
-  // Whatever a sketch returns from the body, most often states of the right shapes.
+  // Whatever a sketch returns from the body; usually states of the right shapes.
   const bool isOdd = reader_.byte() > 240;
   for (int i = 0; i < count; ++i) builder_.push(isOdd ? value() : valueLike(first + i));
   const int outcome = builder_.closeRepeat();
   for (int i = 0; i < count; ++i) keep(outcome == Builder::failed ? outcome : outcome + i);
 }
 
-// As JavaScript makes it: of whatever it is called on, of a whole seed, and of numbers.
+// Called like in JavaScript: on any value, with an integer seed, and with numbers.
 void GraphCalls::noise() {
   const auto kind = NoiseKind(reader_.below(noises.size())), base = NoiseKind(reader_.below(3));
   const Noise noise{kind, base, 1 + reader_.below(3)};
@@ -252,7 +253,7 @@ void GraphCalls::call(bool isSameShape) {
 }
 
 void GraphCalls::callOperation(int operation, const std::vector<int>& operands, bool isMethod) {
-  // As often as JavaScript might ask again before it gives up, but not as patiently.
+  // Repeated like JavaScript does, but with fewer attempts.
   for (int attempt = 0; attempt < 4; ++attempt) {
     for (const int operand : operands) builder_.push(operand);
     const int result = builder_.call(operation, isMethod);
@@ -298,7 +299,7 @@ void GraphCalls::derivative() {
     callOperation(byPosition[which], {of, position}, false);
 }
 
-// All of a warp; JavaScript lets no other offset through than a vec3.
+// A whole warp; JavaScript only accepts a vec3 as offset.
 void GraphCalls::warp(int offset) {
   if (builder_.shape(offset) != vectorOf(3)) return;
   const auto input = [&](const char* name, int size) {

@@ -1,5 +1,5 @@
-// Bytes as the calls that a sketch makes on a builder: whatever JavaScript lets through, sensible
-// or not.
+// Interprets bytes as the calls that a sketch makes on a builder: everything that JavaScript lets
+// through, sensible or not.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace warpjet {
 
-// What each call starts with; the number of its byte is modulo `count`.
+// The kind of each call; its byte is taken modulo `count`.
 enum class Step : std::uint8_t {
   Constant,
   OddConstant,
@@ -38,12 +38,13 @@ class GraphCalls {
  public:
   GraphCalls(Builder& builder, Reader& reader) : builder_(builder), reader_(reader) {}
 
-  // Until the bytes end, or there is as much as a run has time for.
+  // Runs until the bytes end, or the time limit of a run is likely to be reached.
   void run();
 
-  // By handle, what calls have given.
+  // The results of calls, by handle.
   const std::vector<int>& values() const { return values_; }
-  // Whether a name or a text came out of the bytes, so that the shader's text may have anything.
+  // True if a name or a text was taken from the bytes, so that the shader code may contain
+  // anything.
   bool hasForeignText() const { return hasForeignText_; }
 
  private:
@@ -79,7 +80,7 @@ class GraphCalls {
 
 int operationNamed(std::string_view name);
 
-// Whatever went wrong is said in one sentence.
+// Every problem must be one message.
 void requireProblem(const Builder& builder);
 void requireSentence(const std::string& problem);
 

@@ -1,5 +1,5 @@
-// Fuzz target of the graph, the emitter and the evaluators: bytes as calls on a builder, then all
-// that can be asked of it. The first byte chooses the language, the second the inputs' values; see
+// Fuzz target of the graph, the emitter and the evaluators: interprets bytes as calls on a builder,
+// then queries everything. The first byte chooses the language, the second the inputs' values; see
 // graph_calls.hpp for the others.
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@
 namespace warpjet {
 namespace {
 
-constexpr std::size_t vertices = 5, mostResults = 12;
-constexpr std::uint32_t mostInstructions = 1500;
+constexpr std::size_t vertices = 5, maxResults = 12;
+constexpr std::uint32_t maxInstructions = 1500;
 
-// Every number of a text must be one that a float holds.
+// Every number in shader code must be finite as a float.
 void checkNumbers(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     if (isWordPart(text[i]) && !isDigit(text[i])) {
@@ -51,25 +51,25 @@ void checkText(const std::string& text) {
   checkNumbers(text);
 }
 
-// Results under their own names may hide each other; numbered ones do not.
-TextOptions numbered(const Module& module) {
-  TextOptions options;
+// Results under their own names may hide each other; numbered ones don't.
+ShaderTextOptions numbered(const Module& module) {
+  ShaderTextOptions options;
   for (std::uint32_t i = 0; i < module.outputs.size(); ++i)
     options.results.push_back({i, "warpjetResult" + std::to_string(i)});
   return options;
 }
 
-// The words that are kept say the same as the module itself, in every language.
+// A serialized module gives the same shader code as the module itself, in every language.
 void checkTexts(const Module& module, bool hasForeignText) {
   const Module kept = load(save(module));
   for (const Dialect* dialect : dialects()) {
-    for (const TextOptions& options : {TextOptions{}, numbered(module)}) {
-      const Written made = write(kept, *dialect, options);
+    for (const ShaderTextOptions& options : {ShaderTextOptions{}, numbered(module)}) {
+      const ShaderTextResult made = write(kept, *dialect, options);
       require(made.text.has_value() == made.problem.empty(), "there is a text or a problem",
               made.problem);
       if (!made.text) requireSentence(made.problem);
       if (made.text && !hasForeignText) checkText(made.text->emitted.code);
-      const Written again = write(load(save(kept)), *dialect, options);
+      const ShaderTextResult again = write(load(save(kept)), *dialect, options);
       require(made.problem == again.problem &&
                   (!made.text || made.text->emitted.code == again.text->emitted.code),
               "what is kept twice is the same");
@@ -77,7 +77,7 @@ void checkTexts(const Module& module, bool hasForeignText) {
   }
 }
 
-// The numbers of all inputs, vertex by vertex, within a range each; uniform ones are all the same.
+// The numbers of all inputs, vertex by vertex, within a range each; uniform ones are equal.
 struct Given {
   std::vector<Range> ranges;
   std::vector<bool> isUniform;             // by number
@@ -124,7 +124,7 @@ Given givenInputs(const Graph& graph, unsigned style) {
   return given;
 }
 
-// The latest results, by number, and how many numbers they have.
+// The latest results, by number, and the count of their numbers.
 struct Latest {
   std::vector<std::uint32_t> results;
   std::size_t size = 0;
@@ -134,7 +134,7 @@ Latest latestOf(const Module& module) {
   Latest latest;
   for (std::size_t i = module.outputs.size(); i-- > 0;) {
     const auto size = module.outputs[i].components.size();
-    if (latest.size + size > mostResults) break;
+    if (latest.size + size > maxResults) break;
     latest.results.push_back(static_cast<std::uint32_t>(i));
     latest.size += size;
   }
@@ -151,7 +151,7 @@ std::string nameOf(const Words& words, std::uint32_t instruction) {
   return index(op) < ops::count ? std::string(ops::declaration(op).name) : "a leaf";
 }
 
-// The same program, with a result for each instruction.
+// The program, extended by a result for each instruction.
 std::vector<std::uint32_t> withAllResults(const Program& program) {
   std::vector<std::uint32_t> words(
       program.words.begin(), program.words.begin() + program.instructions * Words::perInstruction);
@@ -159,7 +159,7 @@ std::vector<std::uint32_t> withAllResults(const Program& program) {
   return words;
 }
 
-// Far from where float32 overflows and underflows, which bounds do not follow.
+// Far from overflow and underflow of float32, which bounds don't track.
 bool isOrdinaryFloat(double value) {
   return value == 0 || (std::abs(value) > 1e-30 && std::abs(value) < 1e30);
 }
@@ -174,7 +174,7 @@ void requireWithin(const Range& range, double value, const std::string& of) {
 void checkEvaluation(const Module& module, unsigned style) {
   const auto [latest, results] = latestOf(module);
   const auto program = warpjet::program(module, latest).program;
-  if (!program || program->instructions > mostInstructions) return;
+  if (!program || program->instructions > maxInstructions) return;
   const Words words(program->words, program->instructions);
   std::vector<std::uint32_t> wanted;
   for (std::uint32_t i = 0; i < results; ++i) {

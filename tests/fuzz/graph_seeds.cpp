@@ -1,4 +1,4 @@
-// Calls on a builder, as graph_calls.cpp reads them.
+// Calls on a builder, in the format of graph_calls.cpp.
 #include "fuzz/graph_calls.hpp"
 #include "fuzz/seeds.hpp"
 #include "noise/table.hpp"
@@ -15,7 +15,7 @@ std::size_t numberOf(std::string_view operation) {
   return i;
 }
 
-// Values are named by how many came after them, 7 at most.
+// Refers to values by the number of values after them, 7 at most.
 class Calls {
  public:
   Calls(std::size_t dialect, std::size_t style) : bytes_{byte(dialect), byte(style)} {}
@@ -91,7 +91,7 @@ Calls matrices(std::size_t dialect) {
   return calls;
 }
 
-// The warp of a twist, at once and by its parts.
+// The warp of a twist, as a whole and by its parts.
 Calls warp(std::size_t dialect) {
   Calls calls(dialect, 2);
   calls.position().component(0, 1).call("sin", {0}).call("mult", {0, 1});
@@ -106,7 +106,7 @@ Calls warp(std::size_t dialect) {
   return calls;
 }
 
-// noise(position.x, position.y) and its derivatives, for which it is asked.
+// noise(position.x, position.y) and its derivatives, which the builder requests.
 Calls ownFunctions(std::size_t dialect) {
   constexpr std::size_t noise = 13;
   Calls calls(dialect, 2);
@@ -117,7 +117,7 @@ Calls ownFunctions(std::size_t dialect) {
   return calls;
 }
 
-// Each kind of noise of the position, and derivatives of it.
+// Each kind of noise of the position, and its derivatives.
 Calls everyNoise(std::size_t dialect) {
   Calls calls(dialect, 2);
   for (std::size_t kind = 0; kind < noises.size(); ++kind) {
@@ -127,8 +127,8 @@ Calls everyNoise(std::size_t dialect) {
   return calls.add(Step::Build, {7});
 }
 
-// s = sin(s * s), thrice, and within it a number that is doubled; the derivatives of what comes
-// out.
+// s = sin(s * s), three times, and within it a number that is doubled; with the derivatives of the
+// result.
 Calls repeats(std::size_t dialect) {
   Calls calls(dialect, 2);
   calls.position().component(0, 0).add(Step::OpenRepeat, {3, 1, 16, 0});

@@ -1,5 +1,5 @@
-// Fuzz target of src/mesh: any bytes as a file, and whatever loads through everything else that is
-// done to meshes. A first byte below 8 is a number of external files; see split_files.hpp.
+// Fuzz target of src/mesh: loads any bytes as a file, and passes meshes to everything else that
+// processes meshes. A first byte below 8 is a number of external files; see split_files.hpp.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,15 +10,15 @@
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
 #include "mesh/load.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/refine/subdivide.hpp"
-#include "mesh/sentences.hpp"
 #include "mesh/surface/normals.hpp"
 
 namespace warpjet {
 namespace {
 
-// So that one run stays far below libFuzzer's limits.
-constexpr std::size_t mostTrianglesHere = 2000, mostRefined = 200;
+// Keeps a run far below libFuzzer's limits.
+constexpr std::size_t maxTrianglesHere = 2000, maxRefined = 200;
 
 void requireSentence(const std::string& text) {
   require(!text.empty() && text.ends_with('.') && text.find('\n') == text.npos,
@@ -44,7 +44,7 @@ void checkNormals(const Mesh& mesh) {
                 std::to_string(normals[i + 2]));
 }
 
-// Of a mesh without triangles there is no file.
+// A mesh without triangles can't be exported.
 void checkExport(const Mesh& mesh) {
   if (mesh.triangleCount() == 0) return;
   const std::vector<std::uint8_t> bytes = exportGlb(mesh);
@@ -56,7 +56,7 @@ void checkExport(const Mesh& mesh) {
   require(exportGlb(*again.mesh) == bytes, "what was read is written the same");
 }
 
-// Four warps: smooth, none, one with holes, one that leaves the floats.
+// Four warps: smooth, identity, one with holes, one that overflows floats.
 Moved warped(const Mesh& vertices, unsigned which) {
   Moved moved{vertices.positions, which & 1 ? vertices.normals : std::vector<float>{}};
   for (float& x : moved.positions) {
@@ -69,17 +69,17 @@ Moved warped(const Mesh& vertices, unsigned which) {
 
 void checkSubdivision(const Mesh& mesh, unsigned which) {
   const auto warp = [which](const Mesh& vertices) { return warped(vertices, which); };
-  const std::size_t most = std::max(mesh.triangleCount(), mostRefined);
-  const Refined refined = subdivide(mesh, {1e-3f, 0.2f, mostRefined}, warp);
+  const std::size_t most = std::max(mesh.triangleCount(), maxRefined);
+  const Refined refined = subdivide(mesh, {1e-3f, 0.2f, maxRefined}, warp);
   requireRight(refined.mesh, "a refined mesh is right");
   require(refined.mesh.triangleCount() <= most, "there are not more triangles than asked for");
   require(!std::isnan(refined.worst), "the distance that is left is a number");
-  const Mesh uniform = subdivideUniformly(mesh, 3, mostRefined).mesh;
+  const Mesh uniform = subdivideUniformly(mesh, 3, maxRefined).mesh;
   requireRight(uniform, "a subdivided mesh is right");
   require(uniform.triangleCount() <= most, "there are not more triangles than asked for");
 }
 
-// So many bytes, which the packed ones repeat: what a decoder makes of them is anybody's guess.
+// Fills `size` bytes by repeating the packed ones: a decoder may return anything.
 std::vector<std::uint8_t> guess(Bytes packed, std::size_t size) {
   std::vector<std::uint8_t> bytes(size);
   for (std::size_t i = 0; i < size && !packed.empty(); ++i) bytes[i] = packed[i % packed.size()];
@@ -92,7 +92,7 @@ Pieces guessPieces(const PackedPart& part) {
   if (plan["codec"] == "meshopt")
     return {guess(part.bytes,
                   plan["count"].get<std::size_t>() * plan["byteStride"].get<std::size_t>())};
-  // Sometimes the corners of three vertices; `some` vertices of four floats at most.
+  // Sometimes the corners of three vertices; at most `some` vertices of four floats.
   Pieces pieces{some % 2 ? std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}
                          : guess(part.bytes, some)};
   for (std::size_t i = 0; i < plan["attributes"].size(); ++i)
@@ -100,7 +100,7 @@ Pieces guessPieces(const PackedPart& part) {
   return pieces;
 }
 
-// With whatever the compressed parts become.
+// Loads with arbitrary contents of the compressed parts.
 Loaded loadUnpacked(const SplitFiles& file) {
   ModelFile model(file.bytes);
   try {
@@ -122,7 +122,7 @@ void check(const SplitFiles& file) {
     return;
   }
   requireRight(*loaded.mesh, "a mesh that loads is right");
-  if (loaded.mesh->triangleCount() > mostTrianglesHere) return;
+  if (loaded.mesh->triangleCount() > maxTrianglesHere) return;
   checkNormals(*loaded.mesh);
   checkExport(*loaded.mesh);
   checkSubdivision(*loaded.mesh, static_cast<unsigned>(file.bytes.size() % 4));

@@ -1,4 +1,4 @@
-// Files of meshes: each way of a glTF, OBJ or STL to say a few triangles.
+// Mesh files: each way of glTF, OBJ and STL to store a few triangles.
 #include "cpp/gltf_builder.hpp"
 #include "fuzz/seeds.hpp"
 
@@ -78,7 +78,7 @@ json replaced(int indices, int componentType, int values) {
           {"values", {{"bufferView", values}}}};
 }
 
-// Numbers, and places of those that are replaced, of each type.
+// Numbers with sparse replacements, for each type.
 template <typename T, typename Place>
 GltfBuilder sparseOf() {
   GltfBuilder file;
@@ -190,7 +190,7 @@ GltfBuilder glossy() {
   return file;
 }
 
-// The bytes of a view of floats, as if they were compressed.
+// A view of floats, declared as compressed.
 GltfBuilder meshopt(const char* extension, const char* filter) {
   GltfBuilder file = squareFile();
   file.tree["bufferViews"][0]["extensions"][extension] = {

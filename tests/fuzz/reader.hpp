@@ -1,4 +1,4 @@
-// Reads an input of the fuzzer as numbers and texts; past its end everything is zero and empty.
+// Reads an input of the fuzzer as numbers and texts; past its end everything is zero or empty.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class Reader {
     return first;
   }
 
-  // From 0 to n - 1, for n up to 256.
+  // Returns 0 to n - 1, for n up to 256.
   int below(std::size_t n) { return static_cast<int>(byte() % n); }
 
   template <class Number>

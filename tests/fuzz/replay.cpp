@@ -1,4 +1,4 @@
-// Stands in for libFuzzer where there is none: runs the files that it is given, once each.
+// Replaces libFuzzer where it isn't available: runs each given file once.
 #include <cstdint>
 #include <cstdio>
 #include <fstream>

@@ -1,4 +1,5 @@
-// What must hold for any bytes. If it does not, the program ends, and libFuzzer keeps the bytes.
+// Checks that must hold for any bytes. If one fails, the program ends, and libFuzzer saves the
+// bytes.
 #pragma once
 
 #include <cstdio>
@@ -15,7 +16,7 @@ inline void require(bool holds, std::string_view what, const std::string& found 
   std::abort();
 }
 
-// With all its digits.
+// Prints all digits.
 inline std::string exactly(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", value);

@@ -1,4 +1,4 @@
-// The seeds of the fuzz targets: one small file a feature.
+// The seeds of the fuzz targets: one small file per feature.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace warpjet {
 
-// Writes a file into the folder of a target, "mesh" or "graph".
+// Writes a file to the folder of a target, "mesh" or "graph".
 void writeSeed(const std::string& target, const std::string& name,
                const std::vector<std::uint8_t>& bytes);
 

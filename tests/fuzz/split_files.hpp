@@ -1,4 +1,4 @@
-// One input of the fuzzer as a file and the external files that it names.
+// Splits an input of the fuzzer into a file and the external files that it refers to.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace warpjet {
 
-// In memory of exactly its size, so that the sanitizer sees any read outside.
+// In memory of exactly its size, so that the sanitizer detects any read outside.
 struct SplitFiles {
   std::vector<std::uint8_t> bytes;
   Files externals;
 };
 
 // A first byte below 8, with which no file starts, is the number of external files. Each has two
-// bytes for its length, the low one first, and its content; the rest is the file, which names them
-// in that order.
+// bytes for its length, the low one first, and its content; the rest is the file, which refers to
+// them in that order.
 inline SplitFiles splitFiles(std::span<const std::uint8_t> data) {
   std::vector<std::vector<std::uint8_t>> contents;
   if (!data.empty() && data[0] < 8) {
@@ -32,7 +32,7 @@ inline SplitFiles splitFiles(std::span<const std::uint8_t> data) {
     }
   }
   SplitFiles split{{data.begin(), data.end()}, {}};
-  // An .mtl file names further ones.
+  // An .mtl file refers to further files.
   for (std::size_t i = 0; i < contents.size(); ++i) {
     const std::vector<std::string> uris = externalFiles(split.bytes, split.externals);
     if (i >= uris.size()) break;

@@ -1,4 +1,4 @@
-// Where the functions of the corpus come from: packages whose licence lets us run them, each used, none of them shipped.
+// The sources of the corpus: packages whose licence allows us to run their functions; each is used, none is shipped.
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import { test } from 'node:test'
@@ -11,7 +11,7 @@ const { dependencies = {}, devDependencies } = JSON.parse(
 )
 
 for (const name of Object.keys(packages))
-  test(`${name} is under the MIT licence, and says so in full`, () => {
+  test(`${name} has the MIT licence, in full`, () => {
     const folder = `${root}node_modules/${name}`
     const { license, version } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'))
     assert.equal(license, 'MIT')
@@ -28,8 +28,8 @@ for (const name of Object.keys(packages))
     )
   })
 
-test('every package of shader text that there is for development is in the corpus', () => {
-  // Of @shaderfrog comes the independent parser.
+test('every development package with GLSL is in the corpus', () => {
+  // @shaderfrog is the independent parser.
   const all = Object.keys(devDependencies).filter((name) => /^glsl-/.test(name))
   assert.deepEqual(all.sort(), Object.keys(packages).sort())
 })

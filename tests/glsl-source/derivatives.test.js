@@ -1,4 +1,4 @@
-// The Jacobian of every function of the corpus, beside differences in double of a walk over the tree of another parser.
+// The Jacobian of every function of the corpus, against differences in double by an interpreter over an independent parser.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from 'warpjet'
@@ -10,7 +10,7 @@ import { derivative } from '../random/differences.js'
 
 const points = pointsOfCube(12)
 
-/** Stairs finer than any difference: what is made of whole numbers has derivative zero. */
+/** Steps smaller than the step of any difference: functions made of integers have derivative zero. */
 const isStairs = new Set([
   'a hash of bits',
   'bits of floats',
@@ -19,10 +19,10 @@ const isStairs = new Set([
   'halves of a uint',
 ])
 
-/** How sure differences must be of themselves to be asked; at a kink or a jump they are not. */
+/** The accuracy that differences must estimate of themselves to be compared; at a kink or a jump they fail. */
 const sure = 1e-4
 
-/** What no shader promises, such as the root of what is below zero. */
+/** Values that GLSL leaves undefined, such as the root of a negative number. */
 const isPromised = Number.isFinite
 
 const compared = { slopes: 0, kinks: 0 }
@@ -63,7 +63,7 @@ for (const { name, text } of corpus)
     compared.kinks += kinks
   })
 
-test('hardly a point of them lies at a kink', () => {
+test('few of the points are at a kink', () => {
   assert.ok(compared.slopes > 100 * (corpus.length - isStairs.size), `${compared.slopes} slopes`)
   assert.ok(compared.kinks < compared.slopes / 100, `${compared.kinks} kinks`)
 })

@@ -1,5 +1,5 @@
-// The text that `differentiate` writes, on every pipeline: gradients and Jacobians beside differences in double of a walk over the
-// tree of another parser.
+// The output of `differentiate` on every pipeline: gradients and Jacobians against differences in double by an interpreter over
+// an independent parser.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { differentiate } from '../../dist/glsl.js'
@@ -13,8 +13,8 @@ before(async () => (pipelines = await openPipelines()))
 after(() => pipelines.close())
 
 /**
- * Functions `f`, with the argument for each parameter, as text and as numbers of a point `p`; `by` is the place of the parameter
- * that they are differentiated by.
+ * Functions `f`, with the argument for each parameter, as code and as numbers at a point `p`; `by` is the index of the parameter
+ * to differentiate by.
  */
 const whole = {
   glsl: 'int(floor(p.z * 4.0))',
@@ -84,7 +84,7 @@ const cases = {
 const sizes = { float: 1, vec2: 2, vec3: 3, vec4: 4 }
 const points = pointsOfCube(40)
 
-/** A parameter's own numbers are moved, and so the point need not be. */
+/** Moves the numbers of the parameter itself, so the point need not be moved. */
 function wantedAt(text, by, operands, p) {
   const f = walk(text, 'f')
   const given = operands.map(({ of }) => of(p))
@@ -104,12 +104,12 @@ for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
   for (const target of targetsInThisRun) {
     const isLacking = target === 'glsl100' && (hasBits || (!isGradient && from > 1 && from !== to))
     if (!isLacking)
-      test(`${name}: as differences of it, in ${target}`, async () => {
+      test(`${name}: equals its differences, in ${target}`, async () => {
         const declarations = differentiate(text, { function: 'f', by: parameter[1], target })
         const isWgsl = target === 'wgsl'
         const given = operands.map((each) => (isWgsl && each.wgsl) || each.glsl).join(', ')
         const result = `f${isGradient ? 'Gradient' : 'Jacobian'}(${given})`
-        // A matrix column by column, since not every size is a shape of the pipelines.
+        // Returns a matrix column by column, since the pipelines lack some sizes.
         const isMatrix = !isGradient && from > 1
         const outputs = isMatrix
           ? Array.from({ length: from }, (_, k) => ({ name: `column${k}`, shape: to }))

@@ -1,4 +1,4 @@
-// What stays as it is in shader text: functions that are called often, and loops.
+// Parts of GLSL source that keep their structure: functions that are called several times, and loops.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -15,7 +15,7 @@ float bump(vec2 q, float k) {
 }
 `
 
-/** The same in JavaScript. */
+/** The same function in JavaScript. */
 const bump = (x, y, k, steepness) => {
   const [cx, cy] = [x - Math.floor(x + 0.5), y - Math.floor(y + 0.5)]
   const d = Math.exp(-k * (cx * cx + cy * cy)) + steepness * Math.sin(x * 1.3) * Math.cos(y * 0.7)
@@ -27,7 +27,7 @@ vec3 offset(vec3 p) { return vec3(bump(p.xy, 3.0), bump(p.yz * 2.0, 3.0), bump(p
 
 const uniforms = { steepness: 0.4 }
 
-/** By central differences of the moved position. */
+/** Central differences of the moved position. */
 function normalOf(moved, [x, y, z], normal) {
   const h = 1e-5
   const column = (k) => {
@@ -65,19 +65,19 @@ function follows(source, moved, options = {}) {
   }
 }
 
-test('a function that is called thrice is in each text once, by its own name, with its derivatives', () => {
+test('a function that is called three times is in the code once, under its own name, with its derivatives', () => {
   for (const target of targets) {
     const { code, declarations } = compileWarp(glslOffset(thrice), { target, uniforms })
     const names = [...declarations.matchAll(/\b(bump_\w+)\(/g)].map(([, name]) => name)
     assert.equal(names.length, 1, `${names}`)
     assert.match(names[0], /Gradient$/)
     assert.equal(code.split(names[0]).length - 1, 3)
-    // The constant argument has no derivative: a value and those by two numbers and the uniform.
+    // The constant argument has no derivative: the function returns a value and derivatives by two numbers and the uniform.
     assert.doesNotMatch(declarations, /Results/)
   }
 })
 
-test('its values and normals are those of differences', () => {
+test('its values and normals equal those by differences', () => {
   const moved = ([x, y, z]) => [
     x + bump(x, y, 3, 0.4),
     y + bump(y * 2, z * 2, 3, 0.4),
@@ -86,7 +86,7 @@ test('its values and normals are those of differences', () => {
   follows(thrice, moved)
 })
 
-test('what is called once, is short, or is all known, is entered', () => {
+test('a function that is called once, short, or constant is inlined', () => {
   const declared = (body, above = bumps) =>
     compileWarp(glslOffset(`${above}\nvec3 offset(vec3 p) { ${body} }`), { uniforms }).declarations
   assert.equal(declared('return vec3(bump(p.xy, 3.0));'), '')
@@ -95,7 +95,7 @@ test('what is called once, is short, or is all known, is entered', () => {
   assert.equal(declared('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
 })
 
-test('functions of functions, and what they write', () => {
+test('functions that call functions, and out parameters', () => {
   const source = `${bumps}
   void both(vec2 q, out float high, inout vec2 way) {
     high = bump(q, 2.0) + bump(q.yx + 0.5, 2.0);
@@ -130,7 +130,7 @@ test('functions of functions, and what they write', () => {
   assert.match(declarations, /bump_\w+/)
 })
 
-test('a function that reads what another changes is entered, and right', () => {
+test('a function that reads a variable which another changes is inlined correctly', () => {
   const source = `float seed = 0.0;
   float next(float x) {
     seed += 1.0;
@@ -149,7 +149,7 @@ test('a function that reads what another changes is entered, and right', () => {
   follows(source, (p) => p.map((x, i) => x + next(x, i + 1)))
 })
 
-test('two functions of one name and the same text in two warps have one name', () => {
+test('two functions with the same name and code in two warps share a name', () => {
   const nameIn = (text) =>
     /bump_\w+/.exec(compileWarp(glslOffset(text), { uniforms }).declarations)[0]
   assert.equal(nameIn(thrice), nameIn(thrice.replace('p.zx', 'p.zy')))
@@ -186,18 +186,18 @@ const waves =
 const hasLoop = (source, target = 'glsl300', options = {}) =>
   /\bfor \(/.test(compileWarp(glslOffset(source, options), { target, uniforms }).code)
 
-test('a long loop stays one, in each language', () => {
+test('a long loop stays a loop, in each language', () => {
   const source = loop('for (int i = 0; i < 8; i++)', wave)
   for (const target of targets) assert.ok(hasLoop(source, target), target)
   follows(source, waves(8))
 })
 
-test('a short one is unrolled', () => {
+test('a short loop is unrolled', () => {
   assert.ok(!hasLoop(loop('for (int i = 0; i < 2; i++)', wave)))
   assert.ok(!hasLoop(loop('for (int i = 0; i < 8; i++)', 's += p.x * a; a *= 0.5;')))
 })
 
-test('counters are what they are in the loop, whatever they count by', () => {
+test('counters have the right values in the loop, for any step', () => {
   const weighed = wave.replace('a * sin', 'float(i) * a * sin')
   const source = (head) => loop(head, weighed)
   const by = (start, step) => waves(7, undefined, (i) => start + step * i)
@@ -214,7 +214,7 @@ test('counters are what they are in the loop, whatever they count by', () => {
   }
 })
 
-test('the condition that ends a loop does what it does', () => {
+test('side effects of the condition that ends a loop happen', () => {
   const source = loop('int i = 5; while (i-- > -2)', wave).replace(
     'vec3(0.0, s,',
     'vec3(0.0, s + float(i),',
@@ -265,7 +265,7 @@ test('break, continue and return', () => {
   )
 })
 
-test('a loop that only the shader ends runs as one, too', () => {
+test('a loop whose end depends on the shader stays a loop too', () => {
   const source = loop('while (q.x < 2.5)', wave)
   assert.ok(hasLoop(source, 'glsl300', { maxIterations: 12 }))
   follows(
@@ -275,7 +275,7 @@ test('a loop that only the shader ends runs as one, too', () => {
   )
 })
 
-test('how many steps were run is counted, also as an int that is read after the loop', () => {
+test('the number of iterations is right, also as an int that is read after the loop', () => {
   const source = `vec3 offset(vec3 p) { vec3 q = p; int n = 0;
     for (int i = 0; i < 20; i++) { if (dot(q, q) > 9.0) break; q = q.yzx * 1.2 + sin(q) * cos(q.zxy) * 0.3 + 0.1; n++; }
     return vec3(float(n), 0.0, 0.0); }`
@@ -291,7 +291,7 @@ test('how many steps were run is counted, also as an int that is read after the 
   follows(source, (p) => [p[0] + count(p), p[1], p[2]])
 })
 
-test('what holds bits is unrolled, since a state is a float', () => {
+test("loops over bits are unrolled, since a loop's state is a float", () => {
   const source = `vec3 offset(vec3 p) { uint h = floatBitsToUint(p.x); float s = 0.0;
     for (int i = 0; i < 6; i++) { h = h * 1664525u + 1013904223u; h ^= h >> 13; h ^= h << 7;
       s += float(h >> 8) / 16777216.0 * sin(p.y * float(i)) * cos(p.z + float(i)) + sin(p.x * s); }
@@ -299,7 +299,7 @@ test('what holds bits is unrolled, since a state is a float', () => {
   assert.ok(!hasLoop(source))
 })
 
-test('a loop in a loop, whose step the inner one reads', () => {
+test('nested loops, where the inner loop reads the outer counter', () => {
   const body =
     'vec2 c = vec2(float(i), float(j)); s += exp(-dot(p.xz - c, p.xz - c)) * sin(p.y + c.x);'
   const source = loop('for (int i = -2; i <= 2; i++) for (int j = -2; j <= 2; j++)', body)

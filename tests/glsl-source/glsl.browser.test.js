@@ -1,4 +1,4 @@
-// Shader text on real pipelines: the original as Chromium compiles it, and ours of the same, value for value.
+// GLSL source on real pipelines: compares the original as compiled by Chromium with our code for it, value by value.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
@@ -17,7 +17,7 @@ const inputs = [{ name: 'p', shape: 3 }]
 
 const points = pointsOfCube(60)
 
-/** The original as a function, and in glsl300 beside it our statements. */
+/** The original as a function and, in glsl300, next to our statements. */
 async function valuesOf({ text }, target) {
   const compiled = compile(
     (glsl) => {
@@ -47,7 +47,7 @@ async function valuesOf({ text }, target) {
   return { compiled, ours: part(0, 3), jacobian: part(3, 12), original: part(12) }
 }
 
-/** What vertices move by, in float32. */
+/** Tolerances of the offset in float32. */
 function onCpu({ text }) {
   const warp = compileWarp(glslOffset(text, { function: 'corpus' }), { normals: false })
   const moved = warp.evaluate({ positions: Float32Array.from(points.flat()) }).positions
@@ -56,11 +56,11 @@ function onCpu({ text }) {
 
 const tolerance = (value) => 2e-3 * Math.max(1, Math.abs(value))
 
-/** What GLSL 1.00 has not. */
+/** Features that GLSL 1.00 lacks. */
 const hasBits = /\b(?:floatBitsTo\w+|u?intBitsTo\w+|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
 
-/** How many numbers are not nearly the same; what no shader promises, such as 0/0, is left out. */
-function differing(values, wanted, compared = { count: 0 }) {
+/** Counts the numbers that differ significantly; ignores undefined values such as 0/0. */
+function countDiffering(values, wanted, compared = { count: 0 }) {
   let wrong = 0
   values.forEach((three, i) =>
     wanted[i].forEach((value, k) => {
@@ -74,7 +74,7 @@ function differing(values, wanted, compared = { count: 0 }) {
 
 test('there are at least 60 functions', () => assert.ok(corpus.length >= 60, `${corpus.length}`))
 
-test('every function of the corpus as the original, in each language and on the CPU, and its derivatives', async () => {
+test('every function of the corpus equals the original, in each language and on the CPU, and so do its derivatives', async () => {
   const problems = []
   const compared = { count: 0 }
   let sameSides = 0
@@ -83,17 +83,17 @@ test('every function of the corpus as the original, in each language and on the 
       const { compiled, original, ...first } = await valuesOf(each, 'glsl300')
       const cpu = points.map((p) => compiled.evaluate({ p }))
       const check = (name, ours, wanted = original) => {
-        const wrong = differing(ours, wanted, compared)
-        // A point may lie on the edge between two branches.
+        const wrong = countDiffering(ours, wanted, compared)
+        // A point may be on the edge between two branches.
         if (wrong > wanted[0].length) problems.push(`${each.name}, ${name}: ${wrong} differ`)
       }
-      // Where float32 is on the other side of a jump than double, in a hash say, the value tells it.
+      // Where float32 is on the other side of a jump than double, in a hash for instance, the value shows it.
       const isSameSide = cpu.map(({ ours }, i) =>
         ours.every((x, k) => !(Math.abs(x - original[i][k]) > tolerance(x) / 10)),
       )
       sameSides += isSameSide.filter(Boolean).length
       const known = (rows) => rows.filter((_, i) => isSameSide[i])
-      // Which tests/glsl-source/derivatives.test.js has beside differences of another evaluation.
+      // tests/glsl-source/derivatives.test.js compares these with differences of another evaluation.
       const jacobians = known(cpu.map(({ jacobian }) => [...jacobian]))
       const checkBoth = (name, { ours, jacobian }) => {
         check(name, ours)
@@ -114,10 +114,13 @@ test('every function of the corpus as the original, in each language and on the 
   assert.ok(share > 0.99, `derivatives were compared at ${share} of the points`)
 })
 
-/** So many share a shader. */
+/** Number of functions per shader. */
 const batch = 25
 
-/** What a batch moves points by, in a language, beside the originals where that is theirs; nothing of what it is refused. */
+/**
+ * The offsets of a batch in a language, next to the originals if these are in the same language; `undefined` if a function is
+ * unsupported.
+ */
 async function runRandom(cases, target) {
   const isOriginal = target === 'glsl300'
   const compiled = cases.flatMap(({ seed, glsl }) => {
@@ -163,7 +166,7 @@ function compileUnlessBits(glsl, seed, target) {
   }
 }
 
-test('random functions as the original, in each language', async () => {
+test('random functions equal the original, in each language', async () => {
   const count = isRun('every random expression') ? 2000 : 400
   const problems = []
   const compared = Object.fromEntries(targetsInThisRun.map((target) => [target, 0]))
@@ -175,9 +178,9 @@ test('random functions as the original, in each language', async () => {
       for (const { seed, glsl } of cases) {
         const ours = values.get(`ours${seed}`)
         if (!ours) continue
-        const wrong = differing(ours, originals.get(`original${seed}`))
+        const wrong = countDiffering(ours, originals.get(`original${seed}`))
         compared[target]++
-        // Points that lie on the edge between two branches.
+        // Points on the edge between two branches.
         if (wrong > 6)
           problems.push(`${seed} in ${target}: ${wrong} of ${3 * points.length}\n${glsl}`)
       }
@@ -191,7 +194,7 @@ test('random functions as the original, in each language', async () => {
     )
 })
 
-test('value and gradient as one function: as the field has them, in each language', async () => {
+test('value and gradient as one function equal those of the field, in each language', async () => {
   const field = `float blend(float a, float b, float k) {
       float h = clamp(0.5 + 0.5 * (b - a) / k, 0.0, 1.0);
       return mix(b, a, h) - k * h * (1.0 - h);
@@ -201,7 +204,7 @@ test('value and gradient as one function: as the field has them, in each languag
       for (int i = 0; i < 3; i++) d = blend(d, length(p - 0.4 * vec3(i, 1 - i, 0.3)) - 0.2, 0.3);
       return d;
     }`
-  // The same by hand, in double.
+  // The same computation by hand, in double.
   const map = (p) => {
     let d = Math.hypot(...p) - 0.5
     for (let i = 0; i < 3; i++) {
@@ -228,7 +231,7 @@ test('value and gradient as one function: as the field has them, in each languag
       },
       points,
     )
-    // A point may lie where a blend begins.
-    assert.ok(differing(values, wanted) <= 2, target)
+    // A point may be at the start of a blend.
+    assert.ok(countDiffering(values, wanted) <= 2, target)
   }
 })

@@ -1,4 +1,4 @@
-// Shader text as offset functions: values by hand, on the CPU and as text.
+// GLSL source as offset functions: values by hand, on the CPU, and the generated code.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp } from 'warpjet'
@@ -16,13 +16,13 @@ const near = (got, wanted, tolerance = 1e-5) =>
     assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)} is not ${wanted}`),
   )
 
-/** What an offset of this body gives at a point. */
+/** Returns the offset of this function body at a point. */
 const offsetOf = (body, position = [1, 2, 3], above = '') => {
   const { position: moved } = at(`${above}\nvec3 offset(vec3 p) { ${body} }`, position)
   return Array.from(moved, (x, i) => x - position[i])
 }
 
-test('a text is an offset function', () => {
+test('source is an offset function', () => {
   const { position, normal } = at(
     'vec3 offset(vec3 p) { return vec3(0., sin(p.x), 0.); }',
     [1, 0, 0],
@@ -32,7 +32,7 @@ test('a text is an offset function', () => {
   near(normal, [-slope / Math.hypot(1, slope), 1 / Math.hypot(1, slope), 0])
 })
 
-test('it is written in every language', () => {
+test('it is generated in every language', () => {
   const offset = glslOffset('vec3 offset(vec3 p) { return vec3(0., sin(p.x), 0.); }')
   for (const target of ['glsl300', 'glsl100', 'wgsl'])
     assert.match(compileWarp(offset, { target }).code, /sin\(position\.x\)/)
@@ -78,7 +78,7 @@ test('statements, by hand', () => {
   )
 })
 
-test('functions, overloads and what they write', () => {
+test('functions, overloads and out parameters', () => {
   const above = `
     float twice(float x) { return 2. * x; }
     vec2 twice(vec2 x) { return 2. * x; }
@@ -110,14 +110,14 @@ test('uniforms and inputs by name', () => {
   )
 })
 
-test('a function that gives the moved position', () => {
+test('a function that returns the moved position', () => {
   const { position } = at('vec3 moved(vec3 p) { return p * 2.; }', [1, 2, 3], {
     returns: 'position',
   })
   near(position, [2, 4, 6])
 })
 
-test('a text among expressions, as the same by hand', () => {
+test('a function of GLSL among expressions, against the same by hand', () => {
   const warp = (offset) =>
     compileWarp(offset, { surfaceVariation: false }).evaluateAt([0.3, 0.5, 0.7], {
       normal: [0, 1, 0],
@@ -134,18 +134,18 @@ test('a text among expressions, as the same by hand', () => {
   near(ours.normal, byHand.normal)
 })
 
-test('what a text is called with is checked', () => {
+test('arguments of a function of GLSL are checked', () => {
   const call = (...operands) =>
     compileWarp(({ glsl, position }) => {
       const f = glsl.source('float f(vec2 p, float x) { return x; }')
       return glsl.vec3(f(...operands.map((each) => (each === 'p' ? position : each))), 0, 0)
     })
-  assert.throws(() => call(1), /f: it takes 2 arguments \(vec2, float\), but 1 came/)
+  assert.throws(() => call(1), /f: expected 2 arguments \(vec2, float\), got 1/)
   assert.throws(() => call('p', 1), /f: expected a vec2 for argument 1, got a vec3/)
   assert.throws(() => call(1, 2), /f: expected a vec2 for argument 1, got a single number/)
 })
 
-test('the uniforms that a text is called with are checked', () => {
+test('uniforms of a function of GLSL are checked', () => {
   const warp = (uniforms, name = 'amount') =>
     compileWarp(
       ({ glsl, position }) =>
@@ -168,19 +168,19 @@ test('the uniforms that a text is called with are checked', () => {
     () => warp({ amount: undefined }),
     /expected a number .* for the uniform amount, got undefined/,
   )
-  assert.throws(() => warp({ amount: 'sky' }), /amount is a float in the text, but an image/)
+  assert.throws(() => warp({ amount: 'sky' }), /amount: expected a float, .* got an image/)
   assert.throws(() => warp(5), /expected an object .* for the option "uniforms", got the number 5/)
   assert.throws(() => warp(null), /expected an object .* for the option "uniforms", got null/)
   for (const name of ['constructor', 'toString']) assert.ok(warp({ amount: 1 }, name).code)
 })
 
-test('loops that only the shader ends run as often as they are let', () => {
+test('loops that only the shader ends run up to the max number of iterations', () => {
   const source = 'vec3 offset(vec3 p) { float x = p.x; while (x < 10.) x *= 2.; return vec3(x); }'
   const { position } = at(source, [1, 0, 0], { maxIterations: 16 })
   near(position, [17, 16, 16])
 })
 
-test('warps of text go wherever warps go', () => {
+test('warps of GLSL work wherever other warps do', () => {
   const wave = glslOffset('vec3 offset(vec3 p) { return vec3(0., sin(p.x), 0.); }')
   const lift = glslOffset('vec3 offset(vec3 p) { return vec3(0., 0., p.y); }')
   const { position } = compileWarp(chain(wave, lift)).evaluateAt([1, 0, 0], { normal: [0, 1, 0] })
@@ -189,7 +189,7 @@ test('warps of text go wherever warps go', () => {
   assert.ok(min[1] <= -Math.sin(1) && max[1] >= Math.sin(1))
 })
 
-test('the text of a function with its derivatives, in each language', () => {
+test('differentiate generates a function with its derivatives, in each language', () => {
   const field = 'float map(vec3 p) { return p.x * p.x + p.y * p.z; }'
   assert.match(differentiate(field), /^vec4 mapGradient\(vec3 p\) \{\n {2}vec4 result;/)
   assert.match(differentiate(field, { target: 'wgsl' }), /^fn mapGradient\(p: vec3f\) -> vec4f \{/)
@@ -226,7 +226,7 @@ test('the text of a function with its derivatives, in each language', () => {
   assert.match(glsl, /vec3\(way & 65535\)/)
 })
 
-test('an array of thousands, written by a known index', () => {
+test('an array of thousands, indexed by a constant', () => {
   near(
     offsetOf(
       'float a[4096]; for (int i = 0; i < 4096; i++) a[i] = 0.; for (int i = 0; i < 8000; i++) a[i % 4096] += p.x; return vec3(a[0], a[4095], a[2615]);',
@@ -241,7 +241,7 @@ test('an array of thousands, written by a known index', () => {
   )
 })
 
-test('whole numbers by hand', () => {
+test('integers by hand', () => {
   near(offsetOf('int i = int(p.z) << 3; return vec3(i, i ^ 5, ~i);'), [24, 29, -25])
   near(
     offsetOf('int i = int(p.z) * 715827883; return vec3(i / 65536, i & 255, i + i);'),
@@ -258,7 +258,7 @@ test('whole numbers by hand', () => {
   )
 })
 
-test('halves by hand: IEEE 754 has these bits for these numbers', () => {
+test('halves by hand: IEEE 754 defines these bits for these numbers', () => {
   const known = [
     ['1.0', 0x3c00, 1],
     ['-2.5', 0xc100, -2.5],
@@ -273,7 +273,7 @@ test('halves by hand: IEEE 754 has these bits for these numbers', () => {
   for (const [number, bits, half] of known)
     for (const times of ['', ' * p.x']) {
       const pair = `packHalf2x16(vec2(1.0, ${number}${times}))`
-      // A position of 3 has no room for what is tiny.
+      // A position of 3 rounds tiny numbers away.
       const scale = Math.abs(half) < 0.01 ? 2 ** 24 : 1
       const value = `unpackHalf2x16(h).y * ${scale}.0`
       near(
@@ -284,7 +284,7 @@ test('halves by hand: IEEE 754 has these bits for these numbers', () => {
     }
 })
 
-test('what looks at bits is refused by name in GLSL 1.00, and only that', () => {
+test('bit operations are unsupported in GLSL 1.00, by name, and nothing else is', () => {
   const text = (value) => glslOffset(`vec3 offset(vec3 p) { return vec3(${value}); }`)
   const write = (value) => compileWarp(text(value), { target: 'glsl100' }).code
   assert.match(write('int(p.x) % 3'), /highp int/)
@@ -292,7 +292,7 @@ test('what looks at bits is refused by name in GLSL 1.00, and only that', () => 
   assert.throws(() => write('floatBitsToInt(p.x)'), /glsl100 has no floatBitsToInt/)
 })
 
-test('whole numbers of the host that no float holds arrive in two halves', () => {
+test('integers of the host that no float holds are passed in two halves', () => {
   const source =
     'uniform int n; vec3 offset(vec3 p) { return vec3(n % 1000, n > 0 ? 1 : 2, n / 7); }'
   const at = (n) =>
@@ -308,7 +308,7 @@ test('whole numbers of the host that no float holds arrive in two halves', () =>
   assert.match(compileWarp(glslOffset(unsigned), { normals: false }).code, /vec2\(n >> 16u\)/)
 })
 
-test('variables of the host that are no floats keep their names and types, in every language', () => {
+test('host variables of other types keep their names and types, in every language', () => {
   const source = `uniform int n; uniform uint u; uniform ivec3 way; uniform bool on; uniform float f;
     vec3 offset(vec3 p) { return on ? vec3(n % 1000, u / 1000u, f) + vec3(way) : p; }`
   const warp = compileWarp(glslOffset(source), { normals: false })
@@ -344,27 +344,28 @@ test('variables of the host that are no floats keep their names and types, in ev
   )
 })
 
-test('what a sketch gives as a whole number is exact, or refused in a sentence', () => {
+test('integers of a sketch are exact, or rejected with a message', () => {
   const source = 'uniform int n; vec3 offset(vec3 p) { return vec3(n % 1000, n, 0.); }'
   const warp = (n) => compileWarp(glslOffset(source), { normals: false, uniforms: { n } })
   near(warp(2 ** 24).evaluateAt([0, 0, 0]).position, [216, 2 ** 24, 0])
   near(warp(-7).evaluateAt([0, 0, 0]).position, [-7, -7, 0])
-  const tooLarge = /"n" is read as a whole number, at most 16777216, but is 20000001\.$/
+  const tooLarge =
+    /expected a number from -16777216 to 16777216 for the uniform "n", got 20000001; the shader reads it as a whole number\.$/
   assert.throws(() => warp(20000001), tooLarge)
   const small = warp(1)
   assert.throws(
     () => small.evaluateAt([0, 0, 0], { uniforms: { n: 20000001 } }),
-    /^WarpError: evaluateAt: the uniform "n" is read .* 20000001\.$/,
+    /^WarpError: evaluateAt: expected a number from -16777216 .* for the uniform "n", got 20000001; /,
   )
   let now = 1
   const changing = warp(() => now)
   near(changing.evaluateAt([0, 0, 0]).position, [1, 1, 0])
   now = 20000001
   assert.throws(() => changing.evaluateAt([0, 0, 0]), tooLarge)
-  // A float may be as large as it likes.
+  // A float may have any size.
   const float = source.replace('int n', 'float n').replace('n % 1000', 'mod(n, 1000.)')
   assert.ok(compileWarp(glslOffset(float), { normals: false, uniforms: { n: 2e7 } }).code)
-  // A number of the text itself, or one that a call gives, is known in full.
+  // Constants in the source, or returned by a call, are fully known.
   const called = ({ glsl, position }) => {
     const f = glsl.source('float f(int n, float x) { return float(n % 1000) + x; }')
     return glsl.vec3(f(20000001, position.x()), f(-20000001, 0), 0)

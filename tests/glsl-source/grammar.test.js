@@ -1,4 +1,4 @@
-// The grammar of shader text beside an independent parser: what we accept it accepts, and what it refuses we refuse.
+// The grammar of GLSL against an independent parser: we accept the same source, and reject the same.
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { test } from 'node:test'
@@ -10,7 +10,7 @@ const require = createRequire(import.meta.url)
 const { parser } = require('@shaderfrog/glsl-parser')
 const { preprocess } = require('@shaderfrog/glsl-parser/preprocessor')
 
-/** What the independent parser says against a text, or nothing. */
+/** Returns the message of the independent parser; `undefined` if it accepts the source. */
 function refusedThere(text) {
   try {
     parser.parse(preprocess(text, { preserve: { version: () => true } }), { quiet: true })
@@ -30,7 +30,7 @@ function refusedHere(text) {
   }
 }
 
-test('it accepts every text of the corpus, and so do we', () => {
+test('it accepts all source of the corpus, and so do we', () => {
   for (const { name, text } of corpus) {
     assert.equal(refusedHere(text), undefined, name)
     assert.equal(refusedThere(text), undefined, name)
@@ -45,7 +45,7 @@ test('it accepts random functions, and so do we', () => {
   }
 })
 
-test('a text with a token too few, too many or in the wrong place: what it refuses we refuse', () => {
+test('source with a token missing, added or misplaced: we reject whatever it rejects', () => {
   const random = randomOf(15)
   const int = (count) => Math.floor(random() * count)
   const refused = { there: 0, here: 0 }
@@ -63,7 +63,7 @@ test('a text with a token too few, too many or in the wrong place: what it refus
       const why = refusedThere(changed)
       const here = refusedHere(changed)
       if (here !== undefined) refused.here++
-      // A ; by itself among functions, which desktop GLSL takes, and which people leave behind a }.
+      // A ; between functions, which desktop GLSL accepts, and which people leave after a }.
       if (why === undefined || /function prototype.*but ";" found/.test(why)) continue
       refused.there++
       assert.notEqual(here, undefined, `${name}: we take what it refuses (${why})\n${changed}`)

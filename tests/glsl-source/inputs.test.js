@@ -1,10 +1,10 @@
-// What a text reads by name: parameters of an offset, and uniforms that are inputs.
+// Names that GLSL source reads: parameters of an offset, and uniforms that are inputs.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp, targets } from 'warpjet'
 import { glslOffset } from 'warpjet/glsl'
 
-/** Numbers of each input, and where a warp gets them from. */
+/** Values of each input, and their sources in a warp. */
 const vertex = { normal: [0, 0.6, 0.8], uv: [0.25, 0.75], color: [0.1, 0.2, 0.3, 0.4] }
 const frame = { millis: 1200, mouse: [30, 40], size: [640, 480], pixelDensity: 2, instance: 3 }
 const parts = { mouseX: 30, mouseY: 40, width: 640, height: 480 }
@@ -13,7 +13,7 @@ const position = [1, 2, 3]
 const numbersOf = (value) => [value].flat()
 const typeOf = (value) => ['float', 'vec2', 'vec3', 'vec4'][numbersOf(value).length - 1]
 
-/** An offset of three numbers by which each component of the input is told from the others. */
+/** An offset of three numbers that distinguishes each component of the input. */
 const bodyOf = (name, value) => {
   const size = numbersOf(value).length
   const by = [0.5, 0.25, 0.125, 0.0625].slice(0, size)
@@ -43,11 +43,13 @@ for (const [name, value] of Object.entries({ position, ...vertex, ...frame, ...p
     const other = typeOf(value) === 'vec2' ? 'float' : 'vec2'
     assert.throws(
       () => glslOffset(`vec3 offset(${other} ${name}) { return vec3(1.0); }`),
-      new RegExp(`${name} of offset is a ${other}, but ${name} is a ${typeOf(value)}\\.`),
+      new RegExp(
+        `${name} of offset: expected a ${typeOf(value)}, the type of the input ${name}, got a ${other}\\.`,
+      ),
     )
   })
 
-test('all of them at once, in any order', () => {
+test('all of them together, in any order', () => {
   assertMovedBy(
     `vec3 offset(float millis, vec4 color, vec2 uv, vec3 normal, vec2 mouse, vec2 size, float pixelDensity,
       vec3 position, float width, float instance) {
@@ -58,7 +60,7 @@ test('all of them at once, in any order', () => {
 })
 
 for (const [name, value] of Object.entries(frame))
-  test(`the uniform ${typeOf(value)} ${name} is that input, which no sketch declares`, () => {
+  test(`the uniform ${typeOf(value)} ${name} is that input, without a declaration in the sketch`, () => {
     const source = `uniform ${typeOf(value)} ${name};\nvec3 offset(vec3 p) { ${bodyOf(name, value)} }`
     assertMovedBy(source, expectedOf(value))
     assert.throws(
@@ -67,22 +69,22 @@ for (const [name, value] of Object.entries(frame))
     )
   })
 
-test('gl_InstanceID is the instance that is drawn', () => {
+test('gl_InstanceID is the current instance', () => {
   assertMovedBy(
     '#version 300 es\nvec3 offset(vec3 p) { return vec3(gl_InstanceID * 2, gl_InstanceID % 2, 0); }',
     [6, 1, 0],
   )
 })
 
-test('a single vec3 is the position, whatever its name; of two, each must have a name that is known', () => {
+test('a single vec3 is the position, whatever its name; with two, each needs a known name', () => {
   for (const name of ['p', 'position', 'x', 'vertex'])
     assertMovedBy(`vec3 offset(vec3 ${name}) { return ${name} * 2.0; }`, [2, 4, 6])
   assert.throws(
     () => glslOffset('vec3 offset(vec3 p, vec3 normal) { return p; }'),
-    /nothing gives the parameter p of offset its value; call it position\.$/,
+    /the parameter p of offset has no value; call it position\.$/,
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 position, vec4 tangent) { return position; }'),
-    /nothing gives the parameter tangent of offset its value; there are position, normal, uv, color, millis, mouse, size, pixelDensity, instance, mouseX, mouseY, width, height, and uniforms of the text\.$/,
+    /the parameter tangent of offset has no value; there are position, normal, uv, color, millis, mouse, size, pixelDensity, instance, mouseX, mouseY, width, height, and uniforms of the source\.$/,
   )
 })

@@ -1,4 +1,4 @@
-// Random shader text on the CPU: values as JavaScript has them, derivatives as differences of those have them.
+// Random GLSL source on the CPU: compares values with JavaScript, and derivatives with its differences.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from 'warpjet'
@@ -12,7 +12,7 @@ const points = Array.from({ length: 12 }, (_, i) =>
   [0.7548776662, 0.569840291, 0.3819660113].map((step) => 2 * ((0.5 + (i + 1) * step) % 1) - 1),
 )
 
-/** Where two central differences agree there is a slope; at a kink or a jump there is none to compare. */
+/** There is a slope if two central differences agree; at a kink or a jump we compare nothing. */
 function slopeOf(f, p, k) {
   const at = (h) => {
     const moved = [...p]
@@ -44,8 +44,8 @@ test(`${count} random functions: values and Jacobians`, () => {
         const { value, jacobian } = compiled.evaluate({ p })
         const wanted = js(p)
         const isNear = (a, b, tolerance) => Math.abs(a - b) <= tolerance * Math.max(1, Math.abs(b))
-        // What is constant in the text counts in float32, as the language has it.
-        // So does what amplifies that, as a sine of a sum of squares does in every step of a loop.
+        // Constants of the source are rounded to float32, as GLSL does. Some functions amplify that, such as a sine of a sum of
+        // squares in every step of a loop.
         const steepest = Math.max(1, ...Array.from(jacobian, Math.abs))
         const isRight = wanted.every((x, i) => isNear(value[i], x, 2e-5 * steepest))
         compared.values += 3

@@ -1,4 +1,4 @@
-// We accept and refuse the same shaders as Chromium.
+// We accept and reject the same shaders as Chromium.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
@@ -25,21 +25,21 @@ const stages = {
 
 const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2'] }
 
-/** The cases where we differ on purpose. */
+/** Cases where we differ on purpose. */
 const known = [
-  // A number that has no place in 32 bits, which 1.00 leaves open.
+  // A number that does not fit in 32 bits, which 1.00 leaves undefined.
   /a whole number: (?:0x100000000|4294967296|040000000000)$/,
-  // Only a uniform sampler2D by itself is read.
+  // We only support a uniform sampler2D by itself.
   /uniform sampler2D a\[2\]|uniform samplerCube a|sampler2D s; \}; uniform S a|^a samplerCube|^a sampler2D: uniform X a\[2\]/,
-  // Chromium takes in 1.00 what the specification has in 3.00 alone.
+  // Chromium accepts in 1.00 what the specification allows only in 3.00.
   /float\[2\] x; \}|void f\(float\[2\]/,
-  // In 3.00 a sequence is no constant; Chromium takes it here, and nowhere else.
+  // In 3.00 a sequence is not a constant; Chromium accepts it here, and nowhere else.
   /above functions: float a = \(1\.0, 2\.0\);/,
-  // WebGL has std140 alone, but the language has the others, too.
+  // WebGL has only std140, but the language has the other layouts too.
   /layout\((?:shared|packed)\) uniform B/,
-  // Chromium looks for a name of the language among its own only.
+  // Chromium looks for built-in names only among its own.
   /^field gl_Position$/,
-  // Fragments have no place in a warp, and a text that names none of their variables may be either.
+  // A warp cannot use fragments, and source that names none of their variables may be either.
   /a fragment: (?:float x = gl_FragCoord\.x|bool b = gl_FrontFacing|vec2 x = gl_PointCoord|gl_Position|gl_PointSize|int i = gl_VertexID)/,
   /a fragment: gl_FragColor = gl_FragData/,
 ]
@@ -91,10 +91,10 @@ async function compare(version, stage, cases, least) {
 }
 
 for (const version of [100, 300]) {
-  test(`a text of #version ${version} keeps the rules that a browser keeps`, () =>
+  test(`source of #version ${version}: the same rules as in a browser`, () =>
     compare(version, 'VERTEX_SHADER', rules, [2300, 800]))
 
-  test(`a fragment shader of #version ${version} does so too`, () =>
+  test(`a fragment shader of #version ${version}: the same rules too`, () =>
     compare(version, 'FRAGMENT_SHADER', rulesOfFragments, [4, 5]))
 
   test(`names of #version ${version} are those that a browser takes`, () => {

@@ -28,7 +28,7 @@ const message = (work) => {
   return ''
 }
 
-test('a uniform that has the name of an input is refused, in every language and whatever its type', () => {
+test('a uniform with the name of an input is rejected, in every language and with any type', () => {
   const declared = {
     'uniform int position;': 'float(position)',
     'uniform float position;': 'position',
@@ -47,7 +47,7 @@ test('a uniform that has the name of an input is refused, in every language and 
     for (const target of ['glsl300', 'glsl100', 'wgsl'])
       assert.match(
         message(() => compileWarp(glslOffset(body(`return vec3(${value});`, above)), { target })),
-        /^glslOffset: the uniform (\w+) has the name of an input, \1; rename it in the text, such as my[A-Z]\w+\.$/,
+        /^glslOffset: the uniform (\w+) has the name of an input, \1; rename it in the source, such as my[A-Z]\w+\.$/,
         above,
       )
   const bySource = (names = {}) =>
@@ -60,7 +60,7 @@ test('a uniform that has the name of an input is refused, in every language and 
     message(bySource),
     /^source: the uniform position has the name of an input, position/,
   )
-  // Where the shader calls its input otherwise, the name is free.
+  // If the shader has another name for its input, this name is free.
   assert.match(bySource({ position: 'at' }), /float\(position & 65535\)/)
   assert.match(
     message(() =>
@@ -70,11 +70,11 @@ test('a uniform that has the name of an input is refused, in every language and 
     ),
     /the uniform at has the name of an input, position/,
   )
-  // What the function does not read is no matter.
+  // Names that the function does not read don't matter.
   assert.ok(compileWarp(glslOffset(body('return p;', 'uniform int position;'))).code)
 })
 
-test('a parameter that has the name of a uniform keeps out of its way', () => {
+test('a parameter with the name of a uniform does not hide it', () => {
   const text = differentiate(
     'uniform int x[3]; float scale() { return float(x[2]); } float f(vec3 x) { return x.x * scale(); }',
   )
@@ -83,7 +83,7 @@ test('a parameter that has the name of a uniform keeps out of its way', () => {
   assert.match(text, /x2\.x \* /)
 })
 
-test('uniforms of matrices that are not square, column by column', () => {
+test('uniforms of non-square matrices, column by column', () => {
   for (const [columns, rows] of [
     [2, 3],
     [2, 4],
@@ -117,7 +117,7 @@ test('uniforms of matrices that are not square, column by column', () => {
   )
 })
 
-test('blocks of uniforms are variables of the host, by the names that it has for them', () => {
+test('blocks of uniforms are variables of the host, by their names there', () => {
   const above = `struct Light { vec4 way; float power; };
 layout(std140) uniform Camera { mat4 view; vec2 size_; };
 layout(std140) uniform Scene { Light lights[2]; int count; } scene;`
@@ -136,7 +136,7 @@ layout(std140) uniform Scene { Light lights[2]; int count; } scene;`
     assert.ok(code.includes(name), name)
 })
 
-test('a loop that only a break ends runs as often as maxIterations says', () => {
+test('a loop that only a break ends runs up to maxIterations times', () => {
   const loops = [
     'do { x += 1.0; i++; if (i >= n) break; } while (true);',
     'for (;;) { x += 1.0; i++; if (i >= n) break; }',
@@ -152,12 +152,12 @@ test('a loop that only a break ends runs as often as maxIterations says', () => 
     near(offsetAt(source, [1, 50, 0], { maxIterations: 8 }), [8, 8, 8])
     assert.match(
       message(() => glslOffset(source)),
-      /depends on what only the shader knows; .* or give the option maxIterations/,
+      /is known only when the shader runs; .* or set the option maxIterations/,
     )
   }
 })
 
-test('do stays a loop, as for does', () => {
+test('do stays a loop, like for', () => {
   const length = (loop, options) =>
     compileWarp(
       glslOffset(body(`float x = p.x; int n = int(p.y); ${loop} return vec3(x);`), options),
@@ -176,7 +176,7 @@ test('do stays a loop, as for does', () => {
   assert.ok(length('int i = 0; do { x = x * 0.5 + sin(x); } while (++i < 500);') < 1200)
 })
 
-test('images that are divided by their last coordinate, or read texels beside', () => {
+test('images with projective coordinates or texel offsets', () => {
   const code = (expression) =>
     compileWarp(glslOffset(body(`return ${expression}.xyz;`, 'uniform sampler2D image;')), quietly)
       .code
@@ -209,7 +209,7 @@ test('images that are divided by their last coordinate, or read texels beside', 
   )
 })
 
-test('limits of the language have the least values that WebGL promises', () => {
+test('built-in limits have the minimum values that WebGL guarantees', () => {
   const value = (name, head) => offsetAt(`${head}\n${body(`return vec3(${name});`)}`, [0, 0, 0])[0]
   const limits = {
     gl_MaxVertexAttribs: [8, 16],
@@ -236,7 +236,7 @@ test('limits of the language have the least values that WebGL promises', () => {
   }
 })
 
-test('a text without #version has the __VERSION__ of a browser', () => {
+test('source without #version has the __VERSION__ of a browser', () => {
   near(offsetAt(body('return vec3(__VERSION__);'), [0, 0, 0]), [100, 100, 100])
   near(
     offsetAt(`#version 300 es\n${body('return vec3(__VERSION__);')}`, [0, 0, 0]),
@@ -244,17 +244,17 @@ test('a text without #version has the __VERSION__ of a browser', () => {
   )
 })
 
-test('a line that ends by \\r alone is one', () => {
+test('\\r alone ends a line', () => {
   assert.match(
     message(() => glslOffset('float a;\rfloat b = c;\r')),
     /line 2, column 11: "c" is not declared\.\n {2}float b = c;\n {12}\^/,
   )
 })
 
-test('types have the article that they are spoken with', () => {
+test('names of types have the right article', () => {
   assert.match(
     message(() => glslOffset(body('ivec3 n = 1; return p;'))),
-    /"n" is an ivec3, but an int came/,
+    /expected an ivec3 as the value of "n", got an int/,
   )
   assert.match(
     message(() => glslOffset(body('return p + uvec2(1u);'))),
@@ -262,35 +262,35 @@ test('types have the article that they are spoken with', () => {
   )
 })
 
-const repeated = (count, make) => Array.from({ length: count }, (_, i) => make(i)).join(' ')
+const repeat = (count, make) => Array.from({ length: count }, (_, i) => make(i)).join(' ')
 
 const long = {
-  fields: (n) => body('S s; return p;', `struct S { ${repeated(n, (i) => `float a${i};`)} };`),
-  locals: (n) => body(`${repeated(n, (i) => `float a${i} = p.x;`)} return vec3(a1);`),
+  fields: (n) => body('S s; return p;', `struct S { ${repeat(n, (i) => `float a${i};`)} };`),
+  locals: (n) => body(`${repeat(n, (i) => `float a${i} = p.x;`)} return vec3(a1);`),
   globals: (n) =>
     body(
       'return p;',
-      repeated(n, (i) => `float a${i} = 1.0;`),
+      repeat(n, (i) => `float a${i} = 1.0;`),
     ),
   constants: (n) =>
     body(
       'return p;',
-      repeated(n, (i) => `const float a${i} = 1.0;`),
+      repeat(n, (i) => `const float a${i} = 1.0;`),
     ),
   functions: (n) =>
     body(
       'return p;',
-      repeated(n, (i) => `float f${i}(float x) { return x; }`),
+      repeat(n, (i) => `float f${i}(float x) { return x; }`),
     ),
-  macros: (n) => body('return p;', `${repeated(n, (i) => `#define A${i} ${i}\n`)}`),
+  macros: (n) => body('return p;', `${repeat(n, (i) => `#define A${i} ${i}\n`)}`),
 }
 for (const [name, make] of Object.entries(long))
-  test(`the time for ${name} is in proportion to their number`, () =>
+  test(`the time for ${name} is proportional to their number`, () =>
     isLinear((count) => glslOffset(make(count))))
 
 test('functions that call each other twice, twenty deep', () => {
   const calls = (first, next, value) =>
-    `${first}\n${repeated(20, (i) => `${next(`f${i + 1}`, `f${i}`)}\n`)}${body(value.includes(';') ? value : `return ${value};`)}`
+    `${first}\n${repeat(20, (i) => `${next(`f${i + 1}`, `f${i}`)}\n`)}${body(value.includes(';') ? value : `return ${value};`)}`
   const start = performance.now()
   near(
     offsetAt(
@@ -325,7 +325,7 @@ test('functions that call each other twice, twenty deep', () => {
     ),
     [2, 4, 6],
   )
-  // What changes with each call is as long as it says.
+  // Code that differs in each call has a proportional length.
   for (const [first, next, value] of [
     [
       'float g; float f0(float x) { g += x; return g; }',

@@ -1,4 +1,4 @@
-// Functions whose values depend on a rule of the language have the values that Chromium computes.
+// Functions whose values depend on a rule of the language have the same values as in Chromium.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -25,7 +25,7 @@ const points = [
   [-0.2, -0.4, 0.5],
 ]
 
-/** Around a text, for each language: what stands above it, and below it. */
+/** For each language, the code above and below the source. */
 const whole = {
   100: (text) =>
     `#version 100\n${text}\nattribute vec3 at; varying vec3 value;\nvoid main() { value = own(at); gl_Position = vec4(0.0); }\n`,
@@ -33,7 +33,10 @@ const whole = {
     `#version 300 es\n${text}\nin vec3 at; out vec3 value;\nvoid main() { value = own(at); gl_Position = vec4(0.0); }\n`,
 }
 
-/** The values of each shader at the points; WebGL 2 takes shaders of both languages. `block` is bound to every one that has one. */
+/**
+ * Returns the values of each shader at the points; WebGL 2 compiles shaders of both languages. `block` is bound to every shader
+ * that has one.
+ */
 const valuesThere = (shaders, block) =>
   page.evaluate(
     ([shaders, points, block]) => {
@@ -98,12 +101,12 @@ function valuesHere(text) {
   return points.flat().map((x, i) => positions[i] - x)
 }
 
-/** Its sine is off by up to 1e-4, and a loop adds these up. */
+/** Chromium's sine is off by up to 1e-4, and a loop adds these errors up. */
 const isNear = (ours, theirs) =>
   ours.every((x, i) => Math.abs(x - theirs[i]) <= 1e-3 * Math.max(1, Math.abs(theirs[i])))
 
 for (const version of [100, 300])
-  test(`values of a text of #version ${version} are those of a browser`, async () => {
+  test(`values of source of #version ${version} are those of a browser`, async () => {
     const names = Object.keys(values[version])
     const shaders = names.map((name) => whole[version](values[version][name]))
     const theirs = await valuesThere(shaders)
@@ -114,7 +117,7 @@ for (const version of [100, 300])
     assert.deepEqual(wrong, [])
   })
 
-test('blocks of uniforms are read as the text reads them', async () => {
+test('blocks of uniforms have the declared layout', async () => {
   const numbers = Array.from({ length: 64 }, (_, i) => 0.25 + ((i * 7) % 5) * 0.5)
   const originals = [],
     ours = []

@@ -1,8 +1,8 @@
-// What #version lets a text hold, beside what a browser lets it hold: WebGL 1 reads GLSL ES 1.00, WebGL 2 reads 3.00 too.
+// The features of each #version, against a browser: WebGL 1 reads GLSL ES 1.00, WebGL 2 reads 3.00 too.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
-import { named, versions, words } from '../glsl/versions.js'
+import { sourceWithName, versions, words } from '../glsl/versions.js'
 import { launchBrowser, openPage } from '../support/browser/browser.js'
 import { servePages } from '../support/browser/server.js'
 
@@ -17,7 +17,7 @@ after(async () => {
   await server.close()
 })
 
-/** What the browser and we say of whole shaders, by name, where only one of the two refuses. */
+/** Results of the browser and of ours for whole shaders, by name, where only one of the two rejects. */
 async function disagreements(head, context, texts) {
   const names = Object.keys(texts)
   const shaders = names.map(
@@ -34,7 +34,7 @@ async function disagreements(head, context, texts) {
 
 const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2'] }
 
-/** What the browser says against each as a vertex shader, or nothing. */
+/** Returns the browser's message about each vertex shader; empty if it accepts. */
 const refusedThere = (context, texts) =>
   page.evaluate(
     ([context, texts]) => {
@@ -60,14 +60,14 @@ function refusedHere(text) {
 }
 
 for (const [version, [head, context]] of Object.entries(heads)) {
-  test(`a text of ${head} holds what a browser lets it hold`, async () => {
+  test(`source of ${head}: the same features as in a browser`, async () => {
     const { disagreeing, refused } = await disagreements(head, context, versions)
     assert.deepEqual(disagreeing, [])
     assert.ok(refused > (version === '100' ? 40 : 5), `${refused} were refused`)
   })
 
-  test(`a text of ${head} may call a variable what a browser lets it`, async () => {
-    const texts = Object.fromEntries(words.map((word) => [word, named(word)]))
+  test(`source of ${head}: the same names of variables as in a browser`, async () => {
+    const texts = Object.fromEntries(words.map((word) => [word, sourceWithName(word)]))
     const { disagreeing, refused } = await disagreements(head, context, texts)
     assert.deepEqual(disagreeing, [])
     assert.ok(refused > 60 && refused < words.length - 3, `${refused} were refused`)

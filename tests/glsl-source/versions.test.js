@@ -1,4 +1,4 @@
-// #version and what stands above functions: which language a text is in, what that lacks, and whole heads of shaders.
+// #version and the code above functions: the language of the source, its missing features, and whole shader headers.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -17,12 +17,12 @@ function refusal(text) {
   }
 }
 
-test('a text without #version may hold what either language has', () => {
+test('source without #version may have features of either language', () => {
   for (const [name, text] of Object.entries(versions)) assert.equal(refusal(text), undefined, name)
 })
 
-// Which texts these are, tests/glsl-source/versions.browser.test.js has from a browser.
-test('what the other language has is refused in one sentence, with line, column and a caret', () => {
+// tests/glsl-source/versions.browser.test.js checks these cases in a browser.
+test('features of the other language are rejected with line, column and a caret', () => {
   for (const head of Object.values(heads)) {
     const refusals = Object.values(versions).map((text) => refusal(`${head}\n${text}`))
     for (const message of refusals.filter(Boolean)) {
@@ -33,7 +33,7 @@ test('what the other language has is refused in one sentence, with line, column 
       )
       assert.ok(sentence.includes(`the language of ${head}; `) && sentence.endsWith('.'), sentence)
       const column = Number(/column (\d+)/.exec(sentence)[1])
-      // Long lines are shown from their middle on.
+      // Long lines are shown from the middle on.
       if (!line.includes('…')) assert.equal(caret.indexOf('^') - 2, column - 1, message)
     }
   }
@@ -46,7 +46,7 @@ const told = {
   ],
   'vec3 offset(vec3 p) { return vec3(int(p.x) >> 2); }': [
     100,
-    'line 2, column 44: ">>" is not in GLSL ES 1.00, the language of #version 100; divide by a power of two and take floor(), or begin the text with #version 300 es.',
+    'line 2, column 44: ">>" is not in GLSL ES 1.00, the language of #version 100; divide by a power of two and use floor(), or begin the text with #version 300 es.',
   ],
   'vec3 offset(vec3 p) { return vec3(~int(p.x)); }': [
     100,
@@ -70,7 +70,7 @@ const told = {
   ],
   'vec3 offset(vec3 p) { return vec3(p[int(p.x)]); }': [
     100,
-    'line 2, column 36: an index that is not constant is not in GLSL ES 1.00, the language of #version 100; take a constant, or the counter of a loop, or begin the text with #version 300 es.',
+    'line 2, column 36: an index that is not constant is not in GLSL ES 1.00, the language of #version 100; use a constant, or the counter of a loop, or begin the text with #version 300 es.',
   ],
   'vec3 offset(vec3 p) { float a[2]; return vec3(a.length()); }': [
     100,
@@ -86,7 +86,7 @@ const told = {
   ],
   'vec3 offset(vec3 p) {\n  return vec3(int(p.x) % 3);\n}': [
     100,
-    'line 3, column 24: "%" is not in GLSL ES 1.00, the language of #version 100; take mod(x, y) of floats, or begin the text with #version 300 es.',
+    'line 3, column 24: "%" is not in GLSL ES 1.00, the language of #version 100; use mod(x, y) of floats, or begin the text with #version 300 es.',
   ],
   'vec3 offset(vec3 p) {\n  while (p.x < 3.0) p.x += 1.0;\n  return p;\n}': [
     100,
@@ -103,11 +103,11 @@ const told = {
   'float[2] f(float x) { return float[2](x, x); }\nvec3 offset(vec3 p) { return vec3(f(p.x)[0]); }':
     [
       100,
-      'line 2, column 10: an array that a function gives is not in GLSL ES 1.00, the language of #version 100; give it by an out parameter, or begin the text with #version 300 es.',
+      'line 2, column 10: an array returned by a function is not in GLSL ES 1.00, the language of #version 100; return it by an out parameter, or begin the text with #version 300 es.',
     ],
   'vec3 offset(vec3 p) { return vec3(abs(int(p.x))); }': [
     100,
-    'line 2, column 35: abs, sign, min, max or clamp of whole numbers is not in GLSL ES 1.00, the language of #version 100; count in floats, or begin the text with #version 300 es.',
+    'line 2, column 35: abs, sign, min, max or clamp of whole numbers is not in GLSL ES 1.00, the language of #version 100; use floats, or begin the text with #version 300 es.',
   ],
 }
 for (const [text, [version, sentence]] of Object.entries(told))
@@ -115,7 +115,7 @@ for (const [text, [version, sentence]] of Object.entries(told))
     assert.equal(refusal(`${heads[version]}\n${text}`).split('\n')[0], `glslOffset: ${sentence}`)
   })
 
-test('a word of 3.00 alone is a name under #version 100', () => {
+test('a keyword only of 3.00 is a name under #version 100', () => {
   const text = `float smin(float a, float b, float smooth) {
   float layout = max(smooth - abs(a - b), 0.0) / smooth;
   layout *= layout;
@@ -128,14 +128,14 @@ vec3 offset(vec3 p) { float uint = smin(p.x, p.y, 0.5); uint += 1.0; return vec3
     .replace(/uint/g, 'd')
   const code = (source) => compileWarp(glslOffset(source)).code
   assert.equal(code(`#version 100\n${text}`), code(`#version 100\n${plain}`))
-  assert.match(refusal(text), /"smooth" cannot be a name: it is a word of the language/)
+  assert.match(refusal(text), /"smooth" cannot be a name: it is a keyword/)
   assert.match(
     refusal(`#version 100\nuint f() { return 1; }\n${text}`),
     /"uint" is not in GLSL ES 1\.00, .*; take int, or/,
   )
 })
 
-test('what is no version of WebGL, or stands too late, is refused', () => {
+test('a version that is not of WebGL, or is too late, is rejected', () => {
   const after = (head) => refusal(`${head}\nvec3 offset(vec3 p) { return p; }`)
   for (const head of [
     '#version 300',
@@ -155,7 +155,7 @@ test('what is no version of WebGL, or stands too late, is refused', () => {
 
 const moved = 'vec3 offset(vec3 p) { return vec3(0.0, amount * sin(p.x), 0.0); }'
 
-/** Whole shaders, as hosts have them. */
+/** Whole shaders, as in hosts. */
 const shaders = {
   'WebGL 2': `#version 300 es
 #extension GL_EXT_clip_cull_distance : enable
@@ -212,12 +212,12 @@ void main(void) {
 }`,
 }
 for (const [name, text] of Object.entries(shaders))
-  test(`a whole shader of ${name}: its function is an offset, and its head changes nothing`, () => {
+  test(`a whole shader of ${name}: its function is an offset, and its header does not matter`, () => {
     const plain = compileWarp(glslOffset(`uniform float amount;\n${moved}`))
     assert.equal(compileWarp(glslOffset(text)).code, plain.code)
   })
 
-test('a whole fragment shader may read gl_FragCoord, where its offset does not', () => {
+test('a whole fragment shader may read gl_FragCoord if its offset does not', () => {
   const text = `precision highp float;
 uniform float amount;
 ${moved}
@@ -226,10 +226,10 @@ void main() { gl_FragColor = vec4(offset(gl_FragCoord.xyz), gl_FragCoord[3]); }`
   assert.equal(compileWarp(glslOffset(text)).code, plain.code)
 })
 
-test('what an attribute of the host holds is not known to a warp', () => {
+test("a warp does not know the values of the host's attributes", () => {
   const text = `#version 300 es\nin float aSize;\nvec3 offset(vec3 p) { return p * aSize; }`
   assert.throws(
     () => compileWarp(glslOffset(text)),
-    /nothing gives the attribute aSize its value; a warp knows position, normal, uv, color and gl_InstanceID\.$/,
+    /the attribute aSize has no value; a warp knows position, normal, uv, color and gl_InstanceID\.$/,
   )
 })

@@ -1,5 +1,5 @@
-// The built-in functions of GLSL in double, as its specification writes them, for tests alone. Each takes lists of numbers and
-// the types of its operands, and gives its numbers; without a type of its own it has that of its widest operand.
+// The built-in functions of GLSL in double, as the specification defines them, for tests only. Each takes lists of numbers and
+// the types of its operands, and returns its numbers; unless it declares a type, its result has the type of its widest operand.
 const each =
   (f) =>
   (...lists) => {
@@ -10,7 +10,7 @@ const each =
   }
 const dot = (x, y) => x.reduce((sum, value, i) => sum + value * y[i], 0)
 const length = (x) => Math.sqrt(dot(x, x))
-const scaled = (x, by) => x.map((value) => value * by)
+const scale = (x, by) => x.map((value) => value * by)
 const plus = (x, y) => x.map((value, i) => value + y[i])
 const even = (x) => {
   const low = Math.floor(x)
@@ -22,12 +22,12 @@ const mix = (a, b, t) => (typeof t === 'boolean' ? (t ? b : a) : a * (1 - t) + b
 const bits = new DataView(new ArrayBuffer(4))
 const asBits = (kind) => (x) => (bits.setFloat32(0, x), bits[`get${kind}32`](0))
 const ofBits = (x) => (bits.setUint32(0, x >>> 0), bits.getFloat32(0))
-/** Two whole numbers of 16 bits, as a list of one uint, and back. */
-const packed = (f) => (v) => [((f(v[0]) & 0xffff) | (f(v[1]) << 16)) >>> 0]
-const unpacked =
+/** Packs two 16-bit integers into a list of one uint, and unpacks them. */
+const packHalves = (f) => (v) => [((f(v[0]) & 0xffff) | (f(v[1]) << 16)) >>> 0]
+const unpackHalves =
   (f) =>
   ([u]) => [f(u & 0xffff), f(u >>> 16)]
-/** The nearest half, of 11 bits, and its value. */
+/** Returns the nearest half float, with 11 bits, and its value. */
 function halfOf(x) {
   const size = Math.min(Math.abs(x), 65536)
   if (size < 2 ** -14) return (x < 0 ? 0x8000 : 0) | even(size * 2 ** 24)
@@ -64,13 +64,13 @@ function inverse(m) {
 
 const direct = (names) => Object.fromEntries(names.map((name) => [name, { run: each(Math[name]) }]))
 const number = (f) => ({ type: () => 'float', run: (...lists) => [f(...lists)] })
-const typed = (type, run) => ({ type, run })
-/** The type of as many numbers of another kind: 'float' and 'vec2', 'int' and 'ivec2' … */
+const withType = (type, run) => ({ type, run })
+/** Returns the type with the same number of components of another kind: 'float' and 'vec2', 'int' and 'ivec2' … */
 export const ofKind = (kind, type) => {
   const size = /vec(\d)$/.exec(type)?.[1]
   return size ? `${kind === 'float' ? '' : kind[0]}vec${size}` : kind
 }
-const kinds = (kind, f) => typed((type) => ofKind(kind, type), each(f))
+const kinds = (kind, f) => withType((type) => ofKind(kind, type), each(f))
 
 export const builtIns = {
   ...direct([
@@ -113,46 +113,46 @@ export const builtIns = {
   floatBitsToUint: kinds('uint', asBits('Uint')),
   intBitsToFloat: kinds('float', ofBits),
   uintBitsToFloat: kinds('float', ofBits),
-  packSnorm2x16: typed(
+  packSnorm2x16: withType(
     () => 'uint',
-    packed((x) => even(clamp(x, -1, 1) * 32767)),
+    packHalves((x) => even(clamp(x, -1, 1) * 32767)),
   ),
-  packUnorm2x16: typed(
+  packUnorm2x16: withType(
     () => 'uint',
-    packed((x) => even(clamp(x, 0, 1) * 65535)),
+    packHalves((x) => even(clamp(x, 0, 1) * 65535)),
   ),
-  packHalf2x16: typed(() => 'uint', packed(halfOf)),
-  unpackSnorm2x16: typed(
+  packHalf2x16: withType(() => 'uint', packHalves(halfOf)),
+  unpackSnorm2x16: withType(
     () => 'vec2',
-    unpacked((u) => clamp(((u << 16) >> 16) / 32767, -1, 1)),
+    unpackHalves((u) => clamp(((u << 16) >> 16) / 32767, -1, 1)),
   ),
-  unpackUnorm2x16: typed(
+  unpackUnorm2x16: withType(
     () => 'vec2',
-    unpacked((u) => u / 65535),
+    unpackHalves((u) => u / 65535),
   ),
-  unpackHalf2x16: typed(() => 'vec2', unpacked(valueOfHalf)),
+  unpackHalf2x16: withType(() => 'vec2', unpackHalves(valueOfHalf)),
 
   length: number(length),
-  distance: number((x, y) => length(plus(x, scaled(y, -1)))),
+  distance: number((x, y) => length(plus(x, scale(y, -1)))),
   dot: number(dot),
   cross: {
     run: ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x],
   },
-  normalize: { run: (x) => scaled(x, 1 / length(x)) },
-  faceforward: { run: (n, i, reference) => scaled(n, dot(reference, i) < 0 ? 1 : -1) },
-  reflect: { run: (i, n) => plus(i, scaled(n, -2 * dot(n, i))) },
+  normalize: { run: (x) => scale(x, 1 / length(x)) },
+  faceforward: { run: (n, i, reference) => scale(n, dot(reference, i) < 0 ? 1 : -1) },
+  reflect: { run: (i, n) => plus(i, scale(n, -2 * dot(n, i))) },
   refract: {
     run: (i, n, [eta]) => {
       const along = dot(n, i)
       const k = 1 - eta * eta * (1 - along * along)
-      return k < 0 ? scaled(i, 0) : plus(scaled(i, eta), scaled(n, -(eta * along + Math.sqrt(k))))
+      return k < 0 ? scale(i, 0) : plus(scale(i, eta), scale(n, -(eta * along + Math.sqrt(k))))
     },
   },
 
   matrixCompMult: { run: each((x, y) => x * y) },
-  outerProduct: typed(
+  outerProduct: withType(
     (a, b) => (a === b ? `mat${a.at(-1)}` : `mat${b.at(-1)}x${a.at(-1)}`),
-    (a, b) => b.flatMap((x) => scaled(a, x)),
+    (a, b) => b.flatMap((x) => scale(a, x)),
   ),
   determinant: number(determinant),
   inverse: { run: inverse },
@@ -163,11 +163,11 @@ export const builtIns = {
   greaterThanEqual: kinds('bool', (x, y) => x >= y),
   equal: kinds('bool', (x, y) => x === y),
   notEqual: kinds('bool', (x, y) => x !== y),
-  any: typed(
+  any: withType(
     () => 'bool',
     (x) => [x.some(Boolean)],
   ),
-  all: typed(
+  all: withType(
     () => 'bool',
     (x) => [x.every(Boolean)],
   ),

@@ -1,4 +1,4 @@
-// Functions of shader text: of packages that their licences let us run, read where npm has put them, and our own.
+// GLSL functions of packages whose licences allow us to run them, read from node_modules, and our own.
 import { readFileSync, readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { dirname, join } from 'node:path'
@@ -7,7 +7,7 @@ import { own } from './own.js'
 
 const modules = fileURLToPath(new URL('../../node_modules', import.meta.url))
 
-/** By name, the folders of each that have functions. */
+/** Maps packages to their folders with functions. */
 export const packages = {
   'glsl-noise': ['classic', 'periodic', 'simplex'],
   'glsl-easings': [''],
@@ -24,14 +24,14 @@ export const packages = {
 
 const isKnown = ({ type }) => /^(?:float|bool|vec[234])$/.test(type)
 
-/** The text of a file, with those of its package that it requires in their places, as glslify puts them there. */
+/** Returns the source of a file, including files of its package that it requires, inserted like glslify does. */
 const textOf = (file) =>
   readFileSync(join(modules, file), 'utf8').replace(
     /^#pragma glslify: \w+ = require\((\.[^)]+)\)/gm,
     (_, name) => textOf(join(dirname(file), `${name}.glsl`)).replace(/^#pragma glslify.*/gm, ''),
   )
 
-/** { name, text, head, type, parameters } of the function that a file exports; nothing where it needs another package. */
+/** Returns { name, text, head, type, parameters } of the function that a file exports; `undefined` if it needs another package. */
 function read(name, text) {
   if (/require\(/.test(text)) return undefined
   const exported = /#pragma glslify:\s*export\((\w+)\)/.exec(text)?.[1]
@@ -58,12 +58,15 @@ function* files() {
           yield join(name, folder, file)
 }
 
-/** They raise what is below zero to a power, which the language leaves open; ours is the product that is meant. */
+/**
+ * These functions raise negative numbers to a power, which GLSL leaves undefined; we replace the power by the product that is
+ * meant.
+ */
 const leftOpen = /^glsl-easings.(?:cubic-in-out|quartic-out|quintic-in-out|quintic-out)\.glsl$/
 
 /**
- * An argument for a parameter, from a vec3 `p`; numbers from 0 up, as easings want them, and no two alike nor mirrored. The
- * period of a noise is whole: between whole numbers its hash is another one at every point.
+ * Returns an argument for a parameter, from a vec3 `p`: numbers from 0 up, as easings require, no two equal or mirrored. The
+ * period of a noise is an integer: between integers its hash differs at every point.
  */
 const argument = ({ type, name }, i) =>
   name === 'rep'
@@ -87,7 +90,7 @@ const toVec3 = (type, call) =>
     mat4: `(${call} * vec4(0.5, 1.0, 2.0, 4.0)).xyz`,
   })[type]
 
-/** Each with a function `vec3 corpus(vec3 p)` at the end of its text. */
+/** Each has a function `vec3 corpus(vec3 p)` at the end of its source. */
 export const corpus = [
   ...[...files()].map((file) => read(file, textOf(file))),
   ...Object.entries({ ...own, ...ownBuiltIns }).map(([name, text]) => read(name, text)),

@@ -1,5 +1,5 @@
-// Random functions of shader text, each with the same in JavaScript: control flow, structures, swizzles that are written,
-// whole numbers. What they compute stays within some dozens, so that float32 tells it.
+// Generates random GLSL functions, each with its equivalent in JavaScript: control flow, structures, assigned swizzles, integers.
+// Values stay below about a hundred, so that float32 is precise enough.
 export function randomOf(seed) {
   let state = (seed * 0x9e3779b1) >>> 0
   return () => {
@@ -10,7 +10,7 @@ export function randomOf(seed) {
   }
 }
 
-/** What the JavaScript calls: by component, where a number beside a vector counts for each. */
+/** Runtime functions of the JavaScript: they work per component, and a number with a vector applies to each component. */
 export const library = {
   each(f, ...x) {
     const size = x.find(Array.isArray)?.length
@@ -25,7 +25,7 @@ export const library = {
     const all = [...letters].map((letter) => v['xyzw'.indexOf(letter)])
     return all.length === 1 ? all[0] : all
   },
-  /** v.letters = value, as a new vector. */
+  /** Implements v.letters = value, and returns a new vector. */
   put: (v, letters, value) => {
     const next = [...v]
     ;[...letters].forEach((letter, i) => {
@@ -62,7 +62,7 @@ class Generator {
     return Math.round((this.random() * 3 - 1.5) * 100) / 100
   }
 
-  /** { glsl, js } of a type. */
+  /** Returns { glsl, js } of a type. */
   expression(type, depth = 3) {
     if (type === 'int') return this.whole(depth)
     if (type === 'bool') return this.condition(depth)
@@ -195,7 +195,7 @@ class Generator {
     }
     const kind = this.int(11)
     const [a, b] = [this.whole(depth - 2), this.whole(depth - 2)]
-    // Bits, with few of them in the end.
+    // Bit operations, with few bits in the result.
     if (kind === 4) return { glsl: `(${a.glsl} / 3)`, js: `Math.trunc(${a.js} / 3)` }
     if (kind === 5)
       return { glsl: `((${a.glsl} ^ ${b.glsl}) & 15)`, js: `((${a.js} ^ ${b.js}) & 15)` }
@@ -239,7 +239,7 @@ class Generator {
       return { glsl: `(${a.glsl} ${op} ${b.glsl})`, js: `(${a.js} ${op} ${b.js})` }
     }
     const [a, b] = [this.expression('float', depth - 1), this.expression('float', depth - 1)]
-    // What is equal, rounded differently, decides alike.
+    // Makes equal values that are rounded differently take the same branch.
     const op = this.of(['<', '>', '<='])
     return {
       glsl: `(${a.glsl} ${op} ${b.glsl} + 0.01037)`,
@@ -247,7 +247,7 @@ class Generator {
     }
   }
 
-  /** Statements in a scope of their own. */
+  /** Generates statements in their own scope. */
   block(count, inLoop) {
     this.scopes.push([])
     this.depth++
@@ -389,7 +389,7 @@ class Generator {
   }
 }
 
-/** { glsl, js }: `vec3 random<seed>(vec3 p)`, and a function of an array of three numbers. */
+/** Returns { glsl, js }: `vec3 random<seed>(vec3 p)`, and a function of an array of three numbers. */
 export function randomFunction(seed) {
   const generator = new Generator(seed)
   generator.scopes[0].push({ name: 'p', type: 'vec3' })
@@ -416,7 +416,7 @@ return ${result.js}
   return { seed, glsl, js }
 }
 
-/** Above all of them. */
+/** Source above all of them. */
 export const above = `struct Wave { float height; vec2 way; };
 const float table[4] = float[4](0.3, -0.7, 1.1, 0.5);
 float helper(float x, vec2 y) { if (x > 0.4) return sin(x) + y.x; return x * y.y; }

@@ -1,5 +1,6 @@
-// An interpreter of shader text in double, for tests alone: it shares nothing with the front end, and runs each statement as
-// often as the text says. A small part of the language: floats, ints, bools and vectors, functions, statements, no types of one's own.
+// An interpreter of GLSL in double, for tests only: it shares no code with the front end, and executes each statement as often as
+// the source says. It supports a small part of the language: floats, ints, bools and vectors, functions and statements, but no
+// structures.
 
 const vectors = { vec2: 2, vec3: 3, vec4: 4 }
 const types = /^(?:float|int|bool|vec[234]|void)$/
@@ -55,10 +56,10 @@ const fail = (sentence) => {
   throw new SyntaxError(`the interpreter: ${sentence}`)
 }
 
-/** What a statement ends with, unless it goes on. */
+/** How a statement ends, unless the next one follows. */
 const ends = { break: { by: 'break' }, continue: { by: 'continue' } }
 
-/** The functions of a text by name, each of numbers and arrays of numbers. */
+/** Returns the functions of the source by name, each on numbers and arrays of numbers. */
 export function interpret(text) {
   const tokens = text
     .replace(/\/\/.*|\/\*[^]*?\*\//g, '')
@@ -130,14 +131,14 @@ export function interpret(text) {
   function postfix() {
     let value = primary()
     for (;;) {
-      if (accept('.')) value = swizzled(value, [...tokens[at++]])
+      if (accept('.')) value = swizzle(value, [...tokens[at++]])
       else if (tokens[at] === '++' || tokens[at] === '--')
-        value = stepped(value, tokens[at++] === '++' ? 1 : -1, false)
+        value = increment(value, tokens[at++] === '++' ? 1 : -1, false)
       else return value
     }
   }
 
-  function swizzled(of, letters) {
+  function swizzle(of, letters) {
     const places = letters.map((letter) => 'xyzw'.indexOf(letter))
     return {
       type: places.length === 1 ? 'float' : `vec${places.length}`,
@@ -153,7 +154,7 @@ export function interpret(text) {
     }
   }
 
-  const stepped = (of, by, isBefore) => ({
+  const increment = (of, by, isBefore) => ({
     type: of.type,
     run: (frame) => {
       const before = of.run(frame)
@@ -173,7 +174,7 @@ export function interpret(text) {
     }
     if (tokens[at] === '++' || tokens[at] === '--') {
       const by = tokens[at++] === '++' ? 1 : -1
-      return stepped(unary(), by, true)
+      return increment(unary(), by, true)
     }
     return postfix()
   }
@@ -220,7 +221,7 @@ export function interpret(text) {
     return { type: test.type, run: (frame) => test.set(frame, value.run(frame)) }
   }
 
-  /** Each runs in a frame, and gives nothing where what follows it is next. */
+  /** Each executes in a frame, and returns `undefined` if the next statement follows. */
   function statement() {
     const token = tokens[at]
     if (accept('{')) return within(() => sequence('}'))

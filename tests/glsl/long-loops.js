@@ -1,5 +1,5 @@
-// Random functions of shader text around long loops: states of each type, counters of each kind, early ends, loops in loops.
-// What they compute stays small, since each state goes back towards 0; all constants are sixteenths, which float32 has.
+// Generates random GLSL functions around long loops: states of each type, counters of each kind, early exits, nested loops.
+// Values stay small, since each state decays towards 0; all constants are sixteenths, which are exact in float32.
 import { randomOf } from './generate.js'
 
 class LoopGenerator {
@@ -16,13 +16,13 @@ class LoopGenerator {
   name(word) {
     return `${word}${this.names++}`
   }
-  /** From -1 to 1. */
+  /** Returns a number from -1 to 1. */
   literal() {
     const value = (this.int(31) - 15) / 16
     return Number.isInteger(value) ? `${value}.0` : `${value}`
   }
 
-  /** A float between about -2 and 2 of the variables of a scope. */
+  /** Generates a float between about -2 and 2 from the variables of a scope. */
   float(scope, depth = 2) {
     const { floats, vectors, counters } = scope
     const kind = this.int(depth > 0 ? 11 : 3)
@@ -57,7 +57,7 @@ class LoopGenerator {
     const { counters } = scope
     if (counters.length && this.random() < 0.4)
       return `${this.of(counters)} % ${2 + this.int(3)} == ${this.int(2)}`
-    // What is equal, rounded differently, decides alike.
+    // Makes equal values that are rounded differently take the same branch.
     return `${this.float(scope, 1)} > ${this.float(scope, 0)} + 0.0103759765625`
   }
 
@@ -95,7 +95,7 @@ class LoopGenerator {
       floats: floatCounter ? [...scope.floats, `(${i} * 0.0625)`] : scope.floats,
       counters: floatCounter ? scope.counters : [...scope.counters, i],
     }
-    // The first and the last of each list are not written.
+    // Omits the first and the last of each list.
     inner.floats = [...inner.floats]
     const body = Array.from({ length: 2 + this.int(3) }, () =>
       this.statement(this.writable(inner), depth),
@@ -111,7 +111,7 @@ class LoopGenerator {
     ])
   }
 
-  /** Counters are read only. */
+  /** Counters are read-only. */
   writable = (scope) => ({
     ...scope,
     floats: scope.floats.filter((name) => !name.startsWith('(')),
@@ -138,5 +138,5 @@ return sum + x * 0.5 + y * 0.25 + dot(v, w) + float(n) * 0.125 - float(m) * 0.06
   }
 }
 
-/** `float f(vec3 p)`. */
+/** Generates `float f(vec3 p)`. */
 export const randomLongLoops = (seed) => new LoopGenerator(seed).text()

@@ -1,4 +1,4 @@
-// Every built-in function that is differentiable or not, with numbers, vectors and matrices, as in own.js.
+// Every built-in function, differentiable or not, with numbers, vectors and matrices; see own.js.
 export const ownBuiltIns = {
   angles: `vec3 own(vec3 p) { return radians(p * 90.0) + degrees(p.zxy) * 0.01; }`,
   'tan, asin, acos and atan': `vec3 own(vec3 p) {

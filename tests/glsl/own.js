@@ -1,4 +1,4 @@
-// Functions of our own writing, for what packages seldom use; the last function of each is the one that is meant.
+// Our own functions for features that packages seldom use; the last function of each source is the tested one.
 export const own = {
   'early returns': `float own(float x) {
     if (x < -0.5) return x * x;

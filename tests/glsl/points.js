@@ -1,4 +1,4 @@
-/** Points of a cube from -1 to 1, the same in every run, in float32. */
+/** Returns points of a cube from -1 to 1, the same in every run, in float32. */
 export const pointsOfCube = (count) =>
   Array.from({ length: count }, (_, i) =>
     [0.7548776662, 0.569840291, 0.3819660113].map((step) =>

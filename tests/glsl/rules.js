@@ -1,15 +1,15 @@
-// Rules of GLSL ES 1.00 and 3.00 that a text may break, each case as a function `vec3 offset(vec3 p)` without its #version. Which
-// of them a language allows is not said here: tests ask a browser.
+// Rules of GLSL ES 1.00 and 3.00 that source may break, each case as a function `vec3 offset(vec3 p)` without its #version. It
+// does not say which of them a language allows: tests ask a browser.
 const offset = 'vec3 offset(vec3 p) { return p; }'
 const above = (text) => `${text}\n${offset}`
 const body = (statements, text = '') => `${text}\nvec3 offset(vec3 p) { ${statements} return p; }`
 const lines = (...all) => above(all.join('\n'))
 
-/** Cases of one kind: by each piece of text, what `make` makes of it. */
+/** Makes cases of one kind: calls `make` with each piece of source. */
 const each = (kind, pieces, make) =>
   pieces.map((piece) => [`${kind}: ${[piece].flat().join(' | ')}`, make(piece)])
 
-/** Names that GLSL keeps for later, and some that it does not; see `words` of versions.js. */
+/** Names that GLSL reserves, and some that it does not; see `words` of versions.js. */
 export const reserved = `
   asm packed hvec2 hvec3 hvec4 dvec2 dvec3 dvec4 fvec2 fvec3 fvec4 sampler1D sampler1DShadow sampler2DRect sampler3DRect
   sampler2DRectShadow coherent restrict readonly writeonly resource atomic_uint noperspective patch sample subroutine common
@@ -25,7 +25,7 @@ export const reserved = `
   .trim()
   .split(/\s+/)
 
-/** A text with a global, a function, a parameter, a field, a structure or a macro of that name. */
+/** Returns source with a global, a function, a parameter, a field, a structure or a macro of that name. */
 export const declaring = {
   local: (word) => body(`float ${word} = p.x; ${word} += 1.0;`),
   global: (word) => above(`float ${word};`),
@@ -1493,7 +1493,7 @@ const triples = qualifiers.flatMap((first, i) =>
   ),
 )
 
-/** What stands before types, in every order. */
+/** Qualifiers before types, in every order. */
 const orders = [
   ...each('of a global', [...qualifiers, ...pairs, ...triples], (words) =>
     above(`${words} float a${words.includes('const') ? ' = 1.0' : ''};`),
@@ -1517,7 +1517,7 @@ const types =
   )
 const some = 'struct S { float x; }; struct T { float x[2]; };'
 
-/** Where a type may stand, each type. */
+/** Each type in each place where a type may be. */
 const uses = types.flatMap((type) =>
   each(
     `a ${type}`,
@@ -2097,7 +2097,7 @@ export const rules = Object.fromEntries([
   ...builtIns,
 ])
 
-/** The same of fragment shaders. */
+/** The same kinds of cases for fragment shaders. */
 export const rulesOfFragments = Object.fromEntries(
   each(
     'a fragment',

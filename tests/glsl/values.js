@@ -1,5 +1,5 @@
-// Functions `vec3 own(vec3 p)` whose values hang on a rule of the language, each for one of its versions, or for both. Tests ask a
-// browser for the values. What begins by `#line` has the same numbers of lines wherever it stands.
+// Functions `vec3 own(vec3 p)` whose values depend on a rule of the language, each for one of its versions, or for both. Tests
+// ask a browser for the values. Source that begins with `#line` has the same line numbers wherever it is inserted.
 const body = (statements, above = '') => `${above}\nvec3 own(vec3 p) { ${statements} }`
 const of = (expression, above) => body(`return vec3(${expression});`, above)
 
@@ -129,7 +129,7 @@ export const values = {
   300: { ...both, ...only300 },
 }
 
-/** Blocks of uniforms, what declares each and what reads it. */
+/** Blocks of uniforms, with the declaration of each and the code that reads it. */
 export const blocks = {
   'without a name': [
     'layout(std140) uniform Waves { vec4 way; float height; float length_; };',

@@ -1,10 +1,10 @@
-// What a text may hold in GLSL ES 1.00, in 3.00, or in both, each as a function `vec3 offset(vec3 p)` without its #version. Which
-// of them has what is not said here: tests ask a browser.
+// Features of GLSL ES 1.00, of 3.00, or of both, each as a function `vec3 offset(vec3 p)` without its #version. It does not say
+// which version has which: tests ask a browser.
 const body = (statements, above = '') => `${above}\nvec3 offset(vec3 p) { ${statements} }`
 const value = (expression, above) => body(`return vec3(${expression});`, above)
 const array = 'float a[3]; for (int i = 0; i < 3; i++) a[i] = p.x;'
 
-/** Words that one of the languages, or both, keep for themselves, and some that neither does. */
+/** Words that one of the languages, or both, reserve, and some that neither does. */
 export const words = `
   const uniform attribute varying layout centroid flat smooth break continue do for while switch case default if else in out inout
   true false invariant discard return lowp mediump highp precision struct goto class union enum typedef template this inline
@@ -15,8 +15,8 @@ export const words = `
   .trim()
   .split(/\s+/)
 
-/** A text in which a variable is called so. */
-export const named = (word) =>
+/** Returns source with a variable of that name. */
+export const sourceWithName = (word) =>
   body(`float x = 1.0; float ${word} = p.x; ${word} += x; return vec3(${word});`)
 
 export const versions = {

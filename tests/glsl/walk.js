@@ -1,5 +1,5 @@
-// Shader text in double, for tests alone: a walk over the tree that an independent parser makes of the whole language. It shares
-// nothing with the front end. Values carry their types, so that nothing is known before it is run.
+// An interpreter of GLSL in double, for tests only: it walks over the tree that an independent parser makes of the whole
+// language, and shares no code with the front end. Values carry their types at run time; there is no static analysis.
 import { createRequire } from 'node:module'
 import { Statements } from './walk/statements.js'
 import { fresh, numbersOf } from './walk/values.js'
@@ -14,7 +14,7 @@ class Walk extends Statements {
     this.restart()
   }
 
-  /** Globals start anew in each call from outside, as they do for each vertex. */
+  /** Each call from outside initializes globals again, as for each vertex. */
   restart() {
     this.scopes = [new Map()]
     this.functions.length = 0
@@ -34,7 +34,7 @@ class Walk extends Statements {
   }
 }
 
-/** A function of a text, of lists of numbers: `walk(text, 'f')([1, 2, 3])` calls `f` with a vec3. */
+/** Returns a function of the source on lists of numbers: `walk(text, 'f')([1, 2, 3])` calls `f` with a vec3. */
 export function walk(text, name) {
   const tree = parser.parse(preprocess(text, { preserve: { version: () => true } }), {
     quiet: true,

@@ -1,5 +1,5 @@
-// A bake equals the screen on the meshes of the gallery: each warp of the gallery on each of them. normals.test.js does so for
-// all warps on a mesh that has everything; support/baked.js says how exactly.
+// A bake equals the screen on the meshes of the gallery: each warp of the gallery on each mesh. normals.test.js does the same for
+// all warps on a mesh with all attributes; support/baked.js has the tolerances.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -14,7 +14,7 @@ import { degrees, moments, parts } from '../support/browser/compare.js'
 import {
   arraysOf,
   denseMesh,
-  interleaved,
+  interleave,
   layout,
   stride,
   vertices,
@@ -24,9 +24,9 @@ import { openPipeline, vertexShader } from '../support/browser/transform-feedbac
 
 const made = new Map()
 
-/** A model as large as the warp expects, with uvs and colors made up where it has none. */
+/** A model of the size that the warp expects, with generated uvs and colors if it has none. */
 function modelMesh(name, size) {
-  // Making one takes longer than drawing it.
+  // Generating a model takes longer than drawing it.
   if (!made.has(name)) made.set(name, models[name]())
   const { positions, normals, uvs } = made.get(name)
   const mesh = new Float32Array((positions.length / 3) * stride)
@@ -59,7 +59,7 @@ const cases = warps
   .filter(({ kept }) => kept)
   .map((warp) => ({ ...warp, compiled: warp.compile('glsl300') }))
   .filter(({ compiled }) => compiled.evaluate)
-  // Of each kind some: neighbours in the list are alike.
+  // Picks some warps per model: neighbours in the list are similar.
   .filter((_, i) => isRun('every model') || i % 4 === 0)
 const names = Object.keys(models)
 
@@ -76,7 +76,7 @@ for (const [i, warp] of cases.entries()) {
         const builtIn = await run(compiled)
         const exact = best === compiled ? builtIn : await run(best)
         const arrays = arraysOf(mesh, compiled.attributes)
-        const baked = draws.map((uniforms) => interleaved(compiled.evaluate(arrays, { uniforms })))
+        const baked = draws.map((uniforms) => interleave(compiled.evaluate(arrays, { uniforms })))
         const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact })
         table.push({ warp: name, mesh: model, ...worst })
         assertBaked(worst, warp.degrees)
@@ -85,7 +85,7 @@ for (const [i, warp] of cases.entries()) {
 }
 
 test('tangents', async () => {
-  // The tangent comes in by the attribute of the color, and goes out by the position.
+  // The tangent is passed in by the color attribute, and out by the position.
   const warp = compileWarp(
     ({ glsl, position }) =>
       glsl.vec3(position.y().sin(), position.x().mult(position.z()), position.x().cos().mult(0.5)),
@@ -112,7 +112,7 @@ test('tangents', async () => {
     const [direction, [side]] = parts(shown, i)
     assert.equal(side, tangent[3])
     assert.equal(baked[4 * i + 3], tangent[3])
-    // Where the normal comes with an odd length, or the tangent is nothing, there is no direction.
+    // If the normal has an odd length, or the tangent is zero, there is no direction.
     if (Math.abs(Math.hypot(...normal) - 1) > 1e-3 || Math.hypot(...tangent.slice(0, 3)) < 1e-3)
       return
     const angle = angleBetween(direction, [...baked.subarray(4 * i, 4 * i + 3)])

@@ -1,4 +1,4 @@
-// exportGLB: what it writes, read back by the specification and judged by Khronos' validator.
+// exportGLB: reads its output back by the specification, and validates it by Khronos' validator.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import validator from 'gltf-validator'
@@ -20,7 +20,7 @@ const jpeg = Uint8Array.from(
   ),
 )
 
-/** Exports, and fails unless the validator has neither an error nor a warning. */
+/** Exports, and fails on any error or warning of the validator. */
 async function validGlb(mesh) {
   const bytes = exportGLB(mesh)
   const { issues } = await validator.validateBytes(bytes)
@@ -32,7 +32,7 @@ async function validGlb(mesh) {
 const primitiveOf = ({ json }) => json.meshes[0].primitives[0]
 const attribute = (glb, name) => glb.accessor(primitiveOf(glb).attributes[name])
 
-test('the validator that judges here does find errors', async () => {
+test('the validator does find errors', async () => {
   const bytes = exportGLB(triangle())
   const { json, chunks } = readGlb(bytes)
   json.accessors[0].max[0] = 7
@@ -40,7 +40,7 @@ test('the validator that judges here does find errors', async () => {
   assert.equal(issues.numErrors, 1)
 })
 
-test('every array comes back to the bit', async () => {
+test('every array is identical after export', async () => {
   const mesh = { ...sphere(), material: { baseColor: [1, 0.5, 0.25, 1] } }
   const glb = await validGlb(mesh)
   const names = {
@@ -56,7 +56,7 @@ test('every array comes back to the bit', async () => {
   assert.deepEqual(Object.keys(primitiveOf(glb).attributes).sort(), Object.keys(names).sort())
 })
 
-test('accessors have the least and the greatest of their numbers, and views their use', async () => {
+test('accessors have min and max of their numbers, and views their usage', async () => {
   const mesh = sphere()
   const glb = await validGlb(mesh)
   const { POSITION } = primitiveOf(glb).attributes
@@ -73,12 +73,12 @@ test('accessors have the least and the greatest of their numbers, and views thei
   for (const accessor of Object.values(attributes)) assert.equal(targetOf(accessor), 34962)
 })
 
-test('the file says who wrote it', async () => {
+test('the file names its generator', async () => {
   const { json } = await validGlb(triangle())
   assert.deepEqual(json.asset, { version: '2.0', generator: `warpjet ${version}` })
 })
 
-test('indices have 16 bits as long as none is 65535, which restarts primitives', async () => {
+test('indices have 16 bits unless one is 65535, which restarts primitives', async () => {
   const most = grid(65535 / 5, 5)
   const narrow = await validGlb(most)
   assert.equal(narrow.json.accessors[primitiveOf(narrow).indices].componentType, 5123)
@@ -90,19 +90,19 @@ test('indices have 16 bits as long as none is 65535, which restarts primitives',
   assert.equal(wide.json.accessors[primitiveOf(wide).indices].max[0], 65535)
 })
 
-test('without indices there are none in the file', async () => {
+test('a mesh without indices is exported without indices', async () => {
   const glb = await validGlb(triangle())
   assert.equal(primitiveOf(glb).indices, undefined)
   assert.deepEqual(attribute(glb, 'POSITION'), triangle().positions)
 })
 
-test('a mesh without normals gets none, and then no tangents', async () => {
+test('a mesh without normals gets none, and so no tangents', async () => {
   const { positions, indices, tangents } = sphere()
   const glb = await validGlb({ positions, indices, tangents })
   assert.deepEqual(Object.keys(primitiveOf(glb).attributes), ['POSITION'])
 })
 
-test('a lost normal becomes that of the triangles around; other lengths become 1', async () => {
+test('a zero normal is replaced by that of the surrounding triangles; other lengths become 1', async () => {
   const mesh = grid(3, 3)
   mesh.normals.set([0, 0, 0], 3 * 4)
   mesh.normals.set([0, 0, 8], 0)
@@ -118,7 +118,7 @@ test('a lost normal becomes that of the triangles around; other lengths become 1
   assert.equal(mesh.normals[2], 8, 'what came in is as it was')
 })
 
-test('a surface that collapsed to a point is a valid file', async () => {
+test('a surface that is collapsed to a point is a valid file', async () => {
   const mesh = sphere()
   mesh.positions.fill(2)
   mesh.normals.fill(0)
@@ -127,7 +127,7 @@ test('a surface that collapsed to a point is a valid file', async () => {
   assert.deepEqual(new Set(attribute(glb, 'NORMAL')), new Set([0, 1]))
 })
 
-test('tangents have length 1, stay at right angles where they are made, and their fourth is 1 or -1', async () => {
+test('tangents are normalized, stay perpendicular where they are computed, and have the sign 1 or -1', async () => {
   const mesh = sphere()
   mesh.tangents.set([0, 0, 0, 0.5], 4 * 20)
   mesh.tangents.set([0, 5, 0, -3], 4 * 21)
@@ -140,7 +140,7 @@ test('tangents have length 1, stay at right angles where they are made, and thei
   assert.deepEqual(tangents.slice(88), mesh.tangents.slice(88))
 })
 
-test('colors are kept between 0 and 1', async () => {
+test('colors are clamped to 0 to 1', async () => {
   const mesh = { ...triangle(), colors: [-1, 0.5, 2, 1, 0, 0, 0, 0, 1, 1, 1, 1] }
   mesh.material = { baseColor: [2, -1, 0.5, 0.25] }
   const glb = await validGlb(mesh)
@@ -152,8 +152,8 @@ test('colors are kept between 0 and 1', async () => {
 })
 
 for (const [mimeType, bytes] of Object.entries({ 'image/png': checker, 'image/jpeg': jpeg }))
-  test(`a texture lies in the file: ${mimeType}`, async () => {
-    // Three 16-bit indices, so that padding comes before it.
+  test(`a texture is embedded in the file: ${mimeType}`, async () => {
+    // Three 16-bit indices, so that padding precedes the texture.
     const mesh = { ...triangle(), uvs: [0, 0, 1, 0, 0, 1], indices: [0, 1, 2] }
     mesh.material = { baseColor: [1, 1, 1, 1], baseColorTexture: { bytes, mimeType: 'whatever' } }
     const glb = await validGlb(mesh)
@@ -171,7 +171,7 @@ test('a texture without uvs is left out', async () => {
   assert.equal(json.images, undefined)
 })
 
-test('degenerate triangles and vertices that no triangle has are valid', async () => {
+test('degenerate triangles and unused vertices are valid', async () => {
   await validGlb({ ...grid(2, 2), indices: [0, 0, 1, 2, 2, 2] })
   await validGlb({ ...grid(3, 3), indices: [0, 1, 2] })
 })

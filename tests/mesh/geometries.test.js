@@ -1,4 +1,4 @@
-// 'warpjet/mesh' with geometries of three.js: they come back as such, with all that they had.
+// 'warpjet/mesh' with geometries of three.js: the results are geometries too, with all their attributes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -10,7 +10,7 @@ const up = compileWarp(({ glsl }) => glsl.vec3(0, 0, 1))
 const at = (attribute, i) =>
   Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k))
 
-/** By place, what `name` is there. */
+/** Returns the attribute `name` by position. */
 function byPlace({ attributes }, name) {
   const found = new Map()
   for (let i = 0; i < attributes.position.count; i++)
@@ -18,7 +18,7 @@ function byPlace({ attributes }, name) {
   return found
 }
 
-/** A square of two triangles with all that a geometry may have; each attribute is linear in x and y. */
+/** A square of two triangles with all members that a geometry may have; each attribute is linear in x and y. */
 function square() {
   const geometry = new THREE.PlaneGeometry(2, 2)
   const set = (name, Class, size, of, normalized) => {
@@ -45,7 +45,7 @@ describe('subdivide', () => {
   const before = JSON.stringify(given.toJSON())
   const finer = subdivide(given, { levels: 2 })
 
-  test('gives a BufferGeometry with 16 times the triangles, and leaves what came', () => {
+  test('returns a BufferGeometry with 16 times the triangles, and leaves the original unchanged', () => {
     assert.equal(finer.constructor, THREE.BufferGeometry)
     assert.equal(finer.index.count, 2 * 16 * 3)
     assert.equal(finer.attributes.position.count, 25)
@@ -53,7 +53,7 @@ describe('subdivide', () => {
     assert.equal(JSON.stringify(given.toJSON()), before)
   })
 
-  test('each attribute lies between its neighbours, in its own type', () => {
+  test('interpolates each attribute, and keeps its type', () => {
     for (let i = 0; i < 25; i++) {
       const [x, y] = at(finer.attributes.position, i)
       assert.deepEqual(at(finer.attributes.heat, i), [3 * x + y])
@@ -67,7 +67,7 @@ describe('subdivide', () => {
     assert.ok(
       finer.attributes.color.array instanceof Uint8Array && finer.attributes.color.normalized,
     )
-    // Of its corners in the array that it shares.
+    // Reads only the attribute's own part of the shared array.
     assert.deepEqual(
       [0, 1, 2, 3].map((i) => finer.attributes.second.getX(i)),
       [2, 4, 6, 8],
@@ -75,7 +75,7 @@ describe('subdivide', () => {
     assert.deepEqual(byPlace(finer, 'second').get('0,0,0'), [5])
   })
 
-  test('groups have the parts of their triangles', () => {
+  test('groups contain the parts of their triangles', () => {
     assert.deepEqual(finer.groups, [
       { start: 0, count: 48, materialIndex: 1 },
       { start: 48, count: 48, materialIndex: 0 },
@@ -87,7 +87,7 @@ describe('subdivide', () => {
     }
   })
 
-  test('where bones change, both move what lies between', () => {
+  test('between vertices with different bones, both bones move the new vertex', () => {
     const strip = new THREE.PlaneGeometry(1, 1)
     strip.setAttribute(
       'skinIndex',
@@ -129,7 +129,7 @@ describe('subdivide', () => {
 })
 
 describe('bakeWarp', () => {
-  test('moves the vertices of a geometry, which keeps everything else', () => {
+  test('moves the vertices of a geometry, and keeps everything else', () => {
     const given = square()
     given.computeBoundingSphere()
     const baked = bakeWarp(given, up)
@@ -149,7 +149,7 @@ describe('bakeWarp', () => {
   for (const relative of [true, false])
     for (const own of ['with normals of their own', 'without'])
       test(`warps morph targets, ${relative ? 'relative' : 'whole'}, ${own}`, () => {
-        const given = morphing(relative, own !== 'without')
+        const given = morphingSphere(relative, own !== 'without')
         const before = JSON.stringify(given.toJSON())
         const baked = bakeWarp(given, waves)
         assert.equal(JSON.stringify(given.toJSON()), before)
@@ -168,13 +168,13 @@ describe('bakeWarp', () => {
             const expected = at.clone().add(new THREE.Vector3(0, 0, height(at.x, at.y)))
             const place = shown.getVertexPosition(i, new THREE.Vector3())
             assert.ok(place.distanceTo(expected) < 1e-6, `${influences}: vertex ${i}`)
-            const normal = turned(normalOf(rest, i), at)
+            const normal = transformNormal(normalOf(rest, i), at)
             assert.ok(normalOf(shown, i).distanceTo(normal) < 1e-5, `${influences}: normal ${i}`)
           }
         }
       })
 
-  test('refuses a geometry without positions', () => {
+  test('rejects a geometry without positions', () => {
     assert.throws(() => bakeWarp(new THREE.BufferGeometry(), up), {
       name: 'WarpError',
       message: 'bakeWarp: the geometry has no attribute "position".',
@@ -187,14 +187,14 @@ const waves = compileWarp(({ glsl, position }) =>
 )
 const height = (x, y) => 0.2 * (Math.sin(2 * x) + Math.cos(3 * y))
 
-/** A normal as the slopes of that height at a place turn it, by the inverse transpose of the matrix of derivatives. */
-function turned(normal, { x, y }) {
+/** Transforms a normal by the slopes of that height, by the inverse transpose of the Jacobian. */
+function transformNormal(normal, { x, y }) {
   const [dx, dy] = [0.4 * Math.cos(2 * x), -0.6 * Math.sin(3 * y)]
   const made = new THREE.Matrix3().set(1, 0, 0, 0, 1, 0, dx, dy, 1).invert().transpose()
   return normal.applyMatrix3(made).normalize()
 }
 
-/** As the shaders of three.js add up the targets. */
+/** Adds up the targets like the shaders of three.js. */
 function normalOf({ geometry, morphTargetInfluences: influences }, i) {
   const { attributes, morphAttributes, morphTargetsRelative } = geometry
   const all = influences.reduce((sum, influence) => sum + influence, 0)
@@ -207,8 +207,8 @@ function normalOf({ geometry, morphTargetInfluences: influences }, i) {
   return made.normalize()
 }
 
-/** A sphere, and two others that it becomes: a larger one beside it, and one that is drawn along an axis. */
-function morphing(relative, withNormals) {
+/** A sphere with two morph targets: a larger sphere next to it, and one that is stretched along an axis. */
+function morphingSphere(relative, withNormals) {
   const geometry = new THREE.SphereGeometry(1, 12, 8)
   const targets = [
     geometry.clone().scale(1.5, 1.5, 1.5).translate(1, 0, 0.5),
@@ -226,7 +226,7 @@ function morphing(relative, withNormals) {
   return geometry
 }
 
-test('other functions take geometries too', () => {
+test('other functions accept geometries too', () => {
   const geometry = new THREE.BoxGeometry()
   assert.ok(exportGLB(geometry).length > 500)
   assert.equal(
@@ -235,7 +235,7 @@ test('other functions take geometries too', () => {
   )
 })
 
-test('loadMesh gives a BufferGeometry where it is asked to', async () => {
+test('loadMesh returns a BufferGeometry with the option "as"', async () => {
   const file = new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.5\nf 1/1 2/1 3/1\n')
   const geometry = await loadMesh(file, { as: THREE.BufferGeometry })
   assert.ok(geometry instanceof THREE.BufferGeometry)

@@ -1,5 +1,5 @@
-// warpjet/mesh in JavaScript: round trips, where bytes come from, errors, hostile files, memory. What of a file becomes
-// what of a mesh is tested in C++.
+// warpjet/mesh in JavaScript: round trips, sources of bytes, errors, hostile files, memory. C++ tests check the conversion from
+// files to meshes.
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
 import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
@@ -29,7 +29,7 @@ const rise = compileWarp(({ glsl, millis }) => glsl.vec3(0, millis, 0))
 
 const memory = meshMemoryInUse()
 
-// Whatever a test did: nothing is left in the wasm, and the next call works.
+// After any test, the wasm module holds nothing, and the next call works.
 afterEach(() => {
   assert.equal(exportGLB(triangle()).length % 4, 0)
   assert.equal(meshMemoryInUse(), memory)
@@ -45,7 +45,7 @@ function isRight(error, pattern) {
 const refuses = (work, pattern) => assert.throws(work, (error) => isRight(error, pattern))
 const rejects = (work, pattern) => assert.rejects(work, (error) => isRight(error, pattern))
 
-/** The mesh as a .gltf text whose buffer has this URI, and the buffer. */
+/** Returns the mesh as a .gltf text whose buffer has this URI, and the buffer. */
 function withBuffer(mesh, uri) {
   const { json, chunks } = readGlb(exportGLB(mesh))
   json.buffers[0].uri = uri
@@ -59,7 +59,7 @@ describe('load, export, load', () => {
     'a material without a texture': { ...grid(3, 4), material: { baseColor: [0, 1, 0.5, 1] } },
     '70,000 vertices': grid(700, 100),
   }))
-    test(`is the same to the bit: ${name}`, async () => {
+    test(`is identical: ${name}`, async () => {
       const first = await loadMesh(exportGLB(mesh))
       const file = exportGLB(first)
       const second = await loadMesh(file)
@@ -71,14 +71,14 @@ describe('load, export, load', () => {
       assert.equal(first.warnings, undefined)
     })
 
-  test('what is loaded is the caller’s own', async () => {
+  test('a loaded mesh belongs to the caller', async () => {
     const mesh = await loadMesh(exportGLB(sphere()))
     for (const array of [mesh.positions, mesh.indices])
       assert.equal(array.buffer.byteLength, array.byteLength)
   })
 })
 
-describe('where the bytes come from', () => {
+describe('sources of bytes', () => {
   const folder = mkdtempSync(join(tmpdir(), 'warpjet mesh '))
   const mesh = triangle()
   const { text, buffer } = withBuffer(mesh, 'a%20b/c.bin')
@@ -113,7 +113,7 @@ describe('where the bytes come from', () => {
     await loads(new DataView(bytes.slice().buffer))
     await loads(new Blob([bytes]))
     await loads(Buffer.from(bytes))
-    // A part of a longer buffer.
+    // Part of a longer buffer.
     const longer = new Uint8Array(bytes.length + 14)
     longer.set(bytes, 7)
     await loads(longer.subarray(7, 7 + bytes.length))
@@ -135,11 +135,11 @@ describe('where the bytes come from', () => {
     }
   })
 
-  test('in Node a text is a path, whatever signs are in it', async () => {
+  test('in Node a string is a path, with any characters', async () => {
     const odd = join(folder, 'odd')
     mkdirSync(odd)
     const names = ['a#1.glb', 'q?.glb', 'a%20b.glb', '100%.glb', 'C:m.glb', 'c:\\m\\a.glb']
-    // Where the text would lead as a URL, there is another file.
+    // If the string were read as a URL, it would be another file.
     for (const name of ['a', 'q', 'a b.glb', 'm.glb']) writeFileSync(join(odd, name), 'wrong')
     for (const name of names) writeFileSync(join(odd, name), exportGLB(mesh))
     const here = process.cwd()
@@ -158,7 +158,7 @@ describe('where the bytes come from', () => {
     )
   })
 
-  test('the buffer of a .gltf beside it, or from the caller', async () => {
+  test('the buffer of a .gltf in the same folder, or from the caller', async () => {
     await loads(`${origin}/m/model.gltf`)
     const asked = []
     const resolve = (uri) => {
@@ -171,7 +171,7 @@ describe('where the bytes come from', () => {
     await loads(text, { resolve: () => new Blob([buffer]) })
   })
 
-  test('a .gltf without its buffer is refused', async () => {
+  test('a .gltf without its buffer is rejected', async () => {
     await rejects(() => loadMesh(text), /^loadMesh: .*"a%20b\/c\.bin"/)
     await rejects(() => loadMesh(text, { resolve: () => undefined }), /"a%20b\/c\.bin"/)
     await rejects(
@@ -188,7 +188,7 @@ describe('where the bytes come from', () => {
     )
   })
 
-  test('a picture that is not there is a warning, a buffer a sentence, from wherever', async () => {
+  test('a missing image gives a warning, a missing buffer an error, from any source', async () => {
     const without = readGlb(exportGLB({ ...sphere(), material }))
     const { images, buffers } = without.json
     delete images[0].bufferView
@@ -215,21 +215,24 @@ describe('where the bytes come from', () => {
       for (const place of [join(folder, 'pictured.gltf'), `${origin}/m/pictured.gltf`])
         await rejects(() => loadMesh(place), /^loadMesh: the model needs the file "/)
     }
-    // Nothing lies beside these.
+    // These sources have no folder.
     await rejects(
       () => loadMesh(`data:model/gltf+json;base64,${Buffer.from(text).toString('base64')}`),
       /^loadMesh: the model needs the file "/,
     )
   })
 
-  test('bytes that break off on their way', async () => {
+  test('an interrupted download', async () => {
     const broken = new Blob(['x'])
     broken.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotReadableError'))
     await rejects(() => loadMesh(broken), /^loadMesh: the Blob .* \(NotReadableError\)/)
-    await rejects(() => loadMesh(`${origin}/broken.glb`), /^loadMesh: .* the connection broke off/)
+    await rejects(
+      () => loadMesh(`${origin}/broken.glb`),
+      /^loadMesh: .* the connection was interrupted/,
+    )
   })
 
-  test('a file from a stranger reads nothing outside its folder', async () => {
+  test('an untrusted file cannot read files outside its folder', async () => {
     writeFileSync(join(folder, 'secret.bin'), buffer)
     for (const uri of ['../secret.bin', pathToFileURL(join(folder, 'secret.bin')).href]) {
       const path = join(mkdtempSync(join(folder, 'sub')), 'model.gltf')
@@ -250,20 +253,20 @@ describe('where the bytes come from', () => {
     )
   })
 
-  test('what is not there, and what is no source', async () => {
+  test('missing files, and invalid sources', async () => {
     await rejects(
       () => loadMesh(join(folder, 'no.glb')),
       /^loadMesh: the file .*no\.glb does not exist/,
     )
     await rejects(() => loadMesh(folder), /^loadMesh: the file .* cannot be read/)
-    await rejects(() => loadMesh(`${origin}/no.glb`), /^loadMesh: .*no\.glb cannot be loaded.* 404/)
+    await rejects(() => loadMesh(`${origin}/no.glb`), /^loadMesh: cannot load .*no\.glb; .* 404/)
     const long = `${origin}/${'folder/'.repeat(9)}nope.glb`
     await rejects(
       () => loadMesh(`${long}?token=1`),
-      new RegExp(`^loadMesh: ${long} cannot be loaded; the server answered 404\\.$`),
+      new RegExp(`^loadMesh: cannot load ${long}; the server answered 404\\.$`),
     )
-    await rejects(() => loadMesh('http://127.0.0.1:1/no.glb'), /^loadMesh: .* cannot be loaded/)
-    await rejects(() => loadMesh('http://[/'), /^loadMesh: "http:\/\/\[\/" is no URL/)
+    await rejects(() => loadMesh('http://127.0.0.1:1/no.glb'), /^loadMesh: cannot load /)
+    await rejects(() => loadMesh('http://[/'), /^loadMesh: expected a URL, got "http:\/\/\[\/"/)
     for (const source of [undefined, null, 7, {}, [1, 2]])
       await rejects(
         () => loadMesh(source),
@@ -277,7 +280,7 @@ describe('where the bytes come from', () => {
   })
 })
 
-describe('a mesh that does not fit together', () => {
+describe('a mesh whose arrays do not fit together', () => {
   const others = {
     exportGLB,
     bakeWarp: (mesh) => bakeWarp(mesh, twist),
@@ -285,79 +288,88 @@ describe('a mesh that does not fit together', () => {
   }
   for (const [name, work] of Object.entries(others))
     test(name, () => {
-      const refused = (change, pattern) =>
+      const rejectsChange = (change, pattern) =>
         refuses(() => work({ ...grid(3, 3), ...change }), new RegExp(`^${name}: ${pattern.source}`))
       for (const mesh of [undefined, null, 7, 'mesh', {}])
         refuses(
           () => work(mesh),
           new RegExp(`^${name}: expected a mesh such as \\{ positions, normals, indices \\}, got `),
         )
-      refused({ positions: undefined }, /expected a flat array .* for positions, got undefined/)
-      refused({ positions: 7 }, /expected a flat array .* for positions, got the number 7/)
-      refused({ positions: new Float32Array(26) }, /positions must hold 3 numbers a vertex/)
-      refused({ positions: new Float32Array(27).fill(NaN) }, /positions must be finite.*NaN/)
-      refused(
+      rejectsChange(
+        { positions: undefined },
+        /expected a flat array .* for positions, got undefined/,
+      )
+      rejectsChange({ positions: 7 }, /expected a flat array .* for positions, got the number 7/)
+      rejectsChange({ positions: new Float32Array(26) }, /positions must hold 3 numbers a vertex/)
+      rejectsChange({ positions: new Float32Array(27).fill(NaN) }, /positions must be finite.*NaN/)
+      rejectsChange(
         { positions: Array(27).fill('x') },
-        /positions\[0\], of vertex 0, must be a finite number, but is the text "x"/,
+        /positions\[0\], of vertex 0: expected a finite number, got the text "x"/,
       )
       for (const odd of ['1', '', null, true, 1n, Symbol('odd'), undefined])
-        refused(
+        rejectsChange(
           { colors: [...Array(35).fill(0), odd] },
-          /colors\[35\], of vertex 8, must be a finite number, but is/,
+          /colors\[35\], of vertex 8: expected a finite number, got/,
         )
-      refused({ positions: new BigInt64Array(27) }, /positions\[0\], of vertex 0, must be a finite/)
-      refused(
+      rejectsChange(
+        { positions: new BigInt64Array(27) },
+        /positions\[0\], of vertex 0: expected a finite/,
+      )
+      rejectsChange(
         { indices: [0, 1, null] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got /,
       )
-      refused(
+      rejectsChange(
         { material: { baseColor: [1, 1, 1, Symbol('odd')] } },
         /expected four finite numbers, .* for material.baseColor, got \[/,
       )
-      refused(
+      rejectsChange(
         { material: { baseColorTexture: { bytes: picture, mimeType: Object.create(null) } } },
         /expected a text .* for material.baseColorTexture.mimeType, got /,
       )
-      refused({ normals: new Float32Array(26) }, /normals must hold 3 numbers a vertex/)
-      refused({ normals: new Float32Array(27).fill(Infinity) }, /normals must be finite.*Infinity/)
-      refused({ uvs: [1, 2] }, /uvs must hold 2 numbers a vertex/)
-      refused({ colors: new Float32Array(27) }, /colors must hold 4/)
-      refused({ tangents: new Float32Array(27) }, /tangents must hold 4/)
-      refused({ indices: [0, 1, 9] }, /index 9 has no vertex/)
-      refused({ indices: [0, 1] }, /every three indices make a triangle/)
-      refused(
+      rejectsChange({ normals: new Float32Array(26) }, /normals must hold 3 numbers a vertex/)
+      rejectsChange(
+        { normals: new Float32Array(27).fill(Infinity) },
+        /normals must be finite.*Infinity/,
+      )
+      rejectsChange({ uvs: [1, 2] }, /uvs must hold 2 numbers a vertex/)
+      rejectsChange({ colors: new Float32Array(27) }, /colors must hold 4/)
+      rejectsChange({ tangents: new Float32Array(27) }, /tangents must hold 4/)
+      rejectsChange({ indices: [0, 1, 9] }, /index 9 has no vertex/)
+      rejectsChange({ indices: [0, 1] }, /every three indices make a triangle/)
+      rejectsChange(
         { indices: [0, 1, -1] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got /,
       )
-      refused(
+      rejectsChange(
         { indices: [0, 1, 0.5] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got /,
       )
-      refused(
+      rejectsChange(
         { indices: [0, 1, '2'] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got the text "2"/,
       )
-      refused({ indices: 7 }, /expected a flat array .* for indices, got the number 7/)
-      refused({ material: 7 }, /expected an object .* for material, got the number 7/)
-      refused(
+      rejectsChange({ indices: 7 }, /expected a flat array .* for indices, got the number 7/)
+      rejectsChange({ material: 7 }, /expected an object .* for material, got the number 7/)
+      rejectsChange(
         { material: { baseColor: [1, 1, 1] } },
         /expected four finite numbers, .* for material.baseColor, got \[/,
       )
-      refused(
+      rejectsChange(
         { material: { baseColor: [1, 1, 1, NaN] } },
         /expected four finite numbers, .* for material.baseColor, got \[/,
       )
-      refused(
+      rejectsChange(
         { material: { baseColorTexture: 'x.png' } },
         /expected \{ bytes, mimeType \} .* for material.baseColorTexture, got /,
       )
-      refused(
+      rejectsChange(
         { material: { baseColorTexture: { bytes: [1] } } },
         /expected \{ bytes, mimeType \} .* for material.baseColorTexture, got bytes that are an array of 1/,
       )
     })
 
-  test('exportGLB: no triangles, and a picture that is none', () => {
+  test('exportGLB: no triangles, and an invalid image', () => {
     const none = { positions: [], normals: [] }
     refuses(() => exportGLB(none), /^exportGLB: the mesh has no triangles/)
     refuses(
@@ -373,7 +385,7 @@ describe('a mesh that does not fit together', () => {
 })
 
 describe('bakeWarp', () => {
-  test('moves and turns what the warp moves, and keeps the rest', () => {
+  test('warps positions and normals, and keeps the rest', () => {
     const mesh = { ...sphere(), material }
     const before = structuredClone(mesh)
     const baked = bakeWarp(mesh, twist)
@@ -381,8 +393,8 @@ describe('bakeWarp', () => {
     for (const name of ['uvs', 'colors', 'indices', 'material'])
       assert.deepEqual(baked[name], mesh[name], name)
     assert.notEqual(baked.uvs, mesh.uvs)
-    // The twist about y, by hand: p' = R(2y) p; its normal by two finite differences of the sphere would do, but at the
-    // equator's first vertex (1, 0, 0) the surface is tilted by exactly atan(2): the tangent (0, 1, 0) becomes (0, 1, -2).
+    // The twist about y, by hand: p' = R(2y) p; its normal by two finite differences of the sphere would do, but at the equator's
+    // first vertex (1, 0, 0) the surface is tilted by exactly atan(2): the tangent (0, 1, 0) becomes (0, 1, -2).
     for (let v = 0; v < mesh.positions.length / 3; v++) {
       const [x, y, z] = mesh.positions.subarray(3 * v, 3 * v + 3)
       const [c, s] = [Math.cos(2 * y), Math.sin(2 * y)]
@@ -413,7 +425,7 @@ describe('bakeWarp', () => {
     )
   })
 
-  test('missing normals are computed before', () => {
+  test('missing normals are computed first', () => {
     const { positions } = triangle()
     assert.deepEqual(
       [...bakeWarp({ positions }, rise, { uniforms: { millis: 1 } }).normals],
@@ -429,15 +441,15 @@ describe('bakeWarp', () => {
     const pole = compileWarp(({ glsl, position }) => glsl.vec3(position.x().sub(1).pow(-1), 0, 0))
     refuses(
       () => bakeWarp(triangle(), pole),
-      /^bakeWarp: the warp gives vertex 1 at \(1, 0, 0\) no finite position, but Infinity/,
+      /^bakeWarp: expected a finite position of vertex 1 at \(1, 0, 0\), got Infinity/,
     )
   })
 
-  test('what is no warp', () => {
+  test('invalid warps', () => {
     for (const warp of [undefined, 7, {}, () => 1])
       refuses(
         () => bakeWarp(triangle(), warp),
-        /^bakeWarp: expected what compileWarp returns for the warp, got /,
+        /^bakeWarp: expected a result of compileWarp for the warp, got /,
       )
     const flat = compileWarp(({ position }) => position, { normals: false })
     refuses(
@@ -446,14 +458,14 @@ describe('bakeWarp', () => {
     )
   })
 
-  test('the result opens elsewhere', async () => {
+  test('other programs can read the result', async () => {
     const again = await loadMesh(exportGLB(bakeWarp(sphere(), twist)))
     assert.deepEqual(again.positions, bakeWarp(sphere(), twist).positions)
   })
 })
 
 describe('subdivide', () => {
-  // The file of the issue: 16,000 coincident triangles took 10 s, and more hung the page.
+  // The file of the issue: 16,000 coincident triangles took 10 s, and more blocked the page.
   test('a model whose nodes repeat one mesh in place', async () => {
     const { json, chunks } = readGlb(exportGLB(triangle()))
     json.nodes = Array.from({ length: 20_000 }, () => ({ mesh: 0 }))
@@ -471,18 +483,18 @@ describe('subdivide', () => {
     assert.ok(user + system < 5e6, `${(user + system) / 1e6} s`)
   })
 
-  test('levels make each triangle four', () => {
+  test('each level splits a triangle into four', () => {
     assert.equal(subdivide(triangle(), { levels: 0 }).indices.length, 3)
     assert.equal(subdivide(triangle(), { levels: 3 }).indices.length, 3 * 64)
   })
 
-  test('what the warp bends is divided until it is near enough, and nothing else', () => {
+  test('triangles that the warp bends are split until the tolerance is met, and no others', () => {
     const bump = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, position.x().mult(position.x()).mult(0.5)),
     )
     const plane = grid(2, 2)
     const worst = (mesh) => {
-      // Along x the surface is z = x² / 2: between two vertices it leaves the chord by the square of their distance / 8.
+      // Along x the surface is z = x² / 2: between two vertices it deviates from the chord by the square of their distance / 8.
       let most = 0
       for (let i = 0; i < mesh.indices.length; i += 3) {
         const xs = [...mesh.indices.subarray(i, i + 3)].map((v) => mesh.positions[3 * v])
@@ -499,7 +511,7 @@ describe('subdivide', () => {
     assert.equal(still.indices.length, plane.indices.length)
   })
 
-  test('maxTriangles is kept, and said', () => {
+  test('maxTriangles is a limit, with a warning', () => {
     const options = { warp: twist, tolerance: 1e-4, maxTriangles: 500 }
     const mesh = subdivide(sphere(), options)
     assert.ok(mesh.indices.length <= 3 * 500)
@@ -514,48 +526,49 @@ describe('subdivide', () => {
   })
 
   test('wrong options', () => {
-    const refused = (options, pattern) => refuses(() => subdivide(triangle(), options), pattern)
-    refused(undefined, /^subdivide: expected options such as .*, got undefined/)
-    refused(
+    const rejectsChange = (options, pattern) =>
+      refuses(() => subdivide(triangle(), options), pattern)
+    rejectsChange(undefined, /^subdivide: expected options such as .*, got undefined/)
+    rejectsChange(
       {},
-      /^subdivide: expected what compileWarp returns for the option "warp", got undefined/,
+      /^subdivide: expected a result of compileWarp for the option "warp", got undefined/,
     )
-    refused(
+    rejectsChange(
       { warp: twist },
       /^subdivide: expected a number above 0 for the option "tolerance", got undefined/,
     )
-    refused(
+    rejectsChange(
       { warp: twist, tolerance: 0 },
       /expected a number above 0 for the option "tolerance", got the number 0/,
     )
-    refused(
+    rejectsChange(
       { warp: twist, tolerance: 1, angle: -1 },
       /expected a number above 0 for the option "angle", got the number -1/,
     )
-    refused(
+    rejectsChange(
       { levels: 1.5 },
       /expected a whole number from 0 to 15 for the option "levels", got the number 1\.5/,
     )
-    refused(
+    rejectsChange(
       { levels: 1, maxTriangles: 0 },
       /expected a whole number from 1 to 2\^28 for the option "maxTriangles", got the number 0/,
     )
-    refused(
+    rejectsChange(
       { levels: 1, maxTriangles: 2 ** 28 + 1 },
       /from 1 to 2\^28 for the option "maxTriangles", got /,
     )
-    refused(
+    rejectsChange(
       { levels: 1, maxTriangle: 1 },
       /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? There/,
     )
-    refused(
+    rejectsChange(
       { warp: twist, tolerance: 1, angel: 1 },
       /^subdivide: there is no option "angel"; did you mean angle\? There/,
     )
-    refused({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
+    rejectsChange({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })
 
-  test('warps made by hand give what fits, or a sentence comes', () => {
+  test('results of warps made by hand are checked', () => {
     const of = (evaluate, pattern) => {
       for (const work of [
         () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 }),
@@ -565,30 +578,30 @@ describe('subdivide', () => {
     }
     of(
       () => undefined,
-      /expected the warp's evaluate to give \{ positions, normals \}, got undefined/,
+      /expected the warp's evaluate to return \{ positions, normals \}, got undefined/,
     )
-    of(() => ({}), /to give positions as an array of \d+ numbers, .*, got undefined/)
+    of(() => ({}), /to return positions as an array of \d+ numbers, .*, got undefined/)
     of(
       ({ positions }) => ({ positions: [...positions, 0] }),
-      /to give positions as an array of \d+ numbers, .*, got an array of /,
+      /to return positions as an array of \d+ numbers, .*, got an array of /,
     )
     of(
       ({ positions }) => ({ positions, normals: new BigInt64Array(positions.length) }),
-      /expected the warp's evaluate to give a number as normals\[0\], got the bigint 0/,
+      /expected the warp's evaluate to return a number as normals\[0\], got the bigint 0/,
     )
     of(
       ({ positions }) => ({ positions: [...positions].map(String) }),
-      /expected the warp's evaluate to give a number as positions\[0\], got the text "0"/,
+      /expected the warp's evaluate to return a number as positions\[0\], got the text "0"/,
     )
     let calls = 0
     const once = ({ positions, normals }) => (calls++ ? { positions } : { positions, normals })
     refuses(
       () => subdivide(sphere(), { warp: { evaluate: once }, tolerance: 0.01 }),
-      /^subdivide: the warp's evaluate must give normals each time that it is called or never/,
+      /^subdivide: expected the warp's evaluate to return normals either always or never/,
     )
   })
 
-  test('an error of the warp comes through as it is', () => {
+  test('an error of the warp is rethrown unchanged', () => {
     const warp = {
       evaluate() {
         throw new TypeError('mine')
@@ -598,8 +611,8 @@ describe('subdivide', () => {
   })
 })
 
-describe('what stops the wasm', () => {
-  test('no memory: a sentence, and the next call works', () => {
+describe('failures of the wasm module', () => {
+  test('out of memory: a message, and the next call works', () => {
     const tooMany = new Array(3 * 2 ** 29)
     for (const mesh of [
       { positions: tooMany },
@@ -608,7 +621,7 @@ describe('what stops the wasm', () => {
       refuses(() => exportGLB(mesh), /^exportGLB: there is not enough memory/)
   })
 
-  test('a browser that gives no more memory', () => {
+  test('a browser that refuses more memory', () => {
     const { grow } = WebAssembly.Memory.prototype
     const mesh = grid(500, 500)
     WebAssembly.Memory.prototype.grow = () => {
@@ -631,7 +644,7 @@ describe('what stops the wasm', () => {
     }
   }
 
-  test('an exception of C++ that nothing caught', () => {
+  test('an uncaught C++ exception', () => {
     class Thrower extends Float32Array {
       get length() {
         throw new WebAssembly.Exception(new WebAssembly.Tag({ parameters: [] }), [])
@@ -640,7 +653,7 @@ describe('what stops the wasm', () => {
     refuses(() => exportGLB({ positions: new Thrower(9) }), /^exportGLB: the mesh is too large/)
   })
 
-  test('a trap within a warp ends the outer call too, and hides no error of the warp', () => {
+  test('a trap inside a warp ends the outer call too, and does not hide an error of the warp', () => {
     const liar = { positions: new Liar(2 ** 24) }
     const outer = (evaluate) => () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 })
     const stop = () => refuses(() => exportGLB(liar), /^exportGLB: the mesh is too large/)
@@ -664,11 +677,11 @@ describe('what stops the wasm', () => {
     )
   })
 
-  test('a write past the memory: a sentence, and a new instance for the next call', () => {
+  test('a write out of bounds: a message, and a new instance for the next call', () => {
     refuses(() => exportGLB({ positions: new Liar(2 ** 24) }), /^exportGLB: the mesh is too large/)
   })
 
-  test('what a warp throws is its own, even if it looks like a trap', () => {
+  test('errors of the warp itself are rethrown, even if they look like a trap', () => {
     for (const error of [
       new WebAssembly.RuntimeError('unreachable'),
       new RangeError('mine'),
@@ -708,15 +721,15 @@ describe('what stops the wasm', () => {
 describe('hostile files', () => {
   const file = exportGLB({ ...sphere(6, 4), material })
 
-  test('every truncation is refused', async () => {
+  test('every truncation is rejected', async () => {
     for (let length = 0; length < file.length; length += length < 3000 ? 13 : 97)
       await rejects(() => loadMesh(file.slice(0, length)), /^loadMesh: /)
   })
 
-  test('flipped bits give a mesh or a sentence', async () => {
+  test('flipped bits give a mesh or a message', async () => {
     let seed = 12345
     const random = (n) => (seed = (Math.imul(seed, 1103515245) + 12345) >>> 0) % n
-    let refused = 0
+    let rejectedCount = 0
     for (let i = 0; i < 600; i++) {
       const broken = file.slice()
       for (let k = random(4); k >= 0; k--) broken[random(2200)] ^= 1 << random(8)
@@ -725,13 +738,13 @@ describe('hostile files', () => {
         assert.ok(positions.every(Number.isFinite))
       } catch (error) {
         isRight(error, /^loadMesh: /)
-        refused++
+        rejectedCount++
       }
     }
-    assert.ok(refused > 100)
+    assert.ok(rejectedCount > 100)
   })
 
-  test('claims beyond the file', async () => {
+  test('sizes beyond the end of the file', async () => {
     const { json, chunks } = readGlb(file)
     const lie = (change) => {
       const document = structuredClone(json)
@@ -747,19 +760,19 @@ describe('hostile files', () => {
     await lie(({ nodes }) => nodes.push({ children: [0] }) && (nodes[0].children = [1]))
   })
 
-  test('brackets without end', async () => {
+  test('endless nesting of brackets', async () => {
     const deep = `{"asset":{"version":"2.0"},"extras":${'['.repeat(1e6)}${']'.repeat(1e6)}}`
     await rejects(() => loadMesh(new TextEncoder().encode(deep)), /^loadMesh: /)
     await rejects(() => loadMesh(writeGlb(deep)), /^loadMesh: /)
   })
 })
 
-test('all that is public', () => {
+test('all public exports', () => {
   assert.deepEqual(Object.keys(addresses).sort(), [
     'WarpError',
     'bakeWarp',
     'exportGLB',
-    // For the p5 addon, as subdivideP5Model and varyGeometry.
+    // Exports for the p5 addon, such as subdivideP5Model and varyGeometry.
     'fillP5Model',
     'loadMesh',
     'subdivide',

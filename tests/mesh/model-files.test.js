@@ -1,5 +1,5 @@
-// Model files in every form that loadMesh reads, written here and by the encoders of meshoptimizer and Draco: the triangles that come
-// out are those that the generator knows, and those that three.js' own loaders find; Khronos' validator has judged the glTF.
+// Model files in every form that loadMesh reads, written here and by the encoders of meshoptimizer and Draco: compares the loaded
+// triangles with those of the generator and of three.js' own loaders; Khronos' validator checks the glTF files.
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
@@ -36,7 +36,7 @@ async function assertValid(file, files = {}) {
   }
   const { issues } = await validator.validateBytes(file, { externalResourceFunction })
   const errors = issues.messages.filter(({ severity }) => severity === 0)
-  // What the validator does not know: bytes of pictures that nobody reads here, and buffers that extensions fill.
+  // Things that the validator does not know: image data that is never read, and buffers that extensions fill.
   const known = /^(IMAGE_|VALUE_NOT_IN_LIST|BUFFER_|IO_ERROR|MESH_PRIMITIVE_INDEX_SEMANTIC)/
   assert.deepEqual(
     errors.filter(({ code }) => !known.test(code)),
@@ -56,16 +56,16 @@ describe('generated models', () => {
         const mesh = await loadMesh(file, { resolve: (uri) => files[uri] })
         assertTriangles(trianglesIn(mesh), triangles, tolerance)
         assert.ok(mesh.normals.every(Number.isFinite))
-        const byThree = await readByThree(name, file, files)
+        const byThree = await readByThree(name, file)
         if (byThree) assertTriangles(trianglesIn(mesh), byThree, tolerance && 2 * tolerance)
         await assertValid(exportGLB(mesh))
       })
     }
 
-  test('they are 200 at least', () => assert.ok(count >= 200, `${count}`))
+  test('there are at least 200', () => assert.ok(count >= 200, `${count}`))
 })
 
-describe('models that are refused', () => {
+describe('invalid models', () => {
   for (const [name, { file, files = {}, decoders, reason }] of Object.entries(broken))
     test(name, async () => {
       await assert.rejects(loadMesh(file, { resolve: (uri) => files[uri], decoders }), (error) => {
@@ -99,7 +99,7 @@ describe('models of packages from npm', () => {
   test('draco3dgltf: bunny.drc in a glTF', async () => {
     const { bunnyFile } = await import('../support/models/draco-bunny.js')
     const mesh = await loadMesh(bunnyFile())
-    // Of the Stanford bunny, as the package says.
+    // The number of triangles of the Stanford bunny, according to the package.
     assert.equal(mesh.indices.length / 3, 69451)
     assert.ok(mesh.positions.every(Number.isFinite))
   })
@@ -109,7 +109,7 @@ describe('decoders', () => {
   const meshopt = packedVariants['meshopt, vertices and triangles'](shapes.cube)
   const draco = packedVariants['Draco, in order'](shapes.cube)
 
-  test('may be given in every form that their packages have', async () => {
+  test('may be passed in every form that their packages have', async () => {
     const { MeshoptDecoder } = await import('meshoptimizer')
     const { default: package_ } = await import('draco3dgltf')
     for (const given of [MeshoptDecoder, Promise.resolve(MeshoptDecoder)]) {
@@ -130,7 +130,7 @@ describe('decoders', () => {
     }
   })
 
-  test('are what the option says, and no others', async () => {
+  test('are those of the option, and no others', async () => {
     let calls = 0
     const { MeshoptDecoder } = await import('meshoptimizer')
     const counting = {
@@ -164,7 +164,7 @@ describe('decoders', () => {
       })
   })
 
-  test('a plain form is read where there is no decoder', async () => {
+  test('an uncompressed fallback is used without a decoder', async () => {
     const { file, files, triangles } = packedVariants['meshopt with a fallback'](shapes.sphere)
     const broken = {
       ready: Promise.resolve(),
@@ -181,7 +181,7 @@ describe('decoders', () => {
   })
 })
 
-test('a compressed model can be warped and written', async () => {
+test('a compressed model can be warped and exported', async () => {
   const { file } = packedVariants['Draco, edge breaker'](shapes.sphere)
   const mesh = await loadMesh(file)
   const lifted = {

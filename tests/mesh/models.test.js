@@ -19,7 +19,7 @@ function faceNormal({ positions }, [a, b, c]) {
   return cross(sub(point(positions, b), p), sub(point(positions, c), p))
 }
 
-/** Number of edges that the neighbouring triangle does not run through the other way. */
+/** Returns the number of edges that the neighbouring triangle does not have in reverse. */
 function openEdges(mesh) {
   const balance = new Map()
   for (let face = 0; face < faceCount(mesh); face++) {
@@ -51,7 +51,7 @@ const VERTICES = {
   bunny: [1839, 1839],
   teapot: [8066, 8066],
 }
-// Body, spout, handle and lid of the teapot are open shells; everything else holds water.
+// Body, spout, handle and lid of the teapot are open shells; all other models are watertight.
 const CLOSED = ['airplane', 'spoon', 'hand', 'bunny']
 
 const meshes = Object.fromEntries(Object.entries(models).map(([name, make]) => [name, make()]))
@@ -60,7 +60,7 @@ for (const [name, mesh] of Object.entries(meshes)) {
   const { positions, normals, uvs, indices } = mesh
   const count = positions.length / 3
 
-  test(`${name} has as many vertices as a gallery piece wants, all of them used`, () => {
+  test(`${name} has the number of vertices of a gallery model, all of them used`, () => {
     const [least, most] = VERTICES[name]
     assert.ok(count >= least && count <= most, `${count} vertices`)
     assert.equal(new Set(indices).size, count)
@@ -80,7 +80,7 @@ for (const [name, mesh] of Object.entries(meshes)) {
     about(Math.max(...box.map(([low, high]) => high - low)), 200)
   })
 
-  test(`${name} has no degenerate triangle, and its triangles face the way of their normals`, () => {
+  test(`${name} has no degenerate triangle, and its triangles face in the direction of their normals`, () => {
     let against = 0
     for (let face = 0; face < faceCount(mesh); face++) {
       const triangle = corners(mesh, face)
@@ -101,7 +101,7 @@ for (const [name, mesh] of Object.entries(meshes)) {
     if (CLOSED.includes(name)) assert.equal(openEdges(mesh), 0)
   })
 
-  test(`${name} as OBJ has a line for every vertex and face, in plain short numbers`, () => {
+  test(`${name} as OBJ has a line for every vertex and face, with short numbers`, () => {
     const lines = toOBJ(mesh, name).trim().split('\n')
     const of = (word) => lines.filter((line) => line.startsWith(`${word} `))
     assert.equal(lines[0], `o ${name}`)
@@ -126,7 +126,7 @@ for (const [name, mesh] of Object.entries(meshes)) {
   })
 }
 
-test('toOBJ counts from one, turns v over, and leaves out uvs that are not there', () => {
+test('toOBJ counts from one, flips v, and omits missing uvs', () => {
   const triangle = {
     positions: new Float32Array([0, 0, 0, 1, 0, 0, 0, -0.12345, 1e-9]),
     normals: new Float32Array([0, 0, 1, 0, 0, 1, 0, 0, 1]),
@@ -142,7 +142,7 @@ test('toOBJ counts from one, turns v over, and leaves out uvs that are not there
   )
 })
 
-test('the models stand upright where y points down', () => {
+test('the models are upright when y points down', () => {
   const highest = ({ positions }) => {
     let best = 0
     for (let i = 1; i < positions.length / 3; i++) {

@@ -1,5 +1,5 @@
-// Models that people made, the bunny and the teapot from npm among them, through the whole way: as OBJ in, warped,
-// subdivided, out as a GLB that Khronos' validator takes, and in again.
+// Real models, such as the bunny and the teapot from npm, through the whole pipeline: loads an OBJ, warps, subdivides, exports a
+// GLB that Khronos' validator accepts, and loads it again.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import validator from 'gltf-validator'
@@ -39,16 +39,16 @@ for (const [name, make] of Object.entries(models))
       assert.deepEqual(exportGLB(loaded), bytes)
     })
 
-    test('comes in as OBJ too', async () => {
+    test('loads as OBJ too', async () => {
       const loaded = await loadMesh(new TextEncoder().encode(toOBJ(model, name)))
       assert.equal(loaded.indices.length, indices.length)
-      // The text has three digits after the point, and vertices in the order of its faces.
+      // The OBJ has three decimals, and its vertices in the order of its faces.
       const cornersOf = (mesh) =>
         [...mesh.indices].flatMap((i) => [...mesh.positions.slice(3 * i, 3 * i + 3)])
       assertClose(cornersOf(loaded), cornersOf(model), 6e-4, 'corner')
     })
 
-    test('warped, it is a file as good', async () => {
+    test('the warped model is a valid file too', async () => {
       const baked = bakeWarp(model, twist, { uniforms })
       await assertValid(exportGLB(baked))
       const radius = (mesh, i) => Math.hypot(mesh.positions[3 * i], mesh.positions[3 * i + 2])

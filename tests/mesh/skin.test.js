@@ -1,18 +1,18 @@
-// A skinned model that gltf-validator takes, in the pose of its joints; the numbers are worked out by hand.
+// A skinned model that gltf-validator accepts, in the pose of its joints; the numbers are computed by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import validator from 'gltf-validator'
 import { loadMesh } from 'warpjet/mesh'
 import { writeGlb } from '../support/glb.js'
 
-/** Joint 1 stands at x = 1, where it was bound; joint 2, bound 2 above it, is turned by 90 degrees: x to y, y to -x. */
-function skinned() {
-  const moved = (x, y) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1]
+/** Joint 1 is at x = 1, where it was bound; joint 2, bound 2 above it, is rotated by 90 degrees: x to y, y to -x. */
+function skinnedModel() {
+  const translation = (x, y) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1]
   const parts = [
     { type: 'VEC3', numbers: Float32Array.of(0, 0, 0, 2, 2, 0, 2, 2, 3) },
     { type: 'VEC4', numbers: Uint8Array.of(0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0) },
     { type: 'VEC4', numbers: Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0) },
-    { type: 'MAT4', numbers: Float32Array.of(...moved(-1, 0), ...moved(-1, -2)) },
+    { type: 'MAT4', numbers: Float32Array.of(...translation(-1, 0), ...translation(-1, -2)) },
   ]
   const bytes = Buffer.concat(parts.map(({ numbers }) => Buffer.from(numbers.buffer)))
   let byteOffset = 0
@@ -47,13 +47,13 @@ function skinned() {
   return writeGlb(json, bytes)
 }
 
-test('a skinned model stands in the pose of its joints', async () => {
-  const bytes = skinned()
+test('a skinned model is in the pose of its joints', async () => {
+  const bytes = skinnedModel()
   const { issues } = await validator.validateBytes(bytes)
   assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages))
   const { positions, warnings } = await loadMesh(bytes)
   assert.equal(warnings, undefined)
-  // The last follows both: half of (2, 2, 3), where it was, and half of (1, 3, 3).
+  // The last vertex follows both: half of (2, 2, 3), its original position, and half of (1, 3, 3).
   const expected = [0, 0, 0, 1, 3, 0, 1.5, 2.5, 3]
   positions.forEach((x, i) => assert.ok(Math.abs(x - expected[i]) < 1e-6, `${i}: ${x}`))
 })

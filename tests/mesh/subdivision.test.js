@@ -1,20 +1,20 @@
-// What `subdivide` is for: a coarse mesh that bends rightly. How near it comes is measured without what it looks at itself.
+// The purpose of `subdivide`: a coarse mesh that bends accurately. Measures the error independently of its own samples.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { subdivide } from 'warpjet/mesh'
-import { box } from '../../.scripts/lib/coarse-meshes.mjs'
+import { box } from '../support/coarse-meshes.js'
 import { sketchWarps } from '../warps/sketches.js'
 import { deviation, edgesNotUsed } from '../support/deviation.js'
 import { cube as large, noiseWarps } from '../support/noise-warps.js'
 
 const sketches = await sketchWarps()
-/** With normals or without. */
+/** With or without normals. */
 const warpOf = (wanted, normals = false) =>
   compileWarp(sketches.find(({ name }) => name === wanted).warp, { normals })
 
 for (const tolerance of [2, 0.5])
-  test(`figure 6's cube with one edge a side becomes right to ${tolerance} of its 180 units`, () => {
+  test(`the cube of figure 6 with one edge per side becomes accurate to ${tolerance} of its 180 units`, () => {
     const cube = box([90, 90, 90])
     const [warp, shape] = [warpOf('coarse-and-fine', true), warpOf('coarse-and-fine')]
     const uniforms = { millis: 1571 }
@@ -29,7 +29,7 @@ for (const tolerance of [2, 0.5])
   })
 
 for (const [name, warp] of Object.entries(noiseWarps))
-  test(`a cube that ${name} warps is right to the tolerance`, () => {
+  test(`a cube warped by ${name} is accurate to the tolerance`, () => {
     for (const tolerance of [1, 0.5, 0.25]) {
       const fine = subdivide(large, { warp, tolerance, angle: Infinity })
       assert.equal(fine.warnings, undefined)
@@ -39,12 +39,12 @@ for (const [name, warp] of Object.entries(noiseWarps))
     }
   })
 
-test('cracks are found', () => {
+test('cracks would be found', () => {
   const { positions, indices } = box([1, 1, 1])
   assert.equal(edgesNotUsed(2, { positions, indices: indices.subarray(3) }).length, 3)
 })
 
-test('where a warp bends in one part, a third of the triangles of uniform levels is enough', () => {
+test('if a warp bends one part, a third of the triangles of uniform levels is enough', () => {
   const bar = box([100, 12.5, 20.6])
   const warp = warpOf('spoon')
   const uniforms = { millis: 2356 }

@@ -1,4 +1,4 @@
-// Warps that depend on the normal and on uv: their normals, when it is said how these vary over the surface.
+// Warps that depend on normal and uv: their normals, given the gradients of these over the surface.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { describe, test } from 'node:test'
@@ -11,10 +11,10 @@ import { movedNormal, surfaceMesh, surfaces } from '../support/surfaces.js'
 
 const { sin, cos, PI } = Math
 
-/** As a sketch writes it, and in double. */
+/** As an offset function, and in double. */
 const warps = {
   'bumps along the normal': {
-    warp: ({ glsl, position, normal }) => {
+    warp: ({ position, normal }) => {
       const wave = (x, frequency, phase) => x.mult(frequency).add(phase).sin()
       const [x, y, z] = [position.x(), position.y(), position.z()]
       const height = wave(x, 3, 1)
@@ -41,7 +41,7 @@ const warps = {
     offset: ([, , z], [a, b, c]) => [0.2 * b * z, 0.1 * sin(2 * a), 0.3 * a * c],
   },
   'bumps by uv': {
-    warp: ({ glsl, normal, uv }) =>
+    warp: ({ normal, uv }) =>
       normal.mult(
         uv
           .x()
@@ -56,7 +56,7 @@ const warps = {
           .mult(0.07),
       ),
     offset: (_, normal, [u, v]) => normal.map((k) => k * 0.07 * sin(6 * PI * u) * cos(4 * PI * v)),
-    // At its poles every u meets.
+    // All u meet at the poles.
     skips: 'sphere',
   },
 }
@@ -64,7 +64,7 @@ const warps = {
 const triples = (numbers) =>
   Array.from({ length: numbers.length / 3 }, (_, i) => [...numbers.slice(3 * i, 3 * i + 3)])
 
-/** Degrees, of the vertices where there is an oracle. */
+/** Returns the errors in degrees at the vertices where there is an oracle. */
 function errors(normals, expected) {
   return triples(normals).flatMap((normal, i) =>
     expected[i] ? [angleBetween(normal, expected[i])] : [],
@@ -96,7 +96,7 @@ for (const [name, surface] of Object.entries(surfaces))
           Object.entries(exact).map(([key, numbers]) => [key, numbers.map(() => 0)]),
         )
         const without = Math.max(...errorsOf(zeros))
-        // An inflated sphere is one; so its normals stay, and those of every parallel surface.
+        // An inflated sphere is a sphere, so its normals stay the same, and so do those of every parallel surface.
         if (title !== 'inflated') assert.ok(without > 1.5, `${without}° off without it`)
         const baked = errors(bakeWarp(mesh, compiled).normals, expected)
         assert.ok(Math.max(...baked) === computed, 'baking finds it out by itself')
@@ -104,7 +104,7 @@ for (const [name, surface] of Object.entries(surfaces))
     }
   })
 
-test('tangents turn with it', () => {
+test('tangents are transformed too', () => {
   const { mesh, exact } = surfaceMesh(surfaces.torus, 24, 12)
   const { warp, offset } = warps['bumps along the normal']
   const tangentAt = (u, v, move) => {
@@ -132,9 +132,9 @@ test('tangents turn with it', () => {
   })
 })
 
-// The Stanford bunny of npm, rounded by Loop's subdivision: the meshes of 7,350 and 29,394 vertices are the first vertices
-// of one of 117,570, which stands for the smooth bunny. Its vertices, moved, are the reference, with the normals of the
-// triangles around them. Where these fold over, as in the creases of the neck, the moved surface has no normal to speak of.
+// The Stanford bunny of npm, smoothed by Loop's subdivision: the meshes of 7,350 and 29,394 vertices are the first vertices of
+// one of 117,570, which represents the smooth bunny. Its warped vertices are the reference, with the normals of the surrounding
+// triangles. Where these fold over, as in the creases of the neck, the warped surface has no useful normal.
 describe('the bunny', () => {
   const { positions, indices } = models.bunny()
   let model = interpolating({ points: triples(positions), triangles: triples(indices) })
@@ -164,7 +164,7 @@ describe('the bunny', () => {
     )
 
     for (const level of [1, 2])
-      test(`${title}, ${levels[level].points.length} vertices: a third of the error without it`, () => {
+      test(`${title}, ${levels[level].points.length} vertices: a third of the error without gradients`, () => {
         const count = levels[level].points.length
         const mesh = {
           positions: points.slice(0, count).flat(),
@@ -204,7 +204,7 @@ describe('compileWarp', () => {
       .attributes.map(({ name }) => name)
       .filter((name) => /Gradient$/.test(name))
 
-  test('reads only what the offset makes it need', () => {
+  test('reads only the gradients that the offset needs', () => {
     assert.deepEqual(
       attributes(({ glsl, position }) => glsl.vec3(position.x().sin(), 0, 0)),
       [],
@@ -226,7 +226,7 @@ describe('compileWarp', () => {
     assert.deepEqual(attributes(bumpy, { surfaceVariation: true, normals: false }), [])
   })
 
-  test('reads them by the names of the shader, in every language', () => {
+  test("reads them by the shader's names, in every language", () => {
     const names = { normalXGradient: 'aByX', normalZGradient: 'vertex.byZ' }
     for (const target of ['glsl300', 'glsl100', 'wgsl']) {
       const { code } = compileWarp(bumpy, { target, names, surfaceVariation: true })
@@ -235,23 +235,23 @@ describe('compileWarp', () => {
     }
   })
 
-  test('gives the same text as ever where it is not asked for', () => {
+  test('generates the same code as before without the option', () => {
     const { code } = compileWarp(bumpy, { surfaceVariation: false })
     assert.doesNotMatch(code, /Gradient|_warpjet/)
   })
 
-  test('refuses what is neither true nor false', () => {
+  test('rejects values that are not booleans', () => {
     assert.throws(
       () => compileWarp(bumpy, { surfaceVariation: 'yes' }),
       new WarpError(
-        'compileWarp: the option "surfaceVariation" must be true or false, but is the text "yes".',
+        'compileWarp: expected true or false for the option "surfaceVariation", got the text "yes".',
       ),
     )
   })
 })
 
-/** What a program prints on the console of errors, line by line. */
-function printed(code) {
+/** Returns the lines that a program prints on console.error. */
+function linesPrintedBy(code) {
   const script = `
     import { compileWarp } from 'warpjet'
     import { bakeWarp, subdivide, surfaceVariation } from 'warpjet/mesh'
@@ -265,9 +265,9 @@ function printed(code) {
   return stderr.trim().split('\n').filter(Boolean)
 }
 
-describe('a note that normals are approximate', () => {
-  test('comes once, where nobody said that they may be', () => {
-    const lines = printed('for (let i = 0; i < 3; i++) compileWarp(bumpy).evaluate(mesh)')
+describe('a warning that normals are approximate', () => {
+  test('is printed once, if the option is missing', () => {
+    const lines = linesPrintedBy('for (let i = 0; i < 3; i++) compileWarp(bumpy).evaluate(mesh)')
     assert.equal(lines.length, 1)
     assert.match(
       lines[0],
@@ -275,14 +275,14 @@ describe('a note that normals are approximate', () => {
     )
   })
 
-  test('comes from evaluate, if it lacks the arrays that were promised', () => {
-    const lines = printed('compileWarp(bumpy, { surfaceVariation: true }).evaluate(mesh)')
+  test('is printed by evaluate, if it lacks the promised arrays', () => {
+    const lines = linesPrintedBy('compileWarp(bumpy, { surfaceVariation: true }).evaluate(mesh)')
     assert.equal(lines.length, 1)
     assert.match(lines[0], /^evaluate: .* warpjet\/mesh/)
   })
 
-  test('does not come where there is nothing to say', () => {
-    const lines = printed(`
+  test('is not printed without a reason', () => {
+    const lines = linesPrintedBy(`
       compileWarp(plain).evaluate(mesh)
       compileWarp(bumpy, { normals: false }).evaluate(mesh)
       compileWarp(bumpy, { surfaceVariation: false }).evaluate(mesh)
@@ -299,11 +299,11 @@ describe('on the CPU', () => {
   const warp = compileWarp(({ normal }) => normal.mult(-0.5), { surfaceVariation: true })
   const variation = { normalYGradient: [0, 1, 0], normalZGradient: [0, 0, 2.5] }
 
-  test('one vertex takes it too', () => {
+  test('one vertex accepts them too', () => {
     const bent = compileWarp(({ normal, position }) => normal.mult(position.y()), {
       surfaceVariation: true,
     })
-    // M = I + n (0, 1, 0) + 0.5 W turns (1, 0, 0) to (1.5 * 2.25, -2.25, 0), for y = 0.5.
+    // M = I + n (0, 1, 0) + 0.5 W transforms (1, 0, 0) to (1.5 * 2.25, -2.25, 0), for y = 0.5.
     const { normal } = bent.evaluateAt([0, 0.5, 0], { normal: [1, 0, 0], ...variation })
     const length = Math.hypot(1.5, 1)
     ;[1.5 / length, -1 / length, 0].forEach((x, i) => assert.ok(Math.abs(normal[i] - x) < 1e-6))
@@ -313,8 +313,8 @@ describe('on the CPU', () => {
     )
   })
 
-  test('foldover tells where the sides of the surface change places', () => {
-    // Inwards by 0.5: past the centre of curvature 1/2.5, not past 1/1.
+  test('foldover reports where the sides of the surface are swapped', () => {
+    // Inwards by 0.5: past the centre of curvature 1/2.5, but not past 1/1.
     const mesh = { positions: [0, 0, 0, 0, 0, 0], normals: [1, 0, 0, 1, 0, 0] }
     const normalYGradients = [0, 1, 0, 0, 1, 0]
     const normalZGradients = [0, 0, 2.5, 0, 0, 1.5]
@@ -327,7 +327,7 @@ describe('meshes', () => {
   const { mesh } = surfaceMesh(surfaces.torus, 16, 8)
   const warp = compileWarp(bumpy, { surfaceVariation: true })
 
-  test('surfaceVariation gives gradients where there are uvs, and leaves the mesh alone', () => {
+  test('surfaceVariation returns gradients if there are uvs, and leaves the mesh unchanged', () => {
     const before = structuredClone(mesh)
     const names = [
       'normalXGradients',
@@ -347,7 +347,7 @@ describe('meshes', () => {
     )
   })
 
-  test('a coarse one, subdivided and baked, has normals within 0.5°', () => {
+  test('a coarse mesh, subdivided and baked, has normals within 0.5°', () => {
     const fine = subdivide(mesh, { warp, tolerance: 0.002 })
     assert.deepEqual(Object.keys(fine), ['positions', 'normals', 'uvs', 'indices'])
     const { normals } = bakeWarp(fine, warp)
@@ -365,7 +365,7 @@ function unit(v) {
   return v.map((x) => x / Math.hypot(...v))
 }
 
-/** By vertex, the sum of the area vectors of its triangles, and of their lengths. */
+/** Returns, for each vertex, the sum of the area vectors of its triangles, and of their lengths. */
 function areaNormals(points, triangles) {
   const found = points.map(() => ({ sum: [0, 0, 0], area: 0 }))
   for (const corners of triangles) {

@@ -1,5 +1,5 @@
-// Surfaces that are there twice, facing both ways, in files without normals whose two sides share their vertices. What a
-// side must be is known from the file that has only that side.
+// Surfaces that exist twice, facing both ways, in files without normals whose two sides share vertices. The expected result of a
+// side is that of a file with only this side.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -8,7 +8,7 @@ import { edgesNotUsed } from '../support/deviation.js'
 import { writeGlb } from '../support/glb.js'
 import { grid } from '../support/meshes.js'
 
-/** A saddle over a grid, with a bend that has no symmetry. */
+/** A saddle over a grid, with an asymmetric bend. */
 function saddle() {
   const { positions, indices } = grid(6, 5)
   for (let i = 0; i < positions.length; i += 3)
@@ -57,7 +57,7 @@ const files = {
   },
 }
 
-/** For each corner of each triangle, its three numbers of an array. */
+/** Returns three numbers of an array for each corner of each triangle. */
 const ofCorners = (array, indices) =>
   Array.from(indices, (vertex) => Array.from(array.subarray(3 * vertex, 3 * vertex + 3)))
 
@@ -76,7 +76,7 @@ const wave = compileWarp(({ glsl, position }) =>
 
 for (const [name, fileOf] of Object.entries(files))
   describe(name, () => {
-    test('each side has normals of its own, of length 1 and opposite', async () => {
+    test('each side has its own normals, of length 1 and opposite', async () => {
       const { positions, indices } = saddle()
       const one = await loadMesh(fileOf({ positions, indices }))
       const two = await loadMesh(
@@ -93,13 +93,13 @@ for (const [name, fileOf] of Object.entries(files))
       const came = ofCorners(two.normals, two.indices)
       assertNear(came, [...front, ...back])
 
-      // Of a light above, what Lambert's law says: the front has it, the back lies in the dark.
+      // Lambert's law for a light above: the front is lit, the back dark.
       const lit = came.map((normal) => Math.max(0, normal[2]))
       assert.ok(lit.slice(0, indices.length).every((light) => light > 0.3))
       assert.ok(lit.slice(indices.length).every((light) => light === 0))
     })
 
-    test('a part with one side goes on from the side that it faces with', async () => {
+    test('an adjacent part with one side continues the side that it faces with', async () => {
       const { positions, indices } = saddle()
       const half = indices.slice(0, indices.length / 2)
       const one = await loadMesh(fileOf({ positions, indices }))

@@ -1,6 +1,6 @@
-// Names that people bring along from three's TSL, p5.strands, p5 and GLSL, and what each is.
+// Names that people know from three's TSL, p5.strands, p5 and GLSL, and the operation that each is.
 
-/** By the name of the operation that it is. */
+/** Maps an operation to its other names. */
 export const sameAs = {
   mul: 'mult',
   multiply: 'mult',
@@ -34,7 +34,7 @@ export const sameAs = {
   perlin: 'noise',
 }
 
-/** By plain functions of numbers; those of vectors take their squared length. */
+/** The aliases as plain functions of numbers; those of vectors return their squared length. */
 export const madeOf = {
   oneMinus: (x) => 1 - x,
   saturate: (x) => Math.min(Math.max(x, 0), 1),
@@ -45,5 +45,5 @@ export const madeOf = {
   lengthSq: (x, y, z) => x * x + y * y + z * z,
 }
 
-/** Methods of p5.Vector, of which tests/core/vectors.test.js compares the values with p5's own. */
+/** Methods of p5.Vector, whose values tests/core/vectors.test.js compares with p5's own. */
 export const ofVectors = ['copy', 'rem', 'limit', 'setMag', 'heading', 'angleBetween', 'array']

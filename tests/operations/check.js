@@ -1,7 +1,7 @@
-// What a measurement must show, wherever a program ran: lists of what is wrong, in words.
+// The requirements for a measurement, on any pipeline: returns lists of problems, in words.
 import { errorOf, measure } from './measure.js'
 
-/** On the CPU: values in double precision, and derivatives as well as differences can tell. */
+/** Tolerances on the CPU: values in double precision, and derivatives up to the precision of differences. */
 export const inDouble = {
   value: 1e-12,
   derivative: 1e-9,
@@ -12,7 +12,7 @@ const inWords = (kind, { error, at, got, expected, by }, allowed) =>
   `${kind}${by === undefined ? '' : ` by number ${by} of the operands`} is ${got} at ` +
   `(${at.join(', ')}), expected ${expected}: ${error.toExponential(1)} off, ${allowed} allowed`
 
-/** Measures a case of the reference → what is wrong; see `measure` for `run`. */
+/** Measures a case of the reference → problems; see `measure` for `run`. */
 export async function problemsOf(operation, run, tolerance = operation.tolerance) {
   const measured = await measure(operation, run)
   const problems = ['value', 'derivative']
@@ -25,7 +25,7 @@ export async function problemsOf(operation, run, tolerance = operation.tolerance
   return problems.map((problem) => `${operation.title}: ${problem}`)
 }
 
-/** The same for the conventions of a case. */
+/** Does the same for the conventions of a case. */
 export async function brokenConventions(
   { operation, points },
   run,

@@ -1,6 +1,6 @@
-// What is agreed where GLSL or mathematics leaves it open: values and derivatives exactly at kinks,
-// jumps and ends of domains, worked out by hand. `slopes` has the derivatives by each number of the
-// operands, one after the other, each with as many numbers as the value.
+// Conventions where GLSL or mathematics leaves a choice: values and derivatives exactly at kinks, jumps and ends of domains,
+// computed by hand. `slopes` has the derivatives by each number of the operands, one after the other, each with as many numbers
+// as the value.
 import { cases } from './reference.js'
 
 const { PI } = Math
@@ -13,7 +13,7 @@ const agreed = {
   'floor(float)': [-2, 0, 3].map((x) => ({ at: [x], value: [x], slopes: [0] })),
   'ceil(float)': [-2, 0, 3].map((x) => ({ at: [x], value: [x], slopes: [0] })),
   'trunc(float)': [-2, 0, 3].map((x) => ({ at: [x], value: [x], slopes: [0] })),
-  // A half goes to the even neighbour.
+  // A half is rounded to the even neighbour.
   'round(float)': [
     [-2.5, -2],
     [-1.5, -2],
@@ -63,7 +63,7 @@ const agreed = {
     { at: [5, -3], value: [-1], slopes: [1, 2] },
   ],
 
-  // Of equal operands the first is taken.
+  // For equal operands the derivative is that of the first.
   'min(float, float)': [{ at: [1, 1], value: [1], slopes: [1, 0] }],
   'max(float, float)': [{ at: [1, 1], value: [1], slopes: [1, 0] }],
   'min(float, float, float)': [
@@ -74,7 +74,7 @@ const agreed = {
     { at: [2, 2, 2], value: [2], slopes: [1, 0, 0] },
     { at: [1, 2, 2], value: [2], slopes: [0, 1, 0] },
   ],
-  // min(max(x, low), high), also where the bounds are in the wrong order.
+  // min(max(x, low), high), also if the bounds are in the wrong order.
   'clamp(float, float, float)': [
     { at: [1, 1, 2], value: [1], slopes: [1, 0, 0] },
     { at: [2, 1, 2], value: [2], slopes: [1, 0, 0] },
@@ -94,7 +94,7 @@ const agreed = {
   'ge(float, float)': [{ at: [1, 1], value: [1], slopes: [0, 0] }],
   'eq(float, float)': [{ at: [1, 1], value: [1], slopes: [0, 0] }],
   'ne(float, float)': [{ at: [1, 1], value: [0], slopes: [0, 0] }],
-  // The condition is that the first is above 0.
+  // The condition is that the first operand is above 0.
   'ifElse(float, float, float): first operand above 0': [
     { at: [0, 5, 7], value: [7], slopes: [0, 0, 1] },
   ],
@@ -106,11 +106,11 @@ const agreed = {
   'normalize(vec2)': [{ at: zeros(2), value: zeros(2), slopes: zeros(4) }],
   'normalize(vec3)': [{ at: zeros(3), value: zeros(3), slopes: zeros(9) }],
   'refract(vec2, vec2, float)': [
-    // Total reflection, and its very beginning, where the root of 0 has the derivative 0.
+    // Total reflection, and its boundary, where the root of 0 has the derivative 0.
     { at: [1, 0, 0, 1, 1.5], value: [0, 0], slopes: zeros(10) },
     { at: [1, 0, 0, 1, 1], value: [1, 0], slopes: [1, 0, 0, 0, 0, -1, 0, 0, 1, 0] },
   ],
-  // What is at right angles is not in front.
+  // A perpendicular vector does not count as in front.
   'faceforward(vec2, vec2, vec2)': [
     { at: [1, 2, 1, 0, 0, 1], value: [-1, -2], slopes: [-1, 0, 0, -1, ...zeros(8)] },
   ],

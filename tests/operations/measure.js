@@ -1,18 +1,14 @@
-// How far a case of the reference is off, wherever its program runs: the value, and every
-// derivative by every number of every operand, against differences of the reference. Nothing here
-// knows what is right but the reference.
+// Measures the errors of a case of the reference on any pipeline: of the value, and of every derivative by every number of every
+// operand, against differences of the reference. Only the reference determines the expected results.
 import { setImmediate } from 'node:timers/promises'
 import { sizeOf } from '../support/browser/pipelines/text.js'
 import { seededRandom } from '../warps/random.js'
 import { jacobian } from './numeric.js'
 
-/** A few are lost to kinks; 200 must be left for each derivative. */
+/** A few points are lost to kinks; 200 must remain for each derivative. */
 const pointCount = 240
 
-/**
- * The same points for a case on every run; float32 numbers, so that all pipelines get the very
- * same.
- */
+/** Returns the same points for a case in every run; float32 numbers, so that all pipelines get identical input. */
 function samplePoints({ title, inputs, domains, adjust }) {
   const seed = [...title].reduce((hash, letter) => (hash * 31 + letter.charCodeAt(0)) % 1e6, 1)
   const random = seededRandom(seed + 1)
@@ -24,7 +20,7 @@ function samplePoints({ title, inputs, domains, adjust }) {
   })
 }
 
-/** The numbers of a point as operands. */
+/** Splits the numbers of a point into operands. */
 function operandsOf({ inputs }, point) {
   let next = 0
   return inputs.map(({ shape }) => point.slice(next, (next += sizeOf(shape))))
@@ -39,9 +35,8 @@ function pointsOf(operation) {
 }
 
 /**
- * What must come out at each point, [{ point, value, slopes, sensitivity }]; slopes are as
- * `jacobian` gives them, and the sensitivities of the value and its derivatives have a number for
- * each component.
+ * Returns the expected results at each point, [{ point, value, slopes, sensitivity }]; slopes have the layout of `jacobian`, and
+ * the sensitivities of the value and its derivatives have a number for each component.
  */
 function expectations(operation) {
   if (!known.has(operation)) {
@@ -64,25 +59,24 @@ function expectations(operation) {
   return known.get(operation)
 }
 
-/** In proportion to the expected number where that is above 1. A NaN is infinitely far off. */
+/** Returns the error relative to the expected number if that is above 1. A NaN has an infinite error. */
 export function errorOf(got, expected, sensitivity) {
   const error = Math.abs(got - expected) / Math.max(1, Math.abs(expected)) / sensitivity
   return Number.isNaN(error) ? Infinity : error
 }
 
 /**
- * Runs a case: `run(points)` gives all numbers that come out at each point → {
- * - `value`, `derivative`: the worst errors, { error, at, got, expected, by }, each after division
- *   by the sensitivity;
+ * Runs a case: `run(points)` returns all resulting numbers at each point → {
+ * - `value`, `derivative`: the max errors, { error, at, got, expected, by }, each divided by the sensitivity;
  * - `points`;
- * - `derivatives`: how many were compared, and `excluded`, how many were not, since the differences
- *   show a kink;
- * - `fewest`: the least number of points at which one of the partial derivatives was compared }.
+ * - `derivatives`: the number of compared ones, and `excluded`, the number of those not compared, since the differences show a
+ *   kink;
+ * - `fewest`: the min number of points at which one of the partial derivatives was compared }.
  */
 export async function measure(operation, run) {
   const [results, expected] = await Promise.all([
     run(pointsOf(operation)),
-    // Lets the points through to a GPU, which works meanwhile.
+    // Yields, so that a GPU can process the points meanwhile.
     setImmediate().then(() => expectations(operation)),
   ])
   const worst = { value: { error: 0 }, derivative: { error: 0 } }

@@ -1,5 +1,5 @@
-// Names that a sketch might give to a function of its own: those that each language has already, by the chapters of its
-// specification, and words of which some language may have made something.
+// Names that a sketch might give to its own functions: built-in names of each language, by the chapters of its specification, and
+// words that some language may reserve.
 import hljs from 'highlight.js/lib/core'
 import glsl from 'highlight.js/lib/languages/glsl'
 
@@ -13,7 +13,7 @@ const ofBothGlsl = `
   length distance dot cross normalize faceforward reflect refract
   matrixCompMult lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual any all not`
 
-/** The functions of each language. */
+/** The built-in functions of each language. */
 export const functions = {
   glsl100: words(`${ofBothGlsl}
     texture2D texture2DProj texture2DLod texture2DProjLod textureCube textureCubeLod`),
@@ -42,7 +42,7 @@ export const functions = {
 
 const { keywords } = (hljs.registerLanguage('glsl', glsl), hljs.getLanguage('glsl'))
 
-/** Of desktop GLSL too, and some that only look as if they were taken. */
+/** Names of desktop GLSL, and some that only look reserved. */
 export const candidates = [
   ...new Set([
     ...Object.values(functions).flat(),

@@ -1,24 +1,24 @@
-// The kinds of noise, and where tests look at them.
+// The kinds of noise, and the points at which tests evaluate them.
 import { randomOf } from '../random/generate.js'
 
 const names = ['noise', 'simplex', 'valueNoise', 'worley', 'curl', 'fbm', 'ridged', 'turbulence']
 
 const dimensionsOf = { worley: [1, 2, 3], curl: [3, 4] }
 
-/** { kind, dimensions }, each that there is. */
+/** { kind, dimensions } of each noise. */
 export const kindsOfNoise = names.flatMap((kind) =>
   (dimensionsOf[kind] ?? [1, 2, 3, 4]).map((dimensions) => ({ kind, dimensions })),
 )
 
 export const isFractal = (kind) => ['fbm', 'ridged', 'turbulence'].includes(kind)
 
-/** Options that are not those that hold when nothing is said. */
+/** Options other than the defaults. */
 export const settingsOf = (kind) =>
   isFractal(kind) ? { octaves: 3, lacunarity: 1.9, gain: 0.6, seed: 7 } : { seed: 7 }
 
 /**
- * Points among the cells near the origin and up to `far` cells from it, float32 numbers. Their
- * coordinates stay away from whole and half ones by 1/1024, where third derivatives jump.
+ * Points among the cells near the origin and up to `far` cells from it, as float32 numbers. Their coordinates keep a distance of
+ * 1/1024 from integers and halves, where third derivatives jump.
  */
 export function noisePoints(dimensions, count, far = 1000) {
   const random = randomOf(dimensions)

@@ -1,40 +1,39 @@
-// Derivatives of plain functions of numbers, from differences in double precision. As
-// tests/support/browser/oracle.js has them, but for any number of arguments and results, and with
-// steps that adapt: a kink nearby only makes them shorter.
+// Derivatives of plain functions of numbers, from differences in double precision. The method is that of
+// tests/support/browser/oracle.js, but for any number of arguments and results, and with adaptive steps: a kink nearby only makes
+// them shorter.
 
-/** From 1/128 to 2e-7. Longer ones lose less to rounding, shorter ones come closer to a kink. */
+/** Step sizes from 1/128 to 2e-7. Longer steps lose less to rounding, shorter ones come closer to a kink. */
 const steps = [7, 10, 13, 16, 19, 22].map((power) => 2 ** -power)
 
-/** No shorter step is tried once the error is below this. */
+/** We try no shorter step once the error is below this. */
 const good = 1e-10
 
-/** A slope that is known no better than this has a kink or a jump within the shortest step. */
+/** A slope with a larger error than this has a kink or a jump within the shortest step. */
 const roughest = 1e-7
 
-/** A kink turns the slope by more than this. Both are in proportion to slopes above 1. */
+/** A kink changes the slope by more than this. Both are relative to slopes above 1. */
 const turn = 1e-5
 
-/** The numbers of `point`, moved by `step` along `direction`. */
-const moved = (point, direction, step) => point.map((x, k) => x + step * direction[k])
+/** Returns `point` moved by `step` along `direction`. */
+const movePoint = (point, direction, step) => point.map((x, k) => x + step * direction[k])
 
 /**
- * The slope of each result of `f` at `point` along `direction`, { slope, error }, from one step h.
- * The error is in proportion to slopes above 1, and infinite at a kink. `middle` is f(point).
+ * Returns the slope of each result of `f` at `point` along `direction`, { slope, error }, from one step h. The error is relative
+ * to slopes above 1, and infinite at a kink. `middle` is f(point).
  */
 function slopesByStep(f, point, direction, h, middle) {
-  const at = (step) => f(moved(point, direction, step))
+  const at = (step) => f(movePoint(point, direction, step))
   const [after1, before1] = [at(h), at(-h)]
   const [after2, before2] = [at(h / 2), at(-h / 2)]
   const [after4, before4] = [at(h / 4), at(-h / 4)]
   return middle.map((value, i) => {
-    // Central differences are f' + a h² + b h⁴ + …; Richardson's extrapolation takes a away, and
-    // then b.
+    // Central differences are f' + a h² + b h⁴ + …; Richardson's extrapolation eliminates a, and then b.
     const d1 = (after1[i] - before1[i]) / (2 * h)
     const d2 = (after2[i] - before2[i]) / h
     const d4 = (after4[i] - before4[i]) / (h / 2)
     const coarse = (4 * d2 - d1) / 3
     const fine = (4 * d4 - d2) / 3
-    // Bends are h f'' + O(h³). A kink or a jump at the point itself shows only here.
+    // Second differences are h f'' + O(h³). Only these show a kink or a jump at the point itself.
     const bend1 = (after1[i] - 2 * value + before1[i]) / h
     const bend2 = (after2[i] - 2 * value + before2[i]) / (h / 2)
     const slope = (16 * fine - coarse) / 15
@@ -45,7 +44,7 @@ function slopesByStep(f, point, direction, h, middle) {
   })
 }
 
-/** The same by the best of all steps; null for a result that has a kink at the point. */
+/** Returns the slope with the min error of all steps; null for a result that has a kink at the point. */
 function slopes(f, point, direction, middle) {
   let best = middle.map(() => ({ error: Infinity }))
   for (const h of steps) {
@@ -57,9 +56,8 @@ function slopes(f, point, direction, middle) {
 }
 
 /**
- * The partial derivatives of `f`, which takes and gives lists of numbers, at `point`: one row for
- * each number of the point, in it one { slope, error } for each result, or null where the result
- * has a kink or a jump.
+ * Returns the partial derivatives of `f`, which maps a list of numbers to a list, at `point`: one row for each number of the
+ * point, with one { slope, error } for each result, or null if the result has a kink or a jump.
  */
 export function jacobian(f, point) {
   const middle = f(point)
@@ -67,7 +65,7 @@ export function jacobian(f, point) {
     const direction = point.map((_, j) => (j === k ? 1 : 0))
     return slopes(f, point, direction, middle)
   })
-  // The oblique direction finds what the axes miss, such as the jump of sign(x) y at the origin.
+  // The oblique direction finds kinks that the axes miss, such as the jump of sign(x) y at the origin.
   const oblique = point.map((_, k) => (k % 2 ? -1 : 1) * (1 + k / 10))
   const smooth = slopes(f, point, oblique, middle)
   return rows.map((row) => row.map((known, i) => smooth[i] && known))

@@ -1,5 +1,4 @@
-// A case of the reference as a program: its value and the derivatives by every component of every
-// input.
+// Makes a program from a case of the reference: its value and the derivatives by every component of every input.
 import { compile } from '../../dist/warpjet.js'
 import { sizeOf } from '../support/browser/pipelines/text.js'
 
@@ -13,10 +12,10 @@ const makers = {
   mat4: 'mat4Param',
 }
 
-/** The builder's functions that make inputs; each has a case, as its shape is an input of one. */
+/** The builder's functions that make inputs; each has a case, since its shape is the shape of an input. */
 export const inputMakers = Object.values(makers)
 
-/** The numbers of an input, as expressions; a matrix column after column. */
+/** Returns the numbers of an input, as expressions; a matrix in column-major order. */
 export function components(input, shape) {
   if (shape === 1) return [input]
   const letters = [...'xyzw'].slice(0, Number(`${shape}`.at(-1)))
@@ -26,18 +25,15 @@ export function components(input, shape) {
     : letters.flatMap((_, i) => letterOf(input.column(i)))
 }
 
-/** The derivative of a condition is a number, 0. */
+/** The derivative of a condition is the number 0. */
 const slopeShape = (shape) => (/^b/.test(shape) ? Number(`${shape}`.at(-1)) || 1 : shape)
 
-/**
- * The ways to call the operation: as a method of its first operand, and as a function of the
- * builder.
- */
+/** The ways to call the operation: as a method of its first operand, and as a function of the builder. */
 export const forms = ({ only }) => (only ? [only] : ['method', 'builder'])
 
 /**
- * The text for `target` → { code, declarations, inputs, outputs, evaluate }, as the pipelines want
- * it. The outputs are the value and then its derivative by each number of the inputs.
+ * Returns the program for `target`, { code, declarations, inputs, outputs, evaluate }, for the pipelines. The outputs are the
+ * value and its derivative by each number of the inputs.
  */
 export function programOf(operation, target, form = forms(operation).at(-1)) {
   const { name, inputs, result, build } = operation
@@ -63,7 +59,7 @@ export function programOf(operation, target, form = forms(operation).at(-1)) {
   return { code, declarations, inputs, outputs, evaluate }
 }
 
-/** Runs a program on the CPU, in double precision: all floats of its outputs for each point. */
+/** Runs a program on the CPU, in double precision, and returns all floats of its outputs for each point. */
 export const runOnCpu = ({ inputs, outputs, evaluate }, points) =>
   points.map((point) => {
     let next = 0

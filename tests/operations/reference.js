@@ -1,5 +1,4 @@
-// The operations to prove: every row of tests/operations/reference with every list of operand
-// shapes, as a case of its own.
+// The operations to test: every row of tests/operations/reference with every list of operand shapes is a case.
 import { arithmetic } from './reference/arithmetic.js'
 import { calculus } from './reference/calculus.js'
 import { conditions } from './reference/conditions.js'
@@ -24,9 +23,9 @@ const shapeName = (shape) =>
   shape === 1 ? 'float' : typeof shape === 'number' ? `vec${shape}` : shape
 
 /**
- * The cases, [{ title, name, group, inputs, result, domains, adjust, reference, build, kinks,
- * tolerance, sensitivity, only, inShaders }]. `inputs` are { name, shape }, `result` is a shape;
- * the rest is the row's, see tests/operations/reference/scalars.js.
+ * The cases, [{ title, name, group, inputs, result, domains, adjust, reference, build, kinks, tolerance, sensitivity, only,
+ * inShaders }]. `inputs` are { name, shape }, `result` is a shape; the other members are those of the row, see
+ * tests/operations/reference/scalars.js.
  */
 export const cases = rows.flatMap((row) =>
   row.shapes.map((shapes) => ({

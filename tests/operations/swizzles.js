@@ -1,23 +1,23 @@
-// Every swizzle that there is, all in one program.
+// Every swizzle, all in one program.
 import { compile } from '../../dist/warpjet.js'
-import { letterSets, swizzled } from './reference/row.js'
+import { letterSets, swizzle } from './reference/row.js'
 
-/** All words of up to four of the letters. */
+/** Returns all words of up to four of the letters. */
 function words(letters, most = 4) {
   if (most === 0) return ['']
   const shorter = words(letters, most - 1)
   return ['', ...[...letters].flatMap((letter) => shorter.map((word) => letter + word))]
 }
 
-/** Their names, from `x` to `vvvv`. */
+/** The names of the swizzles, from `x` to `vvvv`. */
 export const swizzles = letterSets.flatMap((letters) => words(letters).filter(Boolean))
 
 export const points = [[0.5, -1.25, 2, 3.5]]
 
-/** The numbers of each swizzle of the point, one after the other. */
-export const expected = swizzles.flatMap((name) => swizzled(name, points[0]))
+/** Returns the numbers of each swizzle of the point, one after the other. */
+export const expected = swizzles.flatMap((name) => swizzle(name, points[0]))
 
-/** As `programOf` of program.js has it. */
+/** Has the same result as `programOf` of program.js. */
 export function swizzleProgram(target) {
   const inputs = [{ name: 'v', shape: 4 }]
   const outputs = swizzles.map((name) => ({ name: `by_${name}`, shape: name.length }))

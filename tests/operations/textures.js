@@ -1,34 +1,34 @@
-// Images as functions of texture coordinates, in double and from the papers: each texel counts by a kernel of its
-// distance. Nothing here knows how warpjet does it.
+// Images as functions of texture coordinates, in double, from the papers: each texel is weighted by a kernel of its distance.
+// Independent of warpjet's own implementation.
 import { randomOf } from '../random/generate.js'
 
-const cubed = (x) => x ** 3
+const cube = (x) => x ** 3
 
-/** By how far a texel is, in texels. */
+/** Kernels by the distance to a texel, in texels. */
 const kernels = {
   bilinear: (d) => Math.max(0, 1 - d),
   // Keys (1981), equation 15, which is his equation 8 with a = -1/2.
   bicubic(d) {
-    if (d < 1) return 1.5 * cubed(d) - 2.5 * d ** 2 + 1
-    return d < 2 ? -0.5 * cubed(d) + 2.5 * d ** 2 - 4 * d + 2 : 0
+    if (d < 1) return 1.5 * cube(d) - 2.5 * d ** 2 + 1
+    return d < 2 ? -0.5 * cube(d) + 2.5 * d ** 2 - 4 * d + 2 : 0
   },
   // Sigg and Hadwiger (2005), equation 20-2, as one function of the distance.
   bspline(d) {
-    if (d < 1) return 2 / 3 - d ** 2 + cubed(d) / 2
-    return d < 2 ? cubed(2 - d) / 6 : 0
+    if (d < 1) return 2 / 3 - d ** 2 + cube(d) / 2
+    return d < 2 ? cube(2 - d) / 6 : 0
   },
   nearest: (d) => Number(d < 0.5),
 }
 
-/** Those that are continuous. */
+/** The continuous kernels. */
 export const filters = Object.keys(kernels).filter((name) => name !== 'nearest')
 
-/** From the number of a texel on an endless row to one of `size`. */
+/** Maps the index of a texel on an endless row to one of `size`. */
 const wrappers = {
   clamp: (i, size) => Math.min(Math.max(i, 0), size - 1),
   repeat: (i, size) => ((i % size) + size) % size,
   mirror(i, size) {
-    // Step by step over the edges, which lie half a texel beyond the outermost texels.
+    // Step by step over the edges, which are half a texel beyond the outermost texels.
     for (;;) {
       if (i < 0) i = -1 - i
       else if (i >= size) i = 2 * size - 1 - i
@@ -39,7 +39,7 @@ const wrappers = {
 
 export const wraps = Object.keys(wrappers)
 
-/** Red, green, blue and alpha of { width, height, data }, bytes, at u, v. `wrap` is one way, or one for each axis. */
+/** Returns red, green, blue and alpha of { width, height, data }, bytes, at u, v. `wrap` is one mode, or one for each axis. */
 export function sample(
   { width, height, data },
   u,
@@ -58,7 +58,7 @@ export function sample(
   return sums
 }
 
-/** An image of random bytes. */
+/** Returns an image of random bytes. */
 export function randomImage(width, height, seed = 1) {
   const random = randomOf(seed)
   const data = Array.from({ length: 4 * width * height }, () => Math.floor(256 * random()))

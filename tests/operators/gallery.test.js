@@ -1,4 +1,4 @@
-// Every warp of the gallery that computes something itself, written a second time with operators: the same text, byte for byte.
+// Every warp of the gallery with its own formula, written a second time with operators: generates the same code, byte for byte.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { operators } from '../../dist/operators.js'
@@ -7,23 +7,23 @@ import { sketchWarps } from '../warps/sketches.js'
 import { threeWarps } from '../warps/three-sketches.js'
 import { texts } from '../warps/with-operators.js'
 
-/** Ready-made deformers and what composes them, texts of GLSL, and what `gen` made are no functions of the sketch. */
+/** Ready-made deformers, compositions, GLSL source and results of `gen` are not functions of the sketch. */
 const isOwn = ({ name, warp }) => warp && !/^(deformer|composition|glsl)-/.test(name)
 
 const sketches = [...(await sketchWarps()).filter(isOwn), ...threeWarps()]
 
-test('each has its second text, and no other', () => {
+test('each warp has its second version, and there are no others', () => {
   assert.deepEqual(sketches.map(({ name }) => name).sort(), Object.keys(texts).sort())
 })
 
 for (const { name, warp, options } of sketches)
   test(name, () => {
     const { surfaceVariation = true, uniforms } = options
-    const written = (offset) => {
+    const codeOf = (offset) => {
       const { code, declarations } = compileWarp(offset, { surfaceVariation, uniforms })
       return `${declarations}${code}`
     }
-    // Of the text itself, as a page has it.
+    // Loads the source file itself, as in a page.
     const again = operators((0, eval)(texts[name]))
-    assert.ok(written(again) === written(warp), 'the texts differ')
+    assert.ok(codeOf(again) === codeOf(warp), 'the texts differ')
   })

@@ -1,4 +1,5 @@
-// Operators have JavaScript's meaning: each function beside its twin by methods, read in a page and by the plugin.
+// Operators have JavaScript's meaning: compares each function with its version by methods, translated in a page and by the
+// plugin.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { mask } from '../../dist/deformers.js'
@@ -9,7 +10,7 @@ import { compile, compileWarp } from '../../dist/warpjet.js'
 import { warp } from '../../dist/three.js'
 import { BoxGeometry, MathUtils, Mesh } from 'three'
 
-/** p5's functions as a page has them in global mode: of numbers alone. */
+/** p5's functions in global mode, which work only on numbers. */
 const p5Functions = {
   sin: Math.sin,
   cos: Math.cos,
@@ -23,10 +24,10 @@ const p5Functions = {
   createVector: (x = 0, y = 0, z = 0) => ({ x, y, z }),
   lerp: (a, b, t) => a + (b - a) * t,
 }
-// They have no text, as p5's have none.
+// Bound functions have no source code, like p5's own.
 for (const [name, known] of Object.entries(p5Functions)) globalThis[name] = known.bind(null)
 
-/** Runs a module as the plugin translates it. */
+/** Runs a module translated by the plugin. */
 function built(code, names = {}) {
   const translated = translateModule(code) ?? code
   const [last, all, one] =
@@ -46,7 +47,7 @@ function built(code, names = {}) {
 
 const uniforms = { amount: 0.5 }
 
-/** Compiles a function as a page reads it, and as the plugin translates it. */
+/** Compiles a function as translated in a page and by the plugin. */
 function bothOf(written) {
   const offset = (0, eval)(`(${written})`)
   const options = written.includes('uniforms') ? { uniforms } : {}
@@ -60,7 +61,7 @@ function bothOf(written) {
   return [inPage, byBuild]
 }
 
-const called = (offset, options = {}) =>
+const callOffset = (offset, options = {}) =>
   compileWarp(operators(offset), /uniforms/.test(offset) ? { uniforms, ...options } : options).code
 
 const pairs = {
@@ -227,17 +228,17 @@ const pairs = {
   ],
 }
 
-describe('means of expressions what it means of numbers:', () => {
+describe('means the same for expressions as for numbers:', () => {
   for (const [name, [written, twin]] of Object.entries(pairs))
     test(name, () => {
-      const expected = called(twin)
+      const expected = callOffset(twin)
       const [inPage, byBuild] = bothOf(written)
       assert.equal(inPage, expected)
       assert.equal(byBuild, expected)
     })
 })
 
-test('p5 counts in degrees where angleMode says so', () => {
+test('p5 uses degrees after angleMode(DEGREES)', () => {
   const inDegrees = (f) => ((x) => f((x * Math.PI) / 180)).bind(null)
   const degrees = (f) => ((...x) => (f(...x) * 180) / Math.PI).bind(null)
   const scope = {
@@ -259,7 +260,7 @@ test('p5 counts in degrees where angleMode says so', () => {
   assert.equal(compileWarp(operators(written, scope)).code, expected)
 })
 
-test('a sketch in instance mode calls the functions of p5 by its p', () => {
+test("a sketch in instance mode calls p5's functions by its p", () => {
   class P5 {
     createCanvas() {}
     angleMode() {}
@@ -282,7 +283,7 @@ test('a sketch in instance mode calls the functions of p5 by its p', () => {
   assert.equal(built(code, { p }), expected)
 })
 
-test('p5.Vector has static functions', () => {
+test('static functions of p5.Vector', () => {
   class Vector {
     static random3D() {}
     static fromAngle() {}
@@ -304,7 +305,7 @@ test('p5.Vector has static functions', () => {
   )
 })
 
-test('an input that there is none of says so, with a default, too', () => {
+test('a missing input has a message, also in a destructuring default', () => {
   assert.throws(
     () => compileWarp(operators(({ position, amount = 2 }) => position * amount)),
     /^WarpError: An offset function gets no "amount"/,
@@ -314,7 +315,7 @@ test('an input that there is none of says so, with a default, too', () => {
 describe('functions, methods and classes:', () => {
   const expected = compileWarp(({ position }) => position.mult(2)).code
 
-  test('methods of objects and classes, static ones, and fields', () => {
+  test('methods of objects and classes, static methods, and fields', () => {
     class Waves {
       static wave({ position }) {
         return position * 2
@@ -351,7 +352,7 @@ describe('functions, methods and classes:', () => {
       assert.equal(compileWarp(operators(offset)).code, expected)
   })
 
-  test('this of a method is what it is called on', () => {
+  test('this of a method is the object of the call', () => {
     const object = {
       factor: 2,
       wave({ position }) {
@@ -360,7 +361,7 @@ describe('functions, methods and classes:', () => {
     }
     const read = operators(object.wave)
     assert.equal(compileWarp((inputs) => read.call(object, inputs)).code, expected)
-    // And a method that is called with expressions.
+    // Also a method that is called with expressions.
     const offset = ({ position }) => [waves.wave({ position: position * 1 })][0]
     assert.equal(
       compileWarp(operators(offset, { waves: object })).code,
@@ -368,7 +369,7 @@ describe('functions, methods and classes:', () => {
     )
   })
 
-  test('what a text cannot see of an object is named', () => {
+  test('messages name the members that the source code cannot access', () => {
     class Base {
       offset({ position }) {
         return position * 2
@@ -390,17 +391,17 @@ describe('functions, methods and classes:', () => {
     }
     const wave = new Wave()
     for (const [offset, message] of [
-      [wave.bySuper, /cannot see "super" .*; write a plain function/],
-      [wave.byPrivate, /cannot see "#factor" .*; write a plain function/],
+      [wave.bySuper, /cannot access "super" .*; write a plain function/],
+      [wave.byPrivate, /cannot access "#factor" .*; write a plain function/],
       [
         wave.byThis(),
-        /cannot see "this" of the object around it; write factor, amount in place of this.factor, this.amount, and add the option \{ scope: \{ factor: this.factor, amount: this.amount \} \}/,
+        /cannot access "this" of the enclosing object; write factor, amount in place of this.factor, this.amount, and add the option \{ scope: \{ factor: this.factor, amount: this.amount \} \}/,
       ],
       [
         new (function () {
           this.f = ({ position }) => position * (new.target ? 2 : 1)
         })().f,
-        /cannot see "new.target"/,
+        /cannot access "new.target"/,
       ],
     ])
       assert.throws(
@@ -412,14 +413,14 @@ describe('functions, methods and classes:', () => {
       )
   })
 
-  test('a function that new.target is in', () => {
+  test('a function with new.target', () => {
     const offset = function ({ position }) {
       return position * (new.target ? 1 : 2)
     }
     assert.equal(compileWarp(operators(offset)).code, expected)
   })
 
-  test('without operators the function itself is called', () => {
+  test('without operators the original function is called', () => {
     let count = 0
     const factor = 2
     const offset = ({ position }) => {
@@ -434,7 +435,7 @@ describe('functions, methods and classes:', () => {
     assert.equal(operators(plain), plain)
   })
 
-  test('scopes that are none, and names that are no variables', () => {
+  test('invalid scopes, and invalid names of variables', () => {
     const offset = ({ position }) => position * 2
     assert.throws(
       () => operators(offset, null),
@@ -494,13 +495,13 @@ describe('helper functions:', () => {
   }
   for (const [name, [written, twin]] of Object.entries(cases))
     test(name, () => {
-      const expected = called(twin)
+      const expected = callOffset(twin)
       assert.equal(compileWarp(operators((0, eval)(`(${written})`))).code, expected)
       const module = `${script.replaceAll(/globalThis\.(\w+) = function/g, 'const $1 = function').replaceAll('globalThis.', 'const ')}\nout.push(createWarp(${written}))`
       assert.equal(built(module), expected)
     })
 
-  test('one that reads a variable which the offset function has set', () => {
+  test('a helper that reads a variable set by the offset function', () => {
     ;(0, eval)(`globalThis.warpjetPoint = undefined
     globalThis.lift = function () { return warpjetPoint.x * 2 }`)
     assert.equal(
@@ -513,7 +514,7 @@ describe('helper functions:', () => {
     )
   })
 
-  test('one of another library', () => {
+  test('a helper of another library', () => {
     assert.equal(
       compileWarp(operators(({ position }) => MathUtils.lerp(position, 2, 0.25) * 1, { MathUtils }))
         .code,
@@ -526,13 +527,13 @@ describe('helper functions:', () => {
     )
   })
 
-  test('one whose text sees too little says so, once, and names what', () => {
+  test('a helper whose variables are inaccessible has one message that names them', () => {
     const hidden = 3
     globalThis.hiddenRipple = (d) => d * hidden
     const offset = ({ position }) => [hiddenRipple(position.x), 0, 0]
     assert.throws(
       () => compileWarp(operators(offset)),
-      /^WarpError: createWarp: operators are read from the text of the function hiddenRipple, which it calls, which cannot see "hidden" .* scope: \{ hidden \}/,
+      /^WarpError: createWarp: operators are translated in the source code of the function hiddenRipple, which it calls, which cannot access "hidden" .* scope: \{ hidden \}/,
     )
     assert.equal(
       compileWarp(operators(offset, { hidden })).code,
@@ -540,7 +541,7 @@ describe('helper functions:', () => {
     )
   })
 
-  test('a build says of functions of other modules that it does not read them', () => {
+  test('a build reports that it does not translate functions of other modules', () => {
     assert.throws(
       () =>
         built('out.push(createWarp(({ position }) => [imported(position.x), 0, 0]))', {
@@ -571,7 +572,7 @@ out.push(createWarp(offset), makeWave(5), height(3))`
   })
 })
 
-test('compileWarp, compile and what composes warps read operators by themselves', () => {
+test('compileWarp, compile and compositions translate operators by themselves', () => {
   assert.equal(
     compileWarp(({ position }) => position * 2).code,
     compileWarp(({ position }) => position.mult(2)).code,
@@ -602,15 +603,15 @@ test('compileWarp, compile and what composes warps read operators by themselves'
   const hidden = 3
   assert.throws(
     () => warp(new Mesh(new BoxGeometry()), ({ position }) => position * hidden),
-    /^WarpError: warp: .* cannot see "hidden"/,
+    /^WarpError: warp: .* cannot access "hidden"/,
   )
   assert.throws(
     () => compileWarp(({ position }) => position * hidden),
-    /^WarpError: compileWarp: .* cannot see "hidden" .* write operators\(offset, \{ hidden \}\) with operators of warpjet\/operators/,
+    /^WarpError: compileWarp: .* cannot access "hidden" .* write operators\(offset, \{ hidden \}\) with operators of warpjet\/operators/,
   )
 })
 
-test('what is read once is noted, by its name, with the uniform to write', () => {
+test('a variable that is read only once warns, with its name and the uniform to write', () => {
   const notes = []
   const { warn } = console
   console.warn = (note) => notes.push(note)
@@ -641,7 +642,7 @@ test('what is read once is noted, by its name, with the uniform to write', () =>
   }
 })
 
-test('what would be silent or wrong says so', () => {
+test('silent or wrong code warns', () => {
   const notes = []
   const { warn } = console
   console.warn = (note) => notes.push(note)
@@ -653,10 +654,10 @@ test('what would be silent or wrong says so', () => {
   } finally {
     console.warn = warn
   }
-  assert.match(notes[0], /^v\.mult\(2\) changes nothing: .* as in v = v\.mult\(2\)/)
+  assert.match(notes[0], /^v\.mult\(2\) has no effect: .* as in v = v\.mult\(2\)/)
   assert.match(
     notes[1],
-    /^noise: p5's noise\(\) works on numbers; of expressions it is warpjet's glsl\.fbm/,
+    /^noise: p5's noise\(\) works on numbers; for expressions it becomes warpjet's glsl\.fbm/,
   )
   assert.throws(
     () => compileWarp(operators((0, eval)('({ position }) => position * (position.x & 3)'))),
@@ -664,7 +665,7 @@ test('what would be silent or wrong says so', () => {
   )
 })
 
-test('noise is ours, from 0 to 1', () => {
+test("noise is warpjet's, from 0 to 1", () => {
   const { warn } = console
   console.warn = () => {}
   try {
@@ -684,7 +685,7 @@ test('noise is ours, from 0 to 1', () => {
   }
 })
 
-test('a method that is passed without its object says so', () => {
+test('a method that is passed without its object has a message', () => {
   class Wave {
     amount = 2
     offset({ position }) {

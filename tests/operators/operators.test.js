@@ -1,4 +1,4 @@
-// Offset functions with operators, beside the same with methods: the text that comes of both is the same, byte for byte.
+// Offset functions with operators generate the same code as with methods, byte for byte.
 import assert from 'node:assert/strict'
 import { SourceMap } from 'node:module'
 import { describe, test } from 'node:test'
@@ -7,7 +7,7 @@ import loader, { operators as plugin, translateModule } from '../../dist/operato
 import { withOperators } from '../../dist/operators-runtime.js'
 import { compileWarp, WarpError } from '../../dist/warpjet.js'
 
-/** By name, with operators and with methods. */
+/** Maps a name to the function with operators and the one with methods. */
 const pairs = {
   arithmetic: [
     ({ position, millis }) => [position.y * 4 + millis / 500, -position.x, 2 - position.z ** 2],
@@ -218,7 +218,7 @@ describe('with operators as with methods:', () => {
     test(name, () => {
       const expected = compileWarp(called).code
       assert.equal(compileWarp(operators(written)).code, expected)
-      // As a build has it.
+      // Translated by the plugin.
       const module = translateModule(`createWarp(${written})`)
       const [, text, last] = /^createWarp\(warpjetWithOperators\((.*)\)\)(\nimport .*\n)$/s.exec(
         module,
@@ -230,7 +230,7 @@ describe('with operators as with methods:', () => {
     })
 })
 
-test('numbers among numbers stay numbers, and texts texts', () => {
+test('operators on numbers give numbers, on strings strings', () => {
   const seen = []
   globalThis.warpjetSeen = seen
   compileWarp(
@@ -247,7 +247,7 @@ test('numbers among numbers stay numbers, and texts texts', () => {
   assert.deepEqual(seen, [6, 'many', '3x', false, -3, 1, 5, 'number', 2])
 })
 
-test('what is around a function comes by scope, or a sentence says so', () => {
+test('variables around a function come from the scope, or a message says so', () => {
   const amount = 3
   const offset = ({ position }) => position * amount
   const expected = compileWarp(({ position }) => position.mult(3)).code
@@ -259,16 +259,16 @@ test('what is around a function comes by scope, or a sentence says so', () => {
       assert.ok(error.name === 'WarpError')
       assert.equal(
         error.message,
-        `createWarp: operators are read from the function's text, which cannot see "amount" of the sketch around it; make it global, or add the option { scope: { amount } }.`,
+        `createWarp: operators are translated in the function's source code, which cannot access "amount" of the enclosing scope; make it global, or add the option { scope: { amount } }.`,
       )
       return true
     },
   )
-  // Without an operator on expressions nothing is amiss.
+  // Without an operator on expressions there is no error.
   assert.equal(compileWarp(operators(({ position }) => position.mult(amount))).code, expected)
 })
 
-test('numbers decide as in JavaScript', () => {
+test('numbers decide conditions as in JavaScript', () => {
   const results = []
   globalThis.warpjetKept = results
   compileWarp(
@@ -320,13 +320,13 @@ test('numbers decide as in JavaScript', () => {
   ])
 })
 
-test('a scope is that of its call, and a name may become global later', () => {
+test('each call has its own scope, and a name may become global later', () => {
   const amount = 3
   const offset = ({ position }) => position * amount
   const by = (n) => compileWarp(({ position }) => position.mult(n)).code
   assert.equal(compileWarp(operators(offset, { amount: 2 })).code, by(2))
   assert.equal(compileWarp(operators(offset, { amount: 4 })).code, by(4))
-  assert.throws(() => compileWarp(operators(offset)), /cannot see "amount"/)
+  assert.throws(() => compileWarp(operators(offset)), /cannot access "amount"/)
   globalThis.amount = 5
   const known = operators(offset)
   assert.equal(compileWarp(known).code, by(5))
@@ -334,7 +334,7 @@ test('a scope is that of its call, and a name may become global later', () => {
   assert.equal(operators(known), known)
 })
 
-test('what only JavaScript can decide says so', () => {
+test('conditions that only JavaScript can decide have a message', () => {
   for (const offset of [
     ({ position }) => {
       let i = 0
@@ -390,7 +390,7 @@ test('what only JavaScript can decide says so', () => {
   ])
     assert.throws(
       () => compileWarp(operators(offset)),
-      /^WarpError: .* cannot wait for a condition/,
+      /^WarpError: .* cannot depend on a condition/,
     )
   assert.throws(
     () => operators(3),
@@ -399,7 +399,7 @@ test('what only JavaScript can decide says so', () => {
   assert.ok(WarpError)
 })
 
-test('a module without warps is left alone, and closures stay in one with them', () => {
+test('a module without warps stays unchanged, and closures stay in a module with warps', () => {
   assert.equal(translateModule('const a = b * c'), undefined)
   const code = translateModule(
     `const amount = 2\ncreateWarp(sketch, ({ position }) => position * amount, {})`,
@@ -411,7 +411,7 @@ test('a module without warps is left alone, and closures stay in one with them',
   assert.match(code, /warpjetOperators\.mult\(position, amount\)/)
 })
 
-test('what a module imports is its own, and its directive stays first', () => {
+test("a module's own imports stay intact, and its directive stays first", () => {
   const code = translateModule(
     `'use client'\nimport { map } from './mine'\nimport sin, * as all from './other'\ncreateWarp(({ position }) => map(sin(position.x), all) * 2) // end`,
   )
@@ -420,7 +420,7 @@ test('what a module imports is its own, and its directive stays first', () => {
   assert.match(code, /\/\/ end\nimport \{ withOperators as \w+ \} from/)
 })
 
-test('the loader of webpack gives the code that the plugin gives, with its map', () => {
+test('the loader of webpack generates the same code as the plugin, with a map', () => {
   const load = (code) => {
     let given
     loader.call({ resourcePath: 'sketch.js', callback: (...all) => (given = all) }, code)
@@ -435,7 +435,7 @@ test('the loader of webpack gives the code that the plugin gives, with its map',
   assert.deepEqual(load('const a = b * c'), [null, 'const a = b * c'])
 })
 
-test('a source map says where each word of a translated module is from', () => {
+test('a source map has the origin of each word of a translated module', () => {
   const code = `import { createWarp } from 'warpjet/p5'
 const twice = (value) => value * 2
 createWarp(({ position, millis }) => {
@@ -458,7 +458,7 @@ createWarp(({ position, millis }) => {
     )) {
       const { originalLine, originalColumn } = sourceMap.findEntry(line, index)
       const original = code.split('\n')[originalLine]?.slice(originalColumn)
-      // What was written by the translation, such as a list of variables, is from the beginning of what it stands for.
+      // Generated code, such as a list of variables, maps to the beginning of the code that it replaces.
       if (original?.startsWith(word)) found.add(`${originalLine}:${originalColumn}`)
     }
   const words = code

@@ -1,4 +1,5 @@
-// Sketches with operators, by the second script: the same picture as with methods, and errors at the sketch's own lines.
+// Sketches with operators, by the second script: they draw the same picture as with methods, and errors name the sketch's own
+// lines.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { launchBrowser, leavePage, openPage } from '../support/browser/browser.js'
@@ -19,7 +20,7 @@ after(async () => {
 })
 
 for (const [version, p5] of p5InThisRun) {
-  test(`p5 ${version}: a warp with operators draws as one with methods`, async () => {
+  test(`p5 ${version}: a warp with operators looks like one with methods`, async () => {
     const images = await drawScenes(browser, server, [p5, ...scripts], {
       setup: `
         const far = 0.3
@@ -67,15 +68,21 @@ for (const [version, p5] of p5InThisRun) {
     assert.deepEqual(messages, [])
     const lines = source.split('\n')
     const lineOf = (text) => lines.findIndex((line) => line.includes(text)) + 1
-    const told = (message) => +/, line (\d+)\)$/.exec(message)[1]
+    const lineInMessage = (message) => +/, line (\d+)\)$/.exec(message)[1]
     assert.match(first, /^sine: an expression has no such method; did you mean sin\?/)
-    assert.equal(told(first) - told(second), lineOf('y.sine()') - lineOf('position * hidden'))
-    assert.match(second, /cannot see "hidden" of the sketch around it; .*\{ scope: \{ hidden \} \}/)
+    assert.equal(
+      lineInMessage(first) - lineInMessage(second),
+      lineOf('y.sine()') - lineOf('position * hidden'),
+    )
+    assert.match(
+      second,
+      /cannot access "hidden" of the enclosing scope; .*\{ scope: \{ hidden \} \}/,
+    )
   })
 }
 
 for (const [version, p5] of p5InThisRun) {
-  test(`p5 ${version}: what is around a function is read from the file of the sketch`, async () => {
+  test(`p5 ${version}: variables around a function are found in the file of the sketch`, async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -87,13 +94,13 @@ for (const [version, p5] of p5InThisRun) {
     assert.deepEqual(messages, [])
     assert.match(
       shadowed,
-      /cannot see "height" of the sketch around it, where it is no global; add the option \{ scope/,
+      /cannot access "height" of the enclosing scope, where it is not the global; add the option \{ scope/,
     )
     assert.equal(free, 'function')
-    assert.match(bound, /cannot see "width" of the sketch around it, where it is no global/)
+    assert.match(bound, /cannot access "width" of the enclosing scope, where it is not the global/)
   })
 
-  test(`p5 ${version}: the variables of a module are none of the page`, async () => {
+  test(`p5 ${version}: the variables of a module are not globals of the page`, async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -120,12 +127,15 @@ for (const [version, p5] of p5InThisRun) {
     const [first, second, third, fourth] = await page.evaluate('outcomes')
     await leavePage(page)
     assert.deepEqual(messages, [])
-    assert.match(first, /cannot see "amount" of the sketch around it; .* scope: \{ amount \}/)
-    assert.match(second, /cannot see "height" of the sketch around it, where it is no global/)
+    assert.match(first, /cannot access "amount" of the enclosing scope; .* scope: \{ amount \}/)
+    assert.match(
+      second,
+      /cannot access "height" of the enclosing scope, where it is not the global/,
+    )
     assert.deepEqual([third, fourth], ['done', 'done'])
   })
 
-  test(`p5 ${version}: a page that forbids to make functions of texts draws what needs none, and says so of the rest`, async () => {
+  test(`p5 ${version}: on a page that forbids new Function, functions without operators work, and others have a message`, async () => {
     const { page, messages } = await openPage(
       browser,
       server.page(`<!doctype html>
@@ -155,7 +165,7 @@ function setup() {
     )
     assert.match(
       said,
-      /^createWarp: operators are read from the function's text, which this page's Content-Security-Policy forbids; allow 'unsafe-eval'/,
+      /^createWarp: operators are translated in the function's source code, which this page's Content-Security-Policy forbids; allow 'unsafe-eval'/,
     )
   })
 }

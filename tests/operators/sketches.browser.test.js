@@ -1,5 +1,5 @@
-// Sketches as p5 people write them, with the script of operators: the picture of a twin by methods, on a page without that script,
-// or a message that says what to write. Each is a page of its own, since what is around a function is what is tested.
+// Typical p5 sketches with the script of operators: each has the same picture as its version by methods on a page without that
+// script, or a message with advice. Each runs on its own page, since variables around functions matter.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { sketches as conditions } from './sketches/conditions.js'
@@ -28,7 +28,7 @@ after(async () => {
 
 const clock = 'p5.prototype.millis = () => 1700'
 
-const written = ({ whole, top = '', setup }) =>
+const sketchSource = ({ whole, top = '', setup }) =>
   `${clock}
 ${
   whole ??
@@ -45,15 +45,15 @@ function draw() {
 }`
 }`
 
-/** Opens a page with a sketch → its picture, and all that it printed. */
+/** Opens a page with a sketch → its picture, and all console messages. */
 async function run(scripts, sketch) {
-  const { page, messages } = await runSketch(browser, server, scripts, written(sketch))
+  const { page, messages } = await runSketch(browser, server, scripts, sketchSource(sketch))
   const image = (await page.$('canvas')) && (await readPixels(page))
   await leavePage(page)
   return { image, messages }
 }
 
-/** Draws the twins by methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
+/** Draws the versions by methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
 function drawTwins(p5) {
   const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
   const draw = (call) => `lights(); noStroke(); fill('coral'); ${call} sphere(40)`
@@ -71,10 +71,10 @@ function drawTwins(p5) {
   })
 }
 
-test('there are sixty of them', () => assert.ok(Object.keys(sketches).length >= 60))
+test('there are sixty sketches', () => assert.ok(Object.keys(sketches).length >= 60))
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: the picture of the twin, or a message`, async () => {
+  test(`p5 ${version}: the same picture as by methods, or a message`, async () => {
     const pictures = await drawTwins(p5)
     const problems = []
     for (const [name, sketch] of Object.entries(sketches)) {

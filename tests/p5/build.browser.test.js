@@ -1,5 +1,5 @@
-// A warp that is called while p5 builds a geometry: its vertices and normals are moved there, as by hand and as the GPU draws them. And
-// the calls of p5 that take a shader, with a warp in its place.
+// Warps that are called while p5 builds a geometry: vertices and normals against a computation by hand and against the GPU. And
+// p5's functions that take a shader, called with a warp instead.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -28,7 +28,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     const browser = browsers[renderer]
     const isWebGPU = renderer === 'WEBGPU'
 
-    /** Runs \`code\` in setup, where \`result\` is set → it and what the page printed. */
+    /** Runs `code` in setup, which sets `result` → the result and the console messages. */
     async function run(code) {
       const { page, messages } = await runSketch(
         browser,
@@ -52,7 +52,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       return { result, messages }
     }
 
-    test('buildGeometry() with a warp has the vertices and normals that one works out by hand', async () => {
+    test('buildGeometry() with a warp has the vertices and normals computed by hand', async () => {
       const { result, messages } = await run(`
         const numbers = ({ vertices, vertexNormals }) =>
           [vertices, vertexNormals].map((all) => all.map(({ x, y, z }) => [x, y, z]))
@@ -63,7 +63,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           beginShape(TRIANGLES); vertex(0, 0, 0); vertex(5, 0, 0); vertex(0, 5, 0); endShape()
         })
         result = [() => {}, warps.wave, warps.sway].map((warp) => numbers(shape(warp)))
-        // The shapes of p5 themselves stay as they are.
+        // p5's own shapes stay unchanged.
         result.push(numbers(shape(() => {})))`)
       assert.deepEqual(messages, [])
       const [plain, wave, sway, again] = result
@@ -80,14 +80,14 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       const unit = (v) => v.map((x) => x / Math.hypot(...v))
       for (let i = 0; i < count; i++) {
         const [p, n] = [plain[0][i], plain[1][i]]
-        // Of the sphere of size 1.
+        // The gradients of the sphere of size 1.
         const [x, y, z] = back([p[0] - 10, p[1], p[2]]).map((value) => value / 60)
         const [a, b, d] = back(n)
         const moved = turn([60 * x, 60 * (y + 0.2 * Math.sin(5 * x)), 60 * z])
         near(wave[0][i], [moved[0] + 10, moved[1], moved[2]], 1e-3, 'place')
         const normal = turn([a - Math.cos(5 * x) * b, b, d])
         near(unit(wave[1][i]), unit(normal), 1e-4, 'normal')
-        // Of the sketch's own pixels.
+        // This shape is in the sketch's own pixels.
         near(
           sway[0][i],
           [p[0] + 20 * Math.sin(0.05 * p[1]), p[1], p[2]],
@@ -105,7 +105,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         assert.deepEqual(warped[0].slice(count), plain[0].slice(count), 'after resetShader()')
     })
 
-    test('a built warp is drawn as the GPU draws it, with its uniforms, under lights', async () => {
+    test('a built warp looks as on the GPU, with its uniforms, under lights', async () => {
       const shapes = {
         'in its own space': ['warps.wave()', 'sphere(60, 40, 30)'],
         'by normal and uv': ['warps.bumps({ height: 0.12 })', 'ellipsoid(60, 50, 40, 60, 40)'],
@@ -146,27 +146,27 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       }
     })
 
-    test('what no geometry can hold is told', async () => {
-      const building = async (warp) => {
+    test('warps that a geometry cannot have are rejected', async () => {
+      const buildWith = async (warp) => {
         const { result } = await run(`
           const warp = ${warp}
           result = said(() => buildGeometry(() => { warp(); sphere(10) }))`)
         return result
       }
       assert.match(
-        await building(
+        await buildWith(
           "createWarp(({ glsl, position }) => glsl.vec3(position.z, 0, 0), { space: 'camera' })",
         ),
         /^WarpError: buildGeometry: .*space: 'camera'.*call the warp before model/,
       )
       assert.match(
-        await building(`createWarp(({ glsl, uv, uniforms }) =>
+        await buildWith(`createWarp(({ glsl, uv, uniforms }) =>
           glsl.texture(uniforms.image, uv).xyz, { uniforms: { image: createImage(2, 2) } })`),
         /^WarpError: buildGeometry: .*only the GPU can do\. Call it before model/,
       )
     })
 
-    test('shader(warp) puts the warp on, and nothing is said', async () => {
+    test('shader(warp) applies the warp without a message', async () => {
       const look = "lights(); noStroke(); fill('red')"
       const images = await drawScenes(browser, server, [...scripts, addon], {
         renderer,
@@ -181,7 +181,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       assert.equal(differingPixels(images.handed, images.called, 0), 0)
     })
 
-    test('other calls that take a shader say what to write', async () => {
+    test('messages of other calls that take a shader say what to write', async () => {
       const calls = {
         filter: 'filter(warps.wave)',
         modify: 'baseMaterialShader().modify(warps.wave)',
@@ -205,7 +205,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         )
     })
 
-    test('text() under a warp is noted once, in the words of the sketch', async () => {
+    test('text() under a warp warns once, with advice for the sketch', async () => {
       const load = version === '2.x' ? 'await loadFont' : 'await new Promise((done) => loadFont'
       const { messages } = await run(`
         textFont(${load}('${font}'${version === '2.x' ? '' : ', done)'}))
@@ -214,6 +214,6 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         text('a', 0, 0)
         text('b', 0, 0)`)
       assert.equal(messages.length, 1, messages.join('; '))
-      assert.match(messages[0], /^text: no warp moves it, .*textToModel.*createGraphics/)
+      assert.match(messages[0], /^text: a warp cannot move it, .*textToModel.*createGraphics/)
     })
   })

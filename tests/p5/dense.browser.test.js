@@ -1,4 +1,4 @@
-// Shapes with enough vertices to bend: warpBox beside p5's own box, and subdivide.
+// Shapes with enough vertices to bend: warpBox against p5's own box, and subdivide.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -17,7 +17,7 @@ const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
   describe(`shapes with more vertices, p5 ${version}, ${renderer}`, () => {
-    test("warpBox is p5's box, and bends; a shape that was subdivided too", async () => {
+    test("warpBox looks like p5's box, and bends; a subdivided shape bends too", async () => {
       const turned = 'rotateX(0.5); rotateY(0.7)'
       const lit = `noStroke(); ambientLight(60); directionalLight(200, 200, 200, 0.5, 1, -1); ${turned}`
       const outlines = `noFill(); stroke(255); strokeWeight(4); ${turned}`
@@ -48,7 +48,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         const seen = litPixels(images[name]).length
         assert.ok(seen > 1500, `${name}: ${seen} pixels`)
         const differing = differingPixels(images[name], images[`${name} by p5`], 6)
-        // Where a line has pieces its smooth sides differ; one of twelve lines would be 8 %.
+        // Smooth edges differ where a line is split into pieces; one missing line of twelve would be 8 %.
         assert.ok(
           differing <= (name === 'outlines' ? 0.03 : 0.01) * seen,
           `${name}: ${differing} of ${seen} pixels differ`,
@@ -62,7 +62,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}, subdivide: by the warp, and what is wrong in a sentence`, async () => {
+  test(`p5 ${version}, subdivide: by the warp, and messages about mistakes`, async () => {
     const { page, messages } = await runSketch(
       browsers.WEBGL,
       server,
@@ -76,7 +76,7 @@ for (const [version, p5] of p5InThisRun)
       const dense = await subdivide(shape, { warp, tolerance: 0.5 })
       const coarse = await subdivide(shape, { warp, tolerance: 5, angle: Infinity })
       window.counts = [shape, coarse, dense].map(({ faces }) => faces.length)
-      // What createWarp returns says the same of the same warp, its uniforms as they are, or as they are given.
+      // The result of createWarp gives the same subdivision as the same warp of compileWarp, with current or overridden uniforms.
       let deep = 10
       window.wave = createWarp(({ glsl, position, uniforms, millis, width }) =>
         glsl.vec3(position.y.div(20).add(millis.mult(0)).sin().mult(uniforms.deep).mult(width).div(50), 0, 0), { uniforms: { deep: () => deep } })
@@ -87,7 +87,7 @@ for (const [version, p5] of p5InThisRun)
       window.done = true
     }
     function draw() {
-      // 1.11 draws before a setup that waits has come to its end.
+      // p5 1.11 draws before an async setup has finished.
       if (!window.dense) return
       background(0)
       wave({ deep: 10 })
@@ -105,13 +105,13 @@ for (const [version, p5] of p5InThisRun)
       'subdivide(shape, { warp: wave })':
         /^subdivide: expected a number above 0 for the option "tolerance"/,
       'subdivide(shape, { warp: setup, tolerance: 1 })':
-        /^subdivide: expected what createWarp or compileWarp returns for the option "warp", got a function/,
+        /^subdivide: expected a result of createWarp or compileWarp for the option "warp", got a function/,
       'subdivide(3, 2)': /^subdivide: expected a p5.Geometry with triangles, .* got the number 3/,
       'subdivide(shape, 1.5)':
         /^subdivide: expected a whole number from 0 to 15 for the option "levels"/,
       'subdivide(shape)': /^subdivide: expected options such as .*, got undefined/,
-      'warpBox(100, 100, 100, 0)': /^warpBox: detail, .* must be a whole number from 1 to 200/,
-      'warpBox("a")': /^warpBox: width must be a number, but is the text "a"/,
+      'warpBox(100, 100, 100, 0)': /^warpBox: detail, .* expected a whole number from 1 to 200/,
+      'warpBox("a")': /^warpBox: width: expected a number, got the text "a"/,
     })) {
       const said = await page.evaluate(
         `(async () => { try { await ${code}; return 'nothing was said' } catch (error) { return error.message } })()`,

@@ -1,5 +1,5 @@
-// exactNormals of hooks that move vertices along the normal, by the texture coordinates or by an image: the light of the same warp by
-// createWarp. And what it cannot make exact, in the words of the sketch.
+// exactNormals for hooks that move vertices along the normal, by texture coordinates or by an image: compares the light with the
+// same warp by createWarp. Also tests the messages about unsupported hooks.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -21,7 +21,7 @@ const image = `
     warps.image.pixels.set([128 + 120 * Math.sin((i % 32) * 0.39), 0, 0, 255], 4 * i)
   warps.image.updatePixels()`
 
-/** [the sketch's own shader, the same by createWarp], by name. */
+/** Maps a name to [the sketch's own shader, the same warp by createWarp]. */
 const inStrands = {
   'along the normal': [
     strands(`getObjectInputs((inputs) => {
@@ -84,7 +84,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     const isOld = version === '1.11'
     const isWebGPU = renderer === 'WEBGPU'
 
-    test('the light is that of the same warp', async () => {
+    test('has the light of the same warp', async () => {
       const pairs = isOld ? inOldHooks : { ...inStrands, ...(!isWebGPU && inImages) }
       const entries = Object.entries(pairs)
       const images = await drawScenes(browsers[renderer], server, [...scripts, ...own], {
@@ -115,7 +115,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         )
     })
 
-    test('what cannot be is told in the words of the sketch', async () => {
+    test('messages about unsupported hooks use the names of the sketch', async () => {
       const told = {
         ...(!isOld && {
           random: [

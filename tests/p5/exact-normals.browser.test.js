@@ -1,4 +1,4 @@
-// exactNormals: p5's own hooks and p5.strands with right light, beside the same warp by createWarp.
+// exactNormals gives p5's own hooks and p5.strands exact normals: compares them with the same warp by createWarp.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { launchBrowser } from '../support/browser/browser.js'
@@ -18,14 +18,14 @@ after(async () => {
   await server.close()
 })
 
-/** What each scene draws. */
+/** Maps a scene to its code. */
 const scene = (shading) =>
   `noStroke(); ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); ${shading}; fill('coral'); rotateX(0.4); sphere(60, 48, 32)`
 
 const wave = `createWarp(({ glsl, position }) =>
   glsl.vec3(position.y().mult(4).sin().mult(0.25), position.z().mult(3).cos().mult(0.125), 0))`
 
-test('a hook in GLSL, a strands sketch with a loop and an if, and a text, each as the same warp by hand', async () => {
+test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source: each looks like the same warp by hand', async () => {
   const images = await drawScenes(browser, server, scripts, {
     setup: `
       warps.byHand = ${wave}
@@ -72,7 +72,7 @@ test('a hook in GLSL, a strands sketch with a loop and an if, and a text, each a
     )
 })
 
-test('a whole number of a sketch has all its bits in a text, and p5 is told to declare it as one', async () => {
+test('an integer uniform keeps all its bits, and p5 declares it as an integer', async () => {
   const text = `warpjet.glslOffset(\`uniform int n;
     vec3 offset(vec3 p) { return vec3(0.0, float(n % 1000) * 0.03125, 0.0); }\`)`
   const images = await drawScenes(browser, server, scripts, {
@@ -96,8 +96,8 @@ test('a whole number of a sketch has all its bits in a text, and p5 is told to d
   assert.ok(differingPixels(images.whole, images.byHand, 2) < 20)
 })
 
-test('p5.strands in world and in camera space, as its reference moves positions, beside the same by createWarp', async () => {
-  const moved = (isStrands) =>
+test("p5.strands in world and camera space, written as in p5's reference, looks the same by createWarp", async () => {
+  const shiftScene = (isStrands) =>
     isStrands
       ? `exactNormals(baseMaterialShader().modify(() => {
         getWorldInputs((inputs) => {
@@ -109,7 +109,7 @@ test('p5.strands in world and in camera space, as its reference moves positions,
         const phase = p.x().mult(0.0625).add(p.z().mult(0.03125))
         return glsl.vec3(0, phase.sin().mult(12), 0)
       }, { space: 'world' })`
-  const pulled = (isStrands) =>
+  const pullScene = (isStrands) =>
     isStrands
       ? `exactNormals(baseMaterialShader().modify(() => {
         getCameraInputs((inputs) => {
@@ -124,10 +124,10 @@ test('p5.strands in world and in camera space, as its reference moves positions,
       }, { space: 'camera' })`
   const images = await drawScenes(browser, server, scripts, {
     setup: `
-      warps.waves = ${moved(true)}
-      warps.wavesByHand = ${moved(false)}
-      warps.lens = ${pulled(true)}
-      warps.lensByHand = ${pulled(false)}`,
+      warps.waves = ${shiftScene(true)}
+      warps.wavesByHand = ${shiftScene(false)}
+      warps.lens = ${pullScene(true)}
+      warps.lensByHand = ${pullScene(false)}`,
     scenes: {
       waves: scene('shader(warps.waves)'),
       wavesByHand: scene('warps.wavesByHand()'),
@@ -142,9 +142,9 @@ test('p5.strands in world and in camera space, as its reference moves positions,
   }
 })
 
-test('p5.strands as the reference and the tutorials of p5 move positions, beside the same by createWarp', async () => {
+test("p5.strands written as in p5's reference and tutorials looks the same by createWarp", async () => {
   const strands = (base, moves) => `exactNormals(${base}().modify(() => { ${moves} }))`
-  // Each as a strands sketch, and as a warp.
+  // Each case as a strands sketch and as a warp.
   const sketches = {
     'a flag in the wind, by the clock': [
       strands(
@@ -168,7 +168,7 @@ test('p5.strands as the reference and the tutorials of p5 move positions, beside
           return inputs
         })`,
       ),
-      // The second line reads what the first has moved.
+      // The second line reads the result of the first.
       `createWarp(({ glsl, position, millis }) => {
         const t = millis.mult(0.001)
         const x = t.add(position.y.mult(0.06)).sin().mult(12)
@@ -227,7 +227,7 @@ test('p5.strands as the reference and the tutorials of p5 move positions, beside
   }
 })
 
-test('p5 1.11: hooks in local and view space, beside the same by createWarp', async () => {
+test('p5 1.11: hooks in local and view space look the same by createWarp', async () => {
   const old = [p5Versions['1.11'], ...scripts.slice(1)]
   const images = await drawScenes(browser, server, old, {
     setup: `
@@ -277,7 +277,7 @@ test('p5 1.11: hooks in local and view space, beside the same by createWarp', as
   }
 })
 
-test('what cannot be is told, and the shader stays as it was', async () => {
+test('warns about unsupported hooks, and leaves the shader unchanged', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,

@@ -1,10 +1,10 @@
-// model(shape, count): each instance has a warp of its own. Judged by where the picture is, and by how p5 lights what it shears itself.
+// model(shape, count): the warp differs per instance. Checks the position in the picture, and the light against p5's own shear.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { beyondEdges, colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
 import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
 
-/** p5 1.11 has no instances of a model. */
+/** p5 1.11 has no instanced models. */
 const hosts = p5HostsInThisRun.filter(([version]) => version === '2.x')
 
 const { browsers, server } = await openHosts(hosts)
@@ -35,7 +35,7 @@ for (const [, renderer, scripts] of hosts)
   })
 
 for (const [, renderer, scripts] of hosts)
-  test(`instances by ${renderer}: each has normals of its own, as p5 turns them`, async () => {
+  test(`instances by ${renderer}: each has its own normals, like those transformed by p5`, async () => {
     const light = `noStroke(); directionalLight(255, 255, 255, 0.6, 0.3, -1); fill('red')`
     const { warped, byP5, flat } = await drawScenes(
       browsers[renderer],

@@ -1,6 +1,5 @@
-// Offsets of normal and of uv on p5's own shapes, as a sketch draws them, with no call beside: the light at each
-// vertex is that of the surface which the offset makes, whose normal comes from differences in double of what p5
-// documents its shapes to be.
+// Offsets of normal and uv on p5's own shapes, without any call that computes gradients: compares the light at each vertex with
+// the normal of the warped surface, from differences in double of p5's documented shapes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -23,7 +22,7 @@ const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 const { PI, sin } = Math
 
-/** `grain` sizes them: places count over `length`, heights times `height`, and normals times `normals`. */
+/** `grain` scales the offset: positions are divided by `length`, heights multiplied by `height`, and normals by `normals`. */
 const offsets = {
   'a blob along the normal': {
     code: ({
@@ -48,7 +47,7 @@ const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.w
 const word = {
   setup: `textSize(180)
     warps.word = (await loadFont('${font}')).textToModel('We', -130, 50, { extrude: 60, sampleFactor: 0.5 })
-    // p5 has a canvas for text, too, and the pictures are of the first.
+    // p5 also has a canvas for text; the first canvas has the pictures.
     document.body.prepend(document.querySelector('#defaultCanvas0'))`,
   code: 'model(warps.word)',
   grain: { height: radius, length: radius, normals: 1 },
@@ -61,7 +60,7 @@ const shapesOn = (version, renderer) =>
     ...(version === '2.x' && renderer === 'WEBGL' && { 'a word': word }),
   })
 
-/** A picture shows normals with three positive parts: these turns bring many there. */
+/** The normal material shows only positive components: these rotations make all three positive in many places. */
 const turns = [
   [-0.6, 0.8],
   [-0.6, 3.9],
@@ -72,7 +71,7 @@ const distance = 1500
 const camera = `perspective(2 * atan(${size / 2 / distance}), 1, 100, 5000)
   camera(0, 0, ${distance}, 0, 0, 0, 0, 1, 0)`
 
-/** What p5 made of the shapes, by their names → { vertices, normals, uvs, faces }. */
+/** The shapes made by p5, by name → { vertices, normals, uvs, faces }. */
 async function geometriesOf(p5, shapes) {
   const { page, messages } = await runSketch(
     browsers.WEBGL,
@@ -85,7 +84,6 @@ async function geometriesOf(p5, shapes) {
       noLoop()
       noStroke()
       ${shapes.map(([, { setup }]) => setup ?? '').join('\n')}
-      // Where the shaders ask for it.
       const { prototype } = p5.Geometry
       const { get } = Object.getOwnPropertyDescriptor(prototype, 'warpjet_uGradient')
       let asking
@@ -103,14 +101,14 @@ async function geometriesOf(p5, shapes) {
       done = true
     }`,
   )
-  // As one text, which the driver passes on as it is.
+  // Passes one string, which the driver transfers without conversion.
   const geometries = JSON.parse(await page.evaluate('JSON.stringify(shapes)'))
   await leavePage(page)
   assert.deepEqual(messages, [])
   return geometries
 }
 
-/** A triangle as a surface of two parameters, on which normal and uv are as at its corners. */
+/** Parametrizes a triangle by two parameters, with normal and uv interpolated from its corners. */
 function flat([a, b, c], [n], [ta, tb, tc]) {
   const mix = (s, t) => (x, k) => x[0][k] * (1 - s - t) + x[1][k] * s + x[2][k] * t
   return {
@@ -122,7 +120,7 @@ function flat([a, b, c], [n], [ta, tb, tc]) {
   }
 }
 
-/** By triangle, its corners as { p, n, side, where }: on which surface they are, and where on it. */
+/** Returns for each triangle its corners as { p, n, side, where }: the surface and the parameters of the corner. */
 function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
   return faces.map((face) => {
     const of = (list) => face.map((i) => list[i])
@@ -151,7 +149,7 @@ function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
   })
 }
 
-/** The true normal at a corner after `moved`, outwards as p5's are; where the surface has none, that very near. */
+/** Returns the true outward normal at a corner after `moved`; where the surface has none, the normal at a nearby point. */
 function trueNormal({ side, where: [u, v], n }, moved, turn) {
   const near = side.edges ? 1e-6 : 0
   v = Math.min(1 - near, Math.max(near, v))
@@ -165,18 +163,18 @@ function trueNormal({ side, where: [u, v], n }, moved, turn) {
   return m.turnNormal(turn, m.normalize(m.dot(across, n) < 0 ? turned.map((x) => -x) : turned))
 }
 
-/** Where u has no slope, so that an offset by it tears the surface. */
+/** Returns where u has no derivative, so that an offset by u tears the surface. */
 const isTorn = ({ side, where: [, v] }) => side.edges?.some((edge) => Math.abs(v - edge) < 1e-9)
 
-/** Of a cone of p5's own the light is right up to its apex; what it is at a torn pole depends on how one gets there. */
+/** On p5's own cones the light is exact up to the apex; at a torn pole the normal depends on the direction of approach. */
 const isLost = (corner, { isBuilt, sides }) => isTorn(corner) && (isBuilt || sides.length === 1)
 
 const toScreen = ([x, y, z]) => [x, y].map((k) => size / 2 + (distance * k) / (distance - z))
 
-const mixed = (weights, vectors) =>
+const interpolate = (weights, vectors) =>
   vectors[0].map((_, k) => vectors.reduce((sum, vector, i) => sum + weights[i] * vector[k], 0))
 
-/** By pixel, which of the triangles, given by places, is the first that the eye meets; -1 where none is. */
+/** Returns for each pixel the index of the frontmost triangle, -1 if there is none. */
 function firstSeen(triangles) {
   const first = new Int32Array(size * size).fill(-1)
   const nearest = new Float64Array(size * size)
@@ -184,11 +182,11 @@ function firstSeen(triangles) {
     const [[ax, ay], [bx, by], [cx, cy]] = places.map(toScreen)
     const whole = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     if (Math.abs(whole) < 1e-9) return
-    // What goes by straight lines over the screen.
+    // These values are linear in screen space.
     const [nearA, nearB, nearC] = places.map(([, , z]) => 1 / (distance - z))
     const [left, right] = pixelsAcross(ax, bx, cx)
     const [top, bottom] = pixelsAcross(ay, by, cy)
-    // Without lists: these are 20 million pixels.
+    // Uses no arrays in the inner loop, which runs for 20 million pixels.
     for (let y = top; y < bottom; y++)
       for (let x = left; x < right; x++) {
         const [px, py] = [x + 0.5, y + 0.5]
@@ -211,8 +209,8 @@ const pixelsAcross = (...ends) => [
 ]
 
 /**
- * Places near each corner of each triangle that a picture from `[x, y]` shows, where all around is the same smooth
- * surface, with the normal that vertices with true normals give them.
+ * Finds points near each corner of each visible triangle in the picture from `[x, y]` such that the neighbourhood is one smooth
+ * surface, with the normal interpolated from true vertex normals.
  */
 function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
   const { grain = unit, scale = [1, 1, 1] } = shape
@@ -235,16 +233,15 @@ function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
     if (corners.some((corner) => isLost(corner, shape))) return []
     return [0, 1, 2].flatMap((j) => {
       const weights = [0, 1, 2].map((i) => (i === j ? 0.8 : 0.1))
-      const at = toScreen(mixed(weights, places[id]))
-      // Of the four pixels that `colorAt` mixes.
+      const at = toScreen(interpolate(weights, places[id]))
+      // The four pixels that `colorAt` interpolates.
       const [column, row] = at.map((x) => Math.floor(x - 0.5))
       for (const x of [0, 1])
         for (const y of [0, 1]) if (first[(row + y) * size + column + x] !== id) return []
       for (const x of [-1, 0, 1, 2])
         for (const y of [-1, 0, 1, 2]) if (!isSmooth(column + x, row + y)) return []
       const normals = corners.map((corner) => trueNormal(corner, moved, turn))
-      // Where they differ much from pixel to pixel, as on triangles that are seen from the side, a picture is too
-      // coarse.
+      // If neighbouring pixels differ much, as on triangles seen edge-on, the picture is too coarse to compare.
       const screen = places[id].map(toScreen)
       const steepest = Math.max(
         ...[0, 1, 2].map((i) => {
@@ -254,13 +251,13 @@ function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
         }),
       )
       if (steepest > 0.04) return []
-      const normal = m.normalize(mixed(weights, normals))
+      const normal = m.normalize(interpolate(weights, normals))
       return Math.min(...normal) > 0.1 ? [{ normal, at, ...corners[j] }] : []
     })
   })
 }
 
-/** What p5 makes of the shapes, by version. */
+/** The shapes made by p5, by version. */
 const geometries = new Map()
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
@@ -307,7 +304,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: how each of its own shapes varies is by its formula`, async () => {
+  test(`p5 ${version}: gradients of its own shapes are those of the formula`, async () => {
     const shapes = shapesOn(version, 'WEBGL')
     if (!geometries.has(version)) geometries.set(version, await geometriesOf(p5, shapes))
     for (const [name, { sides, isBuilt }] of shapes) {
@@ -320,7 +317,7 @@ for (const [version, p5] of p5InThisRun)
         const [s, t] = where
         const gradients = geometry.gradients.map((list) => list.slice(3 * vertex, 3 * vertex + 3))
         if (isTorn(corner)) {
-          // All that can be told is which way u rises, and that it does so without bounds.
+          // Only the direction of u and its unbounded slope can be checked here.
           const [u] = [gradients[3]]
           const near = side.edges.includes(0) && t < 0.5 ? 1e-3 : t - 1e-3
           const way = m.subtract(side.at(s + 1e-4, near).p, side.at(s - 1e-4, near).p)
@@ -350,20 +347,20 @@ for (const [version, p5] of p5InThisRun)
     }
   })
 
-/** Seen along their axes, from where their poles and apexes are in the middle. */
+/** Camera positions along the axes, which put poles and apexes in the middle. */
 const ends = {
   "a sphere's pole": ['sphere', 1],
   'its other pole': ['sphere', -1],
   "a cone's apex": ['cone', 1],
 }
 
-/** From the corners of a tetrahedron, so that each normal that is one has at least a third of a light. */
+/** Light directions to the corners of a tetrahedron, so that each unit normal gets at least a third of one light. */
 const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
   .map((way) => `directionalLight(255, 255, 255, ${way})`)
   .join('; ')
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: where a flag by uv has no true normal, at poles and apexes, it is lit by one`, async () => {
+  test(`p5 ${version}: at poles and apexes, where a flag by uv has no true normal, it is lit by a unit normal`, async () => {
     const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
     const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
       Object.entries(ends).map(([name, [shape, side]]) => [
@@ -388,7 +385,7 @@ for (const [version, p5] of p5InThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: how another shape varies is found out once, and kept`, async () => {
+  test(`p5 ${version}: gradients of another shape are computed once, and cached`, async () => {
     const { page, messages } = await runSketch(
       browsers.WEBGL,
       server,
@@ -399,7 +396,7 @@ for (const [version, p5] of p5InThisRun)
         noLoop()
         noStroke()
         shape = buildGeometry(() => torus(30, 10))
-        // What finds it out goes through these; p5 does not.
+        // Our computation calls these functions; p5 does not.
         const { forEach } = shape.vertices
         Object.defineProperty(shape.vertices, 'forEach', {
           value(...all) { looks += /warpjet/.test(new Error().stack); return forEach.apply(this, all) } })
@@ -421,7 +418,7 @@ for (const [version, p5] of p5InThisRun)
   })
 
 test(
-  'p5 1.11 lights them in each space as 2.x does, in WebGL 1 too',
+  'p5 1.11 lights them in each space like 2.x, also in WebGL 1',
   { skip: p5InThisRun.length < 2 },
   async () => {
     const spaces = { local: 0.1, world: 6, camera: 6 }
@@ -438,7 +435,7 @@ test(
         .add(glsl.vec3(0, 0, uv.x().mult(12).sin().mult(${height})))`,
       ],
     ])
-    // From the side, since normals of view space must not do for those of world space.
+    // From the side, so that view-space normals differ from world-space normals.
     const scene = `camera(500, -400, 500, 10, 5, 0, 0, 1, 0); noStroke()
       rotateX(0.5); rotateY(0.4); scale(1, 1.3, 0.8)`
     const draw = (version, attributes = '') =>

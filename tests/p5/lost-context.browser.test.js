@@ -1,5 +1,5 @@
-// A WebGL context that the browser takes away and gives back: three.js draws on by itself, p5 by a line of the sketch, and warps
-// as what is drawn without them.
+// A WebGL context that the browser loses and restores: three.js resumes by itself, p5 with a line in the sketch, and warps behave
+// like drawings without warps.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -17,24 +17,24 @@ import { threePages } from '../support/browser/three/open.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
-/** As web/docs/uptime.md has it. */
+/** The lines from web/docs/uptime.md. */
 const [, cure] = /```js\n(function keepContext[^]*?)```/.exec(
   readFileSync(new URL('../../web/docs/uptime.md', import.meta.url), 'utf8'),
 )
 
-/** Takes away the context of the page's canvas, waits, and gives it back. */
+/** Loses the context of the page's canvas, waits, and restores it. */
 const lose = `async () => {
   const canvas = document.querySelector('canvas')
   const gl = canvas.getContext('webgl2')
   const extension = gl.getExtension('WEBGL_lose_context')
-  const told = (event) => new Promise((found) => canvas.addEventListener(event, found, { once: true }))
-  const lost = told('webglcontextlost')
+  const nextEvent = (event) => new Promise((found) => canvas.addEventListener(event, found, { once: true }))
+  const lost = nextEvent('webglcontextlost')
   extension.loseContext()
   await lost
   await draw()
-  // Refused while the browser tells of the loss.
+  // Throws while the browser reports the loss.
   await new Promise((later) => setTimeout(later, 50))
-  const restored = told('webglcontextrestored')
+  const restored = nextEvent('webglcontextrestored')
   extension.restoreContext()
   await restored
   await draw()
@@ -79,7 +79,7 @@ describe('a lost context', () => {
     const open = (isWarped, isCured) =>
       runSketch(browser, server, [p5, addon], sketch(isWarped, isCured))
 
-    test(`p5 ${version} draws on by the lines of the docs, warps or none, twice`, async () => {
+    test(`p5 ${version} resumes with the lines of the docs, twice, with and without warps`, async () => {
       const firsts = []
       for (const isWarped of [false, true]) {
         const { page, messages } = await open(isWarped, true)
@@ -98,7 +98,7 @@ describe('a lost context', () => {
     })
 
     if (isRun('rare pages of p5'))
-      test(`p5 ${version} without them draws nothing more, warps or none`, async () => {
+      test(`p5 ${version} without these lines draws nothing more, with and without warps`, async () => {
         for (const isWarped of [false, true]) {
           const { page } = await open(isWarped, false)
           await page.evaluate(`(${lose.replaceAll('draw()', 'redraw()')})()`)
@@ -108,7 +108,7 @@ describe('a lost context', () => {
       })
   }
 
-  test('three.js draws on by itself, warps or none', async () => {
+  test('three.js resumes by itself, with and without warps', async () => {
     const pages = await threePages()
     try {
       const firsts = []

@@ -1,4 +1,4 @@
-// A warp that mirrors is lit as p5 lights the same shape under `scale(-1, 1, 1)`: its normals look out of it.
+// A mirroring warp is lit like the same shape under p5's `scale(-1, 1, 1)`: normals point outwards.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { differingPixels, litPixels } from '../support/browser/pixels.js'
@@ -15,7 +15,7 @@ const setup = `
   for (const space of ['local', 'world', 'camera'])
     warps[space] = createWarp(({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0), { space })
   warps.byUniform = createWarp(({ glsl, position, uniforms }) => ${scales}, { uniforms: { flip: 1 } })
-  // Of a sphere, whose radius is 1 before its own matrix, this is a matrix, too.
+  // This is also a linear map on a sphere, whose radius is 1 before p5's own matrix.
   warps.along = createWarp(({ glsl, position, normal }) =>
     glsl.vec3(position.x().mult(-2), 0, 0).add(normal.mult(0.2)))`
 
@@ -24,7 +24,7 @@ const lit = `ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); po
 const turned = 'translate(20, 10, 0); rotateX(0.4); rotateZ(0.5)'
 const cone = 'cone(50, 110, 32, 8)'
 
-/** By name: what the warp draws, and what p5 draws by matrices. */
+/** Maps a name to the drawing by the warp and the drawing by p5's matrices. */
 const pairs = {
   local: [`${turned}; warps.local(); ${cone}`, `${turned}; scale(-1, 1, 1); ${cone}`],
   world: [`warps.world(); ${turned}; ${cone}`, `scale(-1, 1, 1); ${turned}; ${cone}`],
@@ -51,7 +51,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     for (const [material, code] of Object.entries(materials)) {
       // p5 has no normalMaterial() on WebGPU.
       if (renderer === 'WEBGPU' && material === 'normals') continue
-      test(`${material}: as by matrices, in each space and by a uniform`, async () => {
+      test(`${material}: looks as by matrices, in each space and with a uniform`, async () => {
         const scenes = Object.entries(pairs).flatMap(([name, [warped, moved]]) => [
           [name, `${code}; ${warped}`],
           [`${name}, by matrices`, `${code}; ${moved}`],
@@ -79,7 +79,8 @@ const hooks = {
 
 for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: exactNormals of a hook that mirrors`, async () => {
-    const flipped = (flip) => `shader(warps.hook); warps.hook.setUniform('flip', ${flip}); ${cone}`
+    const drawFlipped = (flip) =>
+      `shader(warps.hook); warps.hook.setUniform('flip', ${flip}); ${cone}`
     const images = await drawScenes(
       browsers.WEBGL,
       server,
@@ -93,7 +94,7 @@ for (const [version, p5] of p5InThisRun)
           }))`,
         scenes: Object.fromEntries(
           [1, -1].flatMap((flip) => [
-            [flip, `${lit}; ${turned}; ${flipped(flip)}`],
+            [flip, `${lit}; ${turned}; ${drawFlipped(flip)}`],
             [`${flip}, by matrices`, `${lit}; ${turned}; scale(${flip}, 1, 1); ${cone}`],
           ]),
         ),

@@ -1,4 +1,4 @@
-// What people get wrong in their first sketches, each with the sentence that they see, and where it says that it was.
+// Common mistakes in first sketches: checks each message and the line that it names.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -7,12 +7,12 @@ import { openHosts, p5HostsInThisRun, p5InThisRun, runSketch } from '../support/
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 const browser = browsers.WEBGL
 
-/** The beginning of setup(), up to what makes the canvas. */
+/** The beginning of setup(), up to the call that makes the canvas. */
 const setupOf = (renderer) =>
   renderer === 'WEBGPU' ? 'async function setup() { await' : 'function setup() {'
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  test(`p5 ${version} by ${renderer}: a warp made in every frame is noted once; what another script has says which`, async () => {
+  test(`p5 ${version} by ${renderer}: a warp made in every frame warns once; a missing script is named`, async () => {
     const { page, messages } = await runSketch(
       browsers[renderer],
       server,
@@ -32,19 +32,19 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     ])
     await leavePage(page)
     assert.deepEqual(messages, [
-      'createWarp: it makes a new shader in every frame, which is slow; call it once, in setup(), and in draw() the function that it returned.',
+      'createWarp: each call makes a new shader, which is slow in every frame; call it once, in setup(), and in draw() call the function that it returned.',
     ])
   })
 
 const ownOperators =
   "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do."
 
-/** What an offset function returns or, in braces, does. */
+/** Bodies of offset functions: an expression to return or, in braces, statements. */
 const offsets = {
   5: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the number 5.',
   'glsl.vec3(position.sine(), 0, 0)': 'sine: an expression has no such method; did you mean sin?',
   'position.rotateY(1)':
-    'rotateY: a turn is a matrix, and gives where a vertex goes; write glsl.rotateY(angle).mult(v).sub(v).',
+    'rotateY: a rotation is a matrix, and its product with a vertex is the new position, not the offset; write glsl.rotateY(angle).mult(v).sub(v).',
   'glsl.vec3(position.y.squareRoot(), 0, 0)':
     'squareRoot: an expression has no such method; did you mean sqrt?',
   'position.multply(2)': 'multply: an expression has no such method; did you mean multiply?',
@@ -117,8 +117,8 @@ const offsets = {
   '(async () => position)()':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise (leave its "async" out).',
   null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
-  'glsl.vec3()': 'vec3: 3 components were expected, but 0 came.',
-  'glsl.vec3(1, 2)': 'vec3: 3 components were expected, but 2 came.',
+  'glsl.vec3()': 'vec3: expected 3 components, got 0.',
+  'glsl.vec3(1, 2)': 'vec3: expected 3 components, got 2.',
   'glsl.vec3([1, 2, 3])':
     'vec3: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'glsl.vec3("1", 0, 0)':
@@ -133,16 +133,16 @@ const offsets = {
     'add: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'position.add(createVector(1, 0, 0))':
     'add: expected a number or an expression for argument 1, got a vector of numbers; write glsl.vec3(x, y, z) for a vector.',
-  'position.mult()': 'mult: 1 argument was expected, but 0 came.',
-  'position.y.clamp(0)': 'clamp: 2 arguments were expected, but 1 came.',
-  'position.sin(2)': 'sin: no arguments were expected, but 1 came.',
-  'position.gt(0).ifElse(1)': 'ifElse: 2 arguments were expected, but 1 came.',
+  'position.mult()': 'mult: expected 1 argument, got 0.',
+  'position.y.clamp(0)': 'clamp: expected 2 arguments, got 1.',
+  'position.sin(2)': 'sin: expected no arguments, got 1.',
+  'position.gt(0).ifElse(1)': 'ifElse: expected 2 arguments, got 1.',
   'glsl.vec3(position.x(1), 0, 0)': 'x: it takes fewer arguments; the number 1 is too many.',
   'glsl.vec3(glsl.param("amount"), 0, 0)':
     'createWarp: the warp reads "amount", which nothing declares; add the option { defs: "uniform float amount;" }.',
 }
 
-/** What a sketch calls. */
+/** Statements of a sketch. */
 const calls = {
   'createWarp()': 'createWarp: expected a function, got undefined.',
   'createWarp("twist")': 'createWarp: expected a function, got the text "twist".',
@@ -156,7 +156,7 @@ const calls = {
     'createWarp: expected true or false for the option "stroke", got the text "red".',
   [`createWarp(still, { returns: 'normal' })`]: `createWarp: expected 'offset' or 'position' for the option "returns", got the text "normal".`,
   [`createWarp(still, { uniforms: { amount: 'big' } })`]:
-    'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them, but is the text "big".',
+    'createWarp: expected a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that returns one of them, for the uniform "amount", got the text "big".',
   'createWarp(warpjet.compilWarp)':
     'warpjet.compilWarp: there is no such function; did you mean compileWarp?',
   'createWarp(warpjet.twist)':
@@ -164,13 +164,13 @@ const calls = {
   [`createWarp(still, { defs: 'float a = 1.0;\\nfloat twice(float x) { return 2.0 * y; }' })`]: `createWarp: the option "defs" has a mistake in its line 2, "float twice(float x) { return 2.0 * y; }": 'y' : undeclared identifier.`,
   [`createWarp(still, { defs: 'uniform float size' })`]: `createWarp: the option "defs" has a mistake in its line 1, "uniform float size": 'void' : syntax error.`,
   'flat.createWarp(still)':
-    'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
+    'createWarp: a warp needs a 3D canvas; call createCanvas(width, height, WEBGL) first.',
   'warp(3)':
-    'The function that createWarp returned takes an object of uniforms, such as { size: 0.5 }, but the number 3 came.',
+    'The function that createWarp returned: expected an object of uniforms, such as { size: 0.5 }, got the number 3.',
   'warp({ amount: 1 })': `The warp has no uniform "amount"; createWarp's option "uniforms" must declare it: { uniforms: { amount: 0.5 } }.`,
 }
 
-/** Those that are others on WEBGPU, where defs are WGSL, which is read when the shader is used: p5-webgpu.test.js. */
+/** Cases that differ on WEBGPU, where defs are WGSL, which is compiled on first use: see webgpu.browser.test.js. */
 const onWebGPU = {
   'glsl.vec3(glsl.param("amount"), 0, 0)':
     'createWarp: the warp reads "amount", which nothing declares; give it a value by the option { uniforms: { amount: 0.5 } }, and read it as uniforms.amount.',
@@ -184,17 +184,17 @@ const onWebGPU = {
 const inBraces = (code) => (code.startsWith('{') ? code : `return ${code}`)
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  test(`p5 ${version} by ${renderer}: each mistake has its sentence, and the line of the sketch`, async () => {
+  test(`p5 ${version} by ${renderer}: each mistake has its message, with the line of the sketch`, async () => {
     const expected =
       renderer === 'WEBGL' ? { ...offsets, ...calls } : { ...offsets, ...calls, ...onWebGPU }
-    // What is null is not tried.
-    const tried = (all) => Object.keys(all).filter((code) => expected[code])
+    // Skips cases that are null.
+    const codesWithMessage = (all) => Object.keys(all).filter((code) => expected[code])
     const works = [
-      ...tried(offsets).map(
+      ...codesWithMessage(offsets).map(
         (code) =>
           `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${inBraces(code)} })`,
       ),
-      ...tried(calls),
+      ...codesWithMessage(calls),
     ]
     const { page, messages } = await runSketch(
       browsers[renderer],
@@ -202,15 +202,15 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       [...scripts, '/dist/p5.warpjet.min.js'],
       `let warp, flat
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
-const trying = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
+const errorOf = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
 const works = [
 ${works.map((work) => `() => ${work},`).join('\n')}
 ]
 ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
   flat = createGraphics(10, 10)
   warp = createWarp(still)
-  window.said = works.map(trying)
-  // What was guarded meanwhile is as before.
+  window.said = works.map(errorOf)
+  // The guarded functions are restored.
   window.after = [sin(0), Math.max(1, 2), constrain(5, 0, 1)]
   noLoop()
   done = true
@@ -220,7 +220,7 @@ ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
     const left = await page.evaluate('window.after')
     const source = await page.evaluate('document.documentElement.outerHTML')
     await leavePage(page)
-    // p5's own friendly errors speak of some of these calls too.
+    // p5's own friendly errors also report some of these calls.
     assert.deepEqual(
       messages.filter((text) => !/p5\.js says/.test(text)),
       [],
@@ -228,7 +228,9 @@ ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
     assert.deepEqual(left, [0, 2, 1])
     const lines = source.split('\n')
     const first = lines.findIndex((line) => line.startsWith('const works')) + 1
-    const sentences = [...tried(offsets), ...tried(calls)].map((code) => expected[code])
+    const sentences = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
+      (code) => expected[code],
+    )
     const number = /, line (\d+)\)$/
     const shift = number.exec(said[0][1])[1] - first
     said.forEach(([name, message], i) => {
@@ -239,7 +241,7 @@ ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
     })
   })
 
-/** Statements after which nobody catches anything, with what p5's friendly errors say. */
+/** Statements whose errors nothing catches, with the message of p5's friendly errors. */
 const uncaught = {
   'createWarp(({ position }) => position.sine())':
     'sine: an expression has no such method; did you mean sin?',
@@ -252,14 +254,14 @@ const uncaught = {
   'compileWarp(still)':
     'compileWarp is not defined: write warpjet.compileWarp, or before it const { compileWarp } = warpjet.',
   'createWarp(({ glsl }) => position.mult(2))':
-    'position is not defined: the offset function is given it, as in ({ position }) => ….',
+    'position is not defined: it is an argument of the offset function, as in ({ position }) => ….',
 }
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  test(`p5 ${version} by ${renderer}: its friendly errors show what nobody caught`, async () => {
+  test(`p5 ${version} by ${renderer}: friendly errors show uncaught errors`, async () => {
     const all = {
       ...uncaught,
-      // p5 2 has such a function, for p5.strands.
+      // p5 2 has a function of this name for p5.strands.
       'createWarp(({ position }) => vec3(position.x, 0, 0))':
         version === '1.11'
           ? 'vec3 is not defined: write glsl.vec3.'
@@ -294,7 +296,7 @@ ${setupOf(renderer)} createCanvas(20, 20, ${renderer})
       assert.ok(sentences.includes(sentence), `${sentence}\n${sentences.join('\n')}`)
   })
 
-test('an expression that is printed says what it is', async () => {
+test('a printed expression describes itself', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,
@@ -306,7 +308,7 @@ test('an expression that is printed says what it is', async () => {
     console.log(position.mult(2))
     console.log(\`x is \${position.x()}\`)
     console.log(String(position.x), [position.x()].join())
-    // Chrome prints the source of what can be called.
+    // Chrome prints the source of functions.
     console.log(position.x)
     print(position.xy)
     return position
@@ -322,7 +324,7 @@ test('an expression that is printed says what it is', async () => {
   for (const text of components) assert.match(text, /^["'`]an expression of warpjet["'`]\(.{1,60}$/)
 })
 
-test('a condition that decides nothing is noted, with the line', async () => {
+test('an unused condition warns, with the line', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,
@@ -339,7 +341,7 @@ test('a condition that decides nothing is noted, with the line', async () => {
 }`,
   )
   await leavePage(page)
-  const note = `A condition decides nothing (line): JavaScript's if, ?:, && and ! take every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
+  const note = `A condition is not used (line): JavaScript's if, ?:, && and ! treat every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
   assert.deepEqual(messages.map(withoutLine), [note, note])
   const numbers = messages.map((text) => +/line (\d+)\)/.exec(text)[1])
   assert.equal(numbers[1] - numbers[0], 3)
@@ -347,7 +349,7 @@ test('a condition that decides nothing is noted, with the line', async () => {
 
 const withoutLine = (text) => text.replace(/ \(\S+, line \d+\)/, ' (line)')
 
-test('what operators read otherwise than JavaScript is noted', async () => {
+test('differences between operators on expressions and JavaScript warn', async () => {
   const scripts = [p5InThisRun[0][1], '/dist/p5.warpjet.min.js', '/dist/warpjet.operators.min.js']
   const { page, messages } = await runSketch(
     browser,
@@ -373,11 +375,11 @@ function setup() {
   const said = await page.evaluate('window.said')
   await leavePage(page)
   assert.deepEqual(messages.map(withoutLine), [
-    "createWarp: p5's millis() stands still in a warp; take the millis that the offset function is given, as in ({ glsl, millis }) => ….",
-    'list.push(x) stands in an if that is decided for each vertex, on the GPU, so it is called once, in any case, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.',
+    "createWarp: p5's millis() is constant in a warp; use the millis that the offset function gets, as in ({ glsl, millis }) => ….",
+    'list.push(x) is in an if that the GPU decides for each vertex, so it is always called once, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.',
   ])
   assert.equal(
     withoutLine(said),
-    'An if that is decided for each vertex returns something in one of its ways only; let the other return something too, such as return [0, 0, 0] at the end. (line)',
+    'An if that is decided for each vertex returns a value in only one of its branches; let the other branch return a value too, such as return [0, 0, 0] at the end. (line)',
   )
 })

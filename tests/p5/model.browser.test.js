@@ -1,4 +1,4 @@
-// loadWarpModel on each p5 that it promises to work with: what comes of a file, how it looks, and what is said of a wrong one.
+// loadWarpModel on each supported p5: the geometry from a file, how it looks, and the messages about broken files.
 import assert from 'node:assert/strict'
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -20,7 +20,7 @@ const folder = '/.build/model-test'
 const alone = `${folder}/alone/p5.warpjet.min.js`
 const path = (name) => fileURLToPath(new URL(`../..${name}`, import.meta.url))
 
-/** As glTF has it: y upwards, the front counterclockwise, colours linear. Two wide, one high. */
+/** A file in glTF's conventions: y upwards, counterclockwise front faces, linear colours. It is two wide and one high. */
 const tip = {
   positions: [4, 0, 0, 6, 0, 0, 5, 1, 0],
   normals: [0, 0, 1, 0, 0, 1, 0, 0, 1],
@@ -52,7 +52,7 @@ const files = {
   'tip.obj': 'v 4 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\n',
   'words.glb': 'no model at all',
   'packed.glb': packedVariants['meshopt, vertices and triangles'](shapes.cube).file,
-  // One face in the fill colour, one red, one white, one of a material that is nowhere.
+  // One face in the fill colour, one red, one white, one with a material that does not exist.
   'parts.obj': `mtllib parts.mtl
 v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0
 f 1 2 3\nusemtl red\nf 1 3 4\nusemtl white\nf 1 2 4\nusemtl nowhere\nf 2 3 4\n`,
@@ -70,7 +70,7 @@ endsolid a\n`,
   ]),
 }
 
-/** Of each facet its normal and its corners. */
+/** The normal and corners of each facet. */
 function binaryStl(facets) {
   const view = new DataView(new ArrayBuffer(84 + 50 * facets.length))
   view.setUint32(80, facets.length, true)
@@ -84,7 +84,7 @@ let browser, server
 before(async () => {
   mkdirSync(path(folder), { recursive: true })
   for (const [name, bytes] of Object.entries(files)) writeFileSync(path(`${folder}/${name}`), bytes)
-  // Its y runs downwards, as p5 wants it.
+  // The y axis points downwards, as in p5.
   const { positions, normals, uvs, indices } = bunny()
   for (const numbers of [positions, normals])
     for (let i = 1; i < numbers.length; i += 3) numbers[i] *= -1
@@ -95,7 +95,7 @@ before(async () => {
     path(`${folder}/bunny.glb`),
     exportGLB({ positions, normals, uvs, indices, material }),
   )
-  // A copy of the script that has nothing beside it.
+  // A copy of the script without other files next to it.
   mkdirSync(path(`${folder}/alone`), { recursive: true })
   copyFileSync(path(addon), path(alone))
   server = await servePages()
@@ -106,7 +106,7 @@ after(async () => {
   await server.close()
 })
 
-/** What of a model can be sent out of the page. */
+/** The parts of a model that can be passed out of the page. */
 const report = `(model) => ({
   vertices: model.vertices.map(({ x, y, z }) => [x, y, z]),
   normals: model.vertexNormals.map(({ x, y, z }) => [x, y, z]),
@@ -119,7 +119,7 @@ const report = `(model) => ({
 })`
 
 for (const [version, p5] of p5InThisRun) {
-  /** A sketch that waits for models by `loading`, in an async function, and draws by `drawing` → { page, messages }. */
+  /** Runs a sketch that loads models by `loading` in an async function and draws by `drawing` → { page, messages }. */
   const sketch = (loading, drawing = '', scripts = [p5, addon]) =>
     runSketch(
       browser,
@@ -143,7 +143,7 @@ for (const [version, p5] of p5InThisRun) {
       }`,
     )
 
-  /** The reports of models → by name. */
+  /** Converts the reports about models to an object by name. */
   async function reports(calls) {
     const { page, messages } = await sketch(
       `window.reports = {}
@@ -159,20 +159,20 @@ for (const [version, p5] of p5InThisRun) {
 
   for (const name of ['parts.obj', 'painted.obj', 'white.obj', 'text.stl', 'binary.stl'])
     test(`p5 ${version}: ${name} has the triangles and colours of p5's own loadModel`, async () => {
-      // p5 1.11 throws for a model of which a part has no colour.
+      // p5 1.11 throws for a model that has colours on only some parts.
       const areColorsJudged = version !== '1.11' || name !== 'parts.obj'
       const { page } = await sketch(`
         const own = await new Promise((done) => loadModel(base + '${name}', done))
         const ours = await loadWarpModel(base + '${name}', { normalize: false, flipY: false })
-        const rounded = (numbers) => [...numbers].map((x) => +x.toFixed(5))
+        const round5 = (numbers) => [...numbers].map((x) => +x.toFixed(5))
         const corner = ({ vertices, vertexColors, vertexNormals }, i, partsOfColor) => ({
           position: vertices[i].array(),
-          color: ${areColorsJudged} && rounded(vertexColors.slice(partsOfColor * i, partsOfColor * i + 3)),
-          normal: ${name.endsWith('stl')} && rounded(vertexNormals[i].array()),
+          color: ${areColorsJudged} && round5(vertexColors.slice(partsOfColor * i, partsOfColor * i + 3)),
+          normal: ${name.endsWith('stl')} && round5(vertexNormals[i].array()),
         })
         const corners = (model, partsOfColor) =>
           model.faces.map((face) => face.map((i) => corner(model, i, partsOfColor)))
-        // The loader of p5 1.11 writes 3 numbers for each colour, although p5 draws 4.
+        // The loader of p5 1.11 writes 3 numbers per colour, although p5 draws 4.
         window.reports = [corners(own, ${version === '1.11' ? 3 : 4}), corners(ours, 4)]`)
       const [own, ours] = await page.evaluate('reports')
       await leavePage(page)
@@ -180,7 +180,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.deepEqual(ours, own)
     })
 
-  test(`p5 ${version}: a model that meshopt compressed needs the decoder's script, and says so`, async () => {
+  test(`p5 ${version}: a model compressed by meshopt needs the decoder's script, and the message says so`, async () => {
     const loading = `window.reports = await loadWarpModel(base + 'packed.glb')
       .then(({ faces }) => faces.length, ({ message }) => message)`
     const decoder = '/node_modules/meshoptimizer/meshopt_decoder.cjs'
@@ -211,7 +211,7 @@ for (const [version, p5] of p5InThisRun) {
     )
 
   describe(`loadWarpModel on p5 ${version}`, () => {
-    test('makes a p5.Geometry: upright, 200 units at its longest, all attributes in place', async () => {
+    test('makes a p5.Geometry: upright, 200 units at its longest, with all attributes', async () => {
       const { plain, colors, material, texture, obj } = await reports({
         plain: `base + 'plain.glb'`,
         colors: `base + 'colors.glb'`,
@@ -234,7 +234,7 @@ for (const [version, p5] of p5InThisRun) {
         isGeometry: true,
       })
       assert.deepEqual(obj, plain)
-      // sRGB of 0.25, 0.001 and 0; the same for each vertex.
+      // sRGB of 0.25, 0.001 and 0, the same for each vertex.
       for (let i = 0; i < 12; i++)
         assert.ok(Math.abs(colors.colors[i] - [0.537099, 0.01292, 0, 1][i % 4]) < 1e-5, `${i}`)
       assert.equal(colors.colors.length, 12)
@@ -244,7 +244,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.deepEqual(texture.colors, [])
     })
 
-    test("keeps the file's numbers when asked to", async () => {
+    test("keeps the file's coordinates with normalize: false", async () => {
       const { flipped, sized, raw } = await reports({
         flipped: `base + 'plain.glb', { normalize: false }`,
         sized: `base + 'plain.glb', { flipY: false }`,
@@ -269,7 +269,7 @@ for (const [version, p5] of p5InThisRun) {
         shift()
         model(two)`,
       )
-      // A triangle of 200 by 100 with its tip above: narrow at its top, wide at its foot.
+      // A triangle of 200 by 100 with the tip at the top: narrow at the top, wide at the bottom.
       assertColor(image, 0, -100, [0, 128, 0])
       assertColor(image, 40, -100, [0, 0, 0])
       assertColor(image, 90, -12, [0, 128, 0])
@@ -278,7 +278,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(Math.abs(litPixels(image).length - 20_000) < 1500)
     })
 
-    test('shows the picture of a file the right way up', async () => {
+    test('shows the image of a file the right way up', async () => {
       const image = await picture(
         `window.tile = await loadWarpModel(base + 'picture.glb')`,
         `ortho(); texture(tile.texture); model(tile)`,
@@ -305,7 +305,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(covered > 8000 && covered < 40_000, `${covered} pixels`)
     })
 
-    test('says in one sentence what is wrong', async () => {
+    test('has a message for each mistake', async () => {
       const { page } = await sketch(
         `window.errors = []
         const attempt = async (...args) => {
@@ -329,7 +329,7 @@ for (const [version, p5] of p5InThisRun) {
         [
           'loadWarpModel: expected the address of a model such as "bunny.glb", got undefined.',
           'loadWarpModel: expected the address of a model such as "bunny.glb", got the number 42.',
-          `loadWarpModel: ${url}/none.glb cannot be loaded; the server answered 404.`,
+          `loadWarpModel: cannot load ${url}/none.glb; the server answered 404.`,
           errors[3][1],
           'loadWarpModel: there is no option "size"; there are normalize, flipY, decoders.',
           'loadWarpModel: expected an object of options, got the boolean true.',
@@ -339,7 +339,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.doesNotMatch(errors[3][1], /loadMesh/)
     })
 
-    test('says which file is missing beside a script that was copied alone', async () => {
+    test('names the missing file next to a script that was copied alone', async () => {
       const { page } = await sketch(
         `await loadWarpModel(base + 'plain.glb').then(null, ({ message }) => (window.problem = message))`,
         '',
@@ -349,7 +349,7 @@ for (const [version, p5] of p5InThisRun) {
       await leavePage(page)
       assert.equal(
         problem,
-        `loadWarpModel: it needs ${server.url}${folder}/alone/mesh.min.js, which cannot be loaded; copy it there, from the package's folder dist.`,
+        `loadWarpModel: cannot load ${server.url}${folder}/alone/mesh.min.js; copy it there, from the package's folder dist.`,
       )
     })
   })
@@ -357,7 +357,7 @@ for (const [version, p5] of p5InThisRun) {
 
 describe('loadWarpModel in preload, on p5 1.11', () => {
   for (const mode of isRun('p5 1.11') ? ['global', 'instance'] : ['global'])
-    test(`is there by setup in ${mode} mode`, async () => {
+    test(`is loaded before setup in ${mode} mode`, async () => {
       const [own, start] = mode === 'global' ? ['window', ''] : ['p', 'new p5((p) => {']
       const { page, messages } = await runSketch(
         browser,
@@ -389,8 +389,8 @@ describe('loadWarpModel in preload, on p5 1.11', () => {
     })
 })
 
-describe('loadWarpModel from elsewhere', () => {
-  test('takes mesh.min.js from the server that the script is from', async () => {
+describe('loadWarpModel from other servers', () => {
+  test('fetches mesh.min.js from the server of the script', async () => {
     const context = await browser.newContext()
     const cdn = server.url.replace('localhost', '127.0.0.1')
     const fetched = []
@@ -417,7 +417,7 @@ describe('loadWarpModel from elsewhere', () => {
     assert.ok(fetched.includes('/dist/mesh.min.js'), fetched.join())
   })
 
-  test('tells the console of a model that preload waits for in vain', async () => {
+  test('logs an error about a model that preload waits for forever', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -436,19 +436,19 @@ describe('loadWarpModel from elsewhere', () => {
   })
 })
 
-test("'warpjet/p5' as a module fetches the mesh module when it is first used", async () => {
+test("'warpjet/p5' as a module fetches the mesh module on first use", async () => {
   assert.match(readFileSync(path('/dist/p5.warpjet.min.js'), 'utf8'), /import\(\w+\)/)
   const { page, messages } = await runSketch(
     browser,
     server,
     [p5Versions['2.x']],
     `import '/dist/p5.js'
-    const fetched = () => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/meshes.js'))
-    window.report = [fetched()]
+    const hasFetchedMesh = () => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/meshes.js'))
+    window.report = [hasFetchedMesh()]
     new p5((p) => {
       p.setup = async () => {
         const tip = await p.loadWarpModel('${folder}/plain.glb')
-        report.push(fetched(), tip.vertices.length)
+        report.push(hasFetchedMesh(), tip.vertices.length)
         window.done = true
       }
     })`,

@@ -1,5 +1,5 @@
-// Each sketch of the docs, of the README and of the gallery that does not say "p5 2", and the one that the playground begins with,
-// on p5 1.11: it draws the picture that it draws on p5 2, with light on it.
+// Each sketch of the docs, the README and the gallery that is not marked "p5 2", and the playground's default sketch, on p5 1.11:
+// it draws the same picture as on p5 2, with light.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -15,16 +15,16 @@ import { coarseShapes } from '../support/browser/examples.js'
 import { beyondEdges, readPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
 
-// It asks where its page is.
+// The sketch reads the address of its page.
 globalThis.location ??= new URL('http://localhost/playground/index.html')
 const { starters } = await import('../../web/playground/examples.js')
 
 const screenshots = path('.build/screenshots/p5-1')
 
-/** A sketch that 1.11 cannot run says so in a comment. */
+/** A comment marks sketches that 1.11 cannot run. */
 const isForP5v2 = ([, text]) => /^ *\/\/ .*\bp5 2\b/m.test(text)
 
-/** [place, text, scripts] of each sketch. */
+/** [name, source, scripts] of each sketch. */
 const all = [
   ['the playground', starters.p5.text ?? starters.p5, []],
   ...['README.md', ...walk('web/docs', /\.md$/)]
@@ -46,13 +46,13 @@ const all = [
 ]
 const sketches = all.filter((sketch) => !isForP5v2(sketch))
 
-/** Time stands still, chance repeats itself, and pixels are few. */
+/** Time is fixed, random numbers are seeded, and pixels are few. */
 const still = `
 {
   let seed = 1
   Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
   p5.prototype.millis = () => 1700
-  // The warp draws no edges, and p5 takes seconds to work out those of a model.
+  // Removes edges, which the warp does not draw, and which p5 takes seconds to compute for a model.
   p5.Geometry.prototype._edgesToVertices = function () { return this }
   const { createCanvas, pixelDensity } = p5.prototype
   p5.prototype.createCanvas = function (...size) {
@@ -67,7 +67,7 @@ const still = `
   ${coarseShapes}
 }`
 
-/** Pages of the playground's folder of files, from which sketches load models and fonts. */
+/** Serves the playground's folder of files, from which sketches load models and fonts. */
 const pages = []
 const servePages = {
   name: 'pages',
@@ -110,9 +110,9 @@ ${tagsOf({ host, chosen })
 </script>`)
   const { page, messages } = await openPage(browser, `${url}playground/files/${number - 1}.html`)
   await page.waitForFunction(() => window.frameCount >= 1, null, { timeout: 120_000 })
-  // On 1.11 p5 does not wait for it.
+  // p5 1.11 does not wait for an async setup.
   await page.evaluate('ready')
-  // Fonts and graphics bring canvases of their own.
+  // Fonts and graphics create canvases too.
   await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
   await page.evaluate('redraw()')
   const image = await readPixels(page)
@@ -137,6 +137,6 @@ for (const sketch of sketches)
     assert.ok(beyond <= 0.01 * width * height, `${beyond} pixels differ`)
   })
 
-test('few sketches are for p5 2 alone', () => {
+test('few sketches need p5 2', () => {
   assert.ok(sketches.length >= 0.75 * all.length, `${sketches.length} of ${all.length}`)
 })

@@ -1,5 +1,4 @@
-// A smoke test of p5 1.11, the other p5 that the addon promises to work with; every other test of sketches runs on it too,
-// in `npm test -- --all`.
+// A smoke test of p5 1.11, the other supported version; `npm test -- --all` also runs every other test of sketches on it.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { launchBrowser } from '../support/browser/browser.js'
@@ -32,7 +31,7 @@ test('p5 1.11 draws warps: moved, lit by their normals, with uniforms', async ()
   })
   assert.deepEqual(colorAt(moved, 140, 100), [255, 0, 0])
   assert.deepEqual(colorAt(moved, 100, 100), [0, 0, 0])
-  // Of z = -x / 2.
+  // The normal of z = -x / 2.
   const normal = [0.5, 0, 1].map((x) => x / Math.hypot(0.5, 1))
   colorAt(slope, 100, 100).forEach((value, i) =>
     assert.ok(Math.abs(value - 255 * normal[i]) <= 1, `channel ${i}: ${value}`),

@@ -1,4 +1,4 @@
-// createWarp in p5 sketches, on each p5 that it promises to work with: the picture on the canvas is what is judged.
+// createWarp in p5 sketches, on each supported p5: checks the picture on the canvas.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from '../support/browser/browser.js'
@@ -22,8 +22,8 @@ after(async () => {
 })
 
 /**
- * f(p) = u g(p / u) with g(p) = (0.15 sin(2.4 y + 1), 0.11 sin(3.2 z), 0.12 sin(2 x)), as a sketch writes it and as
- * the oracle has it. The unit u is 1 for p5's own shapes, which are of size 1 in their local space, and scaled.
+ * f(p) = u g(p / u) with g(p) = (0.15 sin(2.4 y + 1), 0.11 sin(3.2 z), 0.12 sin(2 x)), in the sketch and in the oracle. The unit
+ * u is 1 for p5's own shapes, which have size 1 in local space and are scaled.
  */
 const waves = (u) => ({
   code: `({ glsl, position }) => glsl.vec3(
@@ -112,7 +112,7 @@ for (const [version, p5] of p5InThisRun) {
       }
     })
 
-    test('is lit like a mesh that was moved vertex by vertex, by each material', async () => {
+    test('is lit like a mesh that was moved vertex by vertex, with each material', async () => {
       const { code, offset, identityPlusJacobian } = waves(1)
       const sphere = sphereMesh(32, 24)
       const warped = {
@@ -158,7 +158,7 @@ for (const [version, p5] of p5InThisRun) {
       }
     })
 
-    test('follows normalMaterial() before and after the warp, from frame to frame, until another material', async () => {
+    test('follows normalMaterial() before and after the warp, in each frame, until another material is set', async () => {
       const setup = `
         distort = createWarp(${waves(1).code})
         again = createWarp(${waves(1).code})`
@@ -172,14 +172,14 @@ for (const [version, p5] of p5InThisRun) {
         'after push and pop': 'normalMaterial(); push(); distort(); pop(); again(); sphere(60)',
         'in vain': `normalMaterial(); distort(); fill('red'); again(); sphere(60)`,
       }
-      // Frames without push() and pop() around them, as sketches have them.
+      // Frames without push() and pop(), as in typical sketches.
       const { first, 'in vain': red, ...others } = await draw({ setup, scenes, isPushed: false })
       for (const [name, image] of Object.entries(others)) assert.deepEqual(image, first, name)
       assert.deepEqual(colorAt(red, size / 2, size / 2), [255, 0, 0])
     })
 
-    test('lets p5 pick one of several expressions, friendly errors or not', async () => {
-      // As p5.warp's own stress test does; either one moves by 40 to the right.
+    test('lets p5 pick one of several expressions, with and without friendly errors', async () => {
+      // Like p5.warp's own stress test; each branch moves by 40 to the right.
       const setup = `
         distort = createWarp(({ glsl, position }) => {
           const { x, y } = { x: position.x().mult(0).add(40), y: position.y().mult(0).add(40) }
@@ -192,7 +192,7 @@ for (const [version, p5] of p5InThisRun) {
       }
     })
 
-    test('keeps the normals in view under lights and textures', async () => {
+    test('keeps the normals in view space under lights and textures', async () => {
       const setup = `
         distort = createWarp(${waves(1).code}, { type: 'normal' })
         stripes = createImage(8, 8)`
@@ -267,13 +267,25 @@ for (const [version, p5] of p5InThisRun) {
     })
 
     test('leaves no hole where there is no normal', async () => {
-      // Two triangles; the one at the lower right has no normal at its corner.
-      // prettier-ignore
+      // Two triangles; the lower right one has no normal at its corner.
       const tile = {
-        vertices: [[-50, -50, 0], [50, -50, 0], [-50, 50, 0], [50, 50, 0]],
-        normals: [[0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 0, 0]],
+        vertices: [
+          [-50, -50, 0],
+          [50, -50, 0],
+          [-50, 50, 0],
+          [50, 50, 0],
+        ],
+        normals: [
+          [0, 0, 1],
+          [0, 0, 1],
+          [0, 0, 1],
+          [0, 0, 0],
+        ],
         uvs: [0, 0, 1, 0, 0, 1, 1, 1],
-        faces: [[0, 1, 2], [2, 1, 3]],
+        faces: [
+          [0, 1, 2],
+          [2, 1, 3],
+        ],
       }
       const still = '({ glsl }) => glsl.vec3(0, 0, 0)'
       const light = 'ambientLight(60); directionalLight(200, 200, 200, 0, 0, -1)'

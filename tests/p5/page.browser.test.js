@@ -1,4 +1,4 @@
-// How createWarp comes into a page, what it follows there, and what it says when something is wrong.
+// How createWarp is loaded in a page, adapts to changes of the canvas, and reports mistakes.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser, leavePage } from '../support/browser/browser.js'
@@ -65,7 +65,7 @@ for (const [version, p5] of p5InThisRun) {
       assertRedAt(image, 40, 0)
     })
 
-    test('works with its script before the one of p5, and twice on a page', async () => {
+    test('works with its script before that of p5, and twice on a page', async () => {
       const { image } = await drawScenes(browser, server, [addon, p5, addon], {
         size,
         setup: `distort = createWarp(${toTheRight})`,
@@ -74,7 +74,7 @@ for (const [version, p5] of p5InThisRun) {
       assertRedAt(image, 40, 0)
     })
 
-    test('says in a WarpError what is wrong, and goes on drawing', async () => {
+    test('reports mistakes by a WarpError, and draws on', async () => {
       const cases = {
         'createWarp(3)': /expected a function, got the number 3/,
         'createWarp(() => 3)': /must return a vec3/,
@@ -85,20 +85,20 @@ for (const [version, p5] of p5InThisRun) {
         'createWarp(warp, { space: "moon" })':
           /expected 'local', 'world' or 'camera' for the option "space"/,
         'createWarp(warp, { defs: 3 })':
-          /expected a text of GLSL such as "uniform float size;" for the option "defs"/,
+          /expected a string of GLSL such as "uniform float size;" for the option "defs"/,
         'createWarp(warp)': /reads "turn", which nothing declares; add .* "uniform mat3 turn;"/,
         'createWarp(({ glsl }) => glsl.vec3Param("shift"))':
           /reads "shift", .* "uniform vec3 shift;"/,
         'flat2d.createWarp(warp)': /needs a 3D canvas/,
-        'distort(3)': /takes an object of uniforms/,
-        'distort([3])': /takes an object of uniforms/,
+        'distort(3)': /expected an object of uniforms/,
+        'distort([3])': /expected an object of uniforms/,
         'distort({ speed: 3 })': /no uniform "speed"/,
-        'distort({ amount: undefined })': /uniform "amount" must be a number, but is undefined/,
-        'distort({ amount: NaN })': /uniform "amount" must be a number/,
-        'distort({ amount: "a" })': /uniform "amount" must be a number, but is the text "a"/,
-        'distort({ shift: 3 })': /uniform "shift" must be an array of numbers/,
+        'distort({ amount: undefined })': /uniform "amount": expected a number, got undefined/,
+        'distort({ amount: NaN })': /uniform "amount": expected a number/,
+        'distort({ amount: "a" })': /uniform "amount": expected a number, got the text "a"/,
+        'distort({ shift: 3 })': /uniform "shift": expected an array of numbers/,
         'distort({ turn: [1, 2, 3, 4] })':
-          /uniform "turn" must be an array of 9 numbers, column by column, but is an array of 4/,
+          /uniform "turn": expected an array of 9 numbers, column by column, got an array of 4/,
         'layer.remove(); inLayer()': /canvas that this warp was made for is gone/,
         'remove(); distort()': /canvas that this warp was made for is gone/,
       }
@@ -136,7 +136,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.deepEqual(messages, [])
     })
 
-    test('follows the canvas when setAttributes replaces it, here by a WebGL 1 one', async () => {
+    test('follows the canvas when setAttributes replaces it, here by a WebGL 1 canvas', async () => {
       const { image } = await drawScenes(browser, server, [p5, addon], {
         size,
         setup: `
@@ -201,7 +201,7 @@ describe('the modules', () => {
     ])
       assert.throws(() => warpjet(wrong), {
         name: 'WarpError',
-        message: `warpjet: p5 itself was expected, as in: import p5 from 'p5', then warpjet(p5); but ${what} came.`,
+        message: `warpjet: expected p5 itself, as in: import p5 from 'p5', then warpjet(p5); got ${what}.`,
       })
   })
 })

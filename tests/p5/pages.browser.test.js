@@ -1,5 +1,5 @@
-// Warps wherever a sketch draws: in a p5.Framebuffer, on shapes it built, beside other sketches and other versions of p5, and
-// after its canvas changed; and a page that makes a new warp each frame.
+// Warps wherever a sketch draws: in a p5.Framebuffer, on built shapes, next to other sketches and other versions of p5, and after
+// its canvas changed; and a page that makes a new warp in each frame.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -18,12 +18,12 @@ const addon = '/dist/p5.warpjet.min.js'
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 const browser = browsers.WEBGL
 
-/** As many to the right as p5's own translate. */
+/** Moves by the same distance to the right as p5's own translate. */
 const toTheRight = `({ glsl }) => glsl.vec3(40, 0, 0), { space: 'world' }`
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
   describe(`a warp on p5 ${version}, ${renderer}`, () => {
-    test('moves what is drawn into a framebuffer, and shapes of each make, under each light', async () => {
+    test('moves drawings in a framebuffer, and shapes of each kind, under each light', async () => {
       const shapes = {
         'in a framebuffer': (move) =>
           `target.begin(); clear(); ${move}; fill('red'); sphere(30); target.end(); resetShader(); image(target, -100, -100)`,
@@ -32,14 +32,14 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         ...(isRun('rare pages of p5') && {
           'under an imageLight': (move) =>
             `imageLight(sky); ${move}; specularMaterial(200); shininess(90); sphere(30)`,
-          // p5 draws it with a shader of its own.
+          // p5 draws this shape with a separate shader.
           'before a panorama': (move) =>
             `panorama(sky); lights(); ${move}; fill('red'); sphere(30)`,
         }),
         'between vertices': (move) =>
           `${move}; fill('red'); beginShape(); vertex(-20, -20); vertex(20, -20); vertex(0, 20); endShape(CLOSE)`,
       }
-      // Seen head on from far away, so that a shape does not turn its side to the eye as it moves.
+      // Seen head-on from far away, so that a shape shows the same side after it moves.
       const look = 'ortho(); noStroke()'
       const images = await drawScenes(browsers[renderer], server, [...scripts, addon], {
         renderer,
@@ -82,7 +82,7 @@ const instance = (name, code) => `
     p.draw = () => { p.background(0); right(); p.fill('red'); p.plane(20); ${code} }
   })`
 
-/** [red at the middle and 20 to the right of it] of a sketch's canvas. */
+/** Returns [red at the centre, red 20 pixels to the right] of a sketch's canvas. */
 const redsOf = (name) => `(() => {
   const canvas = document.createElement('canvas')
   canvas.width = canvas.height = 100
@@ -117,7 +117,7 @@ test('several canvases, remove() and a new sketch, a resized canvas', async () =
 })
 
 if (isRun('rare pages of p5'))
-  test('two versions of p5 on one page, each with the script after it', async () => {
+  test('two versions of p5 on one page, each followed by the script', async () => {
     const script = (src) => `<script src="${src}"></script>`
     const { page, messages } = await openPage(
       browser,
@@ -141,7 +141,7 @@ if (isRun('rare pages of p5'))
   })
 
 if (isRun('rare pages of p5'))
-  test('a new warp each frame, as live coding makes them, leaves nothing behind', async () => {
+  test('a new warp in each frame, as in live coding, leaks nothing', async () => {
     const { page } = await runSketch(
       browser,
       server,
@@ -160,20 +160,20 @@ if (isRun('rare pages of p5'))
     const devtools = await page.context().newCDPSession(page)
     await devtools.send('HeapProfiler.enable')
     const heap = async (count) => {
-      // A program is freed in a task of its own after what held it.
+      // A program is freed in a separate task after its owner.
       for (let i = 0; i < count; i += 10) await page.evaluate('live(10)')
       await devtools.send('HeapProfiler.collectGarbage')
-      // To the byte, unlike performance.memory, which may stand still for minutes.
+      // Exact to the byte, unlike performance.memory, which may not change for minutes.
       return (await devtools.send('Runtime.getHeapUsage')).usedSize / 1e6
     }
     const before = await heap(60)
     const later = await heap(40)
     await leavePage(page)
-    // A warp that is kept has 14 KB. What grows is the engine's: 1.2 KB for each of the next 100 warps, 0.8 of the 300 after.
+    // A warp in use has 14 KB. The rest is growth of the engine: 1.2 KB for each of the next 100 warps, 0.8 for the 300 after.
     assert.ok(later - before < 0.15, `${(later - before).toFixed(2)} MB for 40 warps`)
   })
 
-test('a tab that slept for an hour wakes to the picture of its hour, and to nothing more', async () => {
+test('a tab that slept for an hour wakes up with the picture of the current time, and without artefacts', async () => {
   const sketch = `
     let clock = 0
     performance.now = () => clock
@@ -216,7 +216,7 @@ test('a tab that slept for an hour wakes to the picture of its hour, and to noth
   assert.equal(differingPixels(slept.images[3], awake.images[0], 0), 0)
   assert.equal(differingPixels(slept.images[4], awake.images[1], 0), 0)
   assert.equal(differingPixels(slept.images[6], awake.images[1], 0), 0)
-  // What moves in 16 ms is little, and it moves.
+  // Motion during 16 ms is small, but not zero.
   const [step, way] = [4, 5].map((i) => differingPixels(slept.images[3], slept.images[i], 4))
   assert.ok(step > 0 && step < way, `${step} pixels in 16 ms, ${way} in 250`)
   assert.deepEqual(slept.counts.at(-1), slept.counts[1])

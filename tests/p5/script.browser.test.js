@@ -1,5 +1,4 @@
-// The single script on pages as people write them: where it is from, what else is there and in which order, and what a page
-// forbids.
+// The single script on real pages: its origin, other scripts and their order, and the page's policy.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -28,7 +27,7 @@ after(async () => {
   await server.close()
 })
 
-/** A context in which hosts of others answer with `texts` by address, and with nothing else; `asked` is what was asked of them. */
+/** Returns a context in which other hosts answer only with `texts`, by address; `asked` lists the requests. */
 async function withHosts(texts) {
   const context = await browser.newContext()
   const asked = []
@@ -42,7 +41,7 @@ async function withHosts(texts) {
   return { context, asked }
 }
 
-/** What a sketch with this script gets from loadWarpModel: how many vertices, or what was wrong. */
+/** Loads a model in a sketch with this script → the number of vertices, or the message. */
 async function loadedBy(context, src) {
   const { page, messages } = await runSketch(
     context,
@@ -81,7 +80,7 @@ describe('a script from a CDN', () => {
       assert.deepEqual([...new Set(asked)], [src, ownMesh])
     })
 
-  test('runs its companion only as it was published', async () => {
+  test('runs its companion only if it is the published one', async () => {
     const src = `${cdn}/npm/warpjet`
     const { context } = await withHosts({
       [src]: dist('p5.warpjet.min.js'),
@@ -90,13 +89,10 @@ describe('a script from a CDN', () => {
     const { result, isForeign } = await loadedBy(context, src)
     await context.close()
     assert.equal(isForeign, false)
-    assert.match(
-      result,
-      /^loadWarpModel: it needs https:\S+mesh\.min\.js, which cannot be loaded; /,
-    )
+    assert.match(result, /^loadWarpModel: cannot load https:\S+mesh\.min\.js; /)
   })
 
-  test('under its own name, takes what lies beside it', async () => {
+  test('under its own name, uses the file next to it', async () => {
     const folder = `${cdn}/npm/warpjet@0.1/dist`
     const { context, asked } = await withHosts({
       [`${folder}/p5.warpjet.min.js`]: dist('p5.warpjet.min.js'),
@@ -119,9 +115,9 @@ test('a copy under another name loads the companion of its version', async () =>
   assert.deepEqual([...new Set(asked)], [ownMesh])
 })
 
-describe('one script with all, one without the CPU', () => {
-  /** Draws with createWarp, and says what evaluateAt gives of the same offset. */
-  async function evaluated(src) {
+describe('one script with everything, one without the CPU', () => {
+  /** Draws with createWarp, and returns the result of evaluateAt for the same offset. */
+  async function evaluateWith(src) {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -148,7 +144,7 @@ describe('one script with all, one without the CPU', () => {
   }
 
   test('the script runs a warp on the CPU', async () => {
-    assert.deepEqual(await evaluated(script), [3, 2, 3])
+    assert.deepEqual(await evaluateWith(script), [3, 2, 3])
   })
 })
 
@@ -174,7 +170,7 @@ describe('the order of scripts', () => {
         assert.deepEqual(messages, [])
       })
 
-      test(`p5 ${name} may come when the page has loaded: ${file}`, async () => {
+      test(`p5 ${name} may come after the page has loaded: ${file}`, async () => {
         const { page, messages } = await runSketch(browser, server, [script], later(file))
         assert.equal(await page.evaluate('window.kind'), 'function')
         await leavePage(page)
@@ -185,7 +181,7 @@ describe('the order of scripts', () => {
       })
     }
 
-  test('a page without p5 is told so', async () => {
+  test('a page without p5 gets a warning', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -194,13 +190,10 @@ describe('the order of scripts', () => {
     )
     await leavePage(page)
     assert.equal(messages.length, 1)
-    assert.match(
-      messages[0],
-      /^warpjet: there is no p5 on this page, and createWarp comes with it;/,
-    )
+    assert.match(messages[0], /^warpjet: there is no p5 on this page, which createWarp needs;/)
   })
 
-  test('a second script keeps what the first one has, deformers too', async () => {
+  test('a second script keeps the first one, with additions such as deformers', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -219,7 +212,7 @@ describe('the order of scripts', () => {
     assert.deepEqual(messages, [])
   })
 
-  test('a second one of another version is named', async () => {
+  test('a second script of another version warns', async () => {
     mkdirSync(path('/.build/script-test'), { recursive: true })
     const other = dist('p5.warpjet.min.js').replaceAll(`\`${version}\``, '`9.8.7`')
     writeFileSync(path('/.build/script-test/p5.warpjet.min.js'), other)
@@ -237,7 +230,7 @@ describe('the order of scripts', () => {
 })
 
 describe('a page whose policy is script-src self', () => {
-  /** The messages of what needs WebAssembly, under such a policy. */
+  /** Returns the messages of calls that need WebAssembly, under such a policy. */
   async function refusals(policy) {
     const html = `<!doctype html>
       <meta http-equiv="Content-Security-Policy" content="script-src 'self' ${policy}">
@@ -246,7 +239,7 @@ describe('a page whose policy is script-src self', () => {
     const { page, messages } = await openPage(browser, server.page(html))
     const results = await page.evaluate(async (model) => {
       const problem = (error) => `${error.name}: ${error.message}`
-      const tried = async (work) =>
+      const messageOf = async (work) =>
         Promise.resolve()
           .then(work)
           .then(() => 'works', problem)
@@ -254,9 +247,9 @@ describe('a page whose policy is script-src self', () => {
       const { loadMesh } = await import('/dist/mesh.min.js')
       const still = ({ glsl }) => glsl.vec3(0, 0, 0)
       return [
-        await tried(() => warpjet.compileWarp(still)),
-        await tried(() => compileWarp(still).evaluateAt([0, 0, 0])),
-        await tried(() => loadMesh(model)),
+        await messageOf(() => warpjet.compileWarp(still)),
+        await messageOf(() => compileWarp(still).evaluateAt([0, 0, 0])),
+        await messageOf(() => loadMesh(model)),
       ]
     }, triangle)
     await leavePage(page)
@@ -277,17 +270,18 @@ describe('a page whose policy is script-src self', () => {
     assert.deepEqual(messages, [])
   })
 
-  // The only page whose machine code is forbidden while the compiler runs: under a policy from the start neither does.
-  test('and comes after the start: the interpreter goes on, with the bits of machine code', async () => {
+  // Sets the policy on a page whose compiler is already running, so that only machine code is forbidden; a policy from the start
+  // would forbid both.
+  test('a policy set after the start: the interpreter takes over, with the same bits as machine code', async () => {
     const { page, messages } = await openPage(browser, server.page('<!doctype html>'))
     const found = await page.evaluate(async () => {
       const { compileWarp } = await import('/dist/warpjet.min.js')
       const { Module } = WebAssembly
-      const tried = []
+      const messageOf = []
       WebAssembly.Module = function (bytes) {
-        tried.push('forbidden')
+        messageOf.push('forbidden')
         const module = new Module(bytes)
-        tried[tried.length - 1] = 'made'
+        messageOf[messageOf.length - 1] = 'made'
         return module
       }
       const bend = ({ glsl, position, millis }) =>
@@ -309,7 +303,7 @@ describe('a page whose policy is script-src self', () => {
       const expected = [bits(free), bits(later)]
       expected.push(bits(free))
       const point = JSON.stringify(free.evaluateAt([1, 2, 3], { uniforms }))
-      const before = tried.splice(0)
+      const before = messageOf.splice(0)
 
       const policy = document.createElement('meta')
       policy.httpEquiv = 'Content-Security-Policy'
@@ -320,7 +314,7 @@ describe('a page whose policy is script-src self', () => {
       const many = bits(compileWarp(bend), 40_000).length
       return {
         before,
-        after: tried,
+        after: messageOf,
         same: [...expected, ...results].map((text) => text === expected[0]),
         points: points.map((text) => text === point),
         many,
@@ -337,7 +331,7 @@ describe('a page whose policy is script-src self', () => {
 })
 
 describe('a page that was opened as a file', () => {
-  /** What loadWarpModel says there. */
+  /** Returns the message of loadWarpModel on such a page. */
   async function problem(context, src, model) {
     mkdirSync(path('/.build/script-test'), { recursive: true })
     writeFileSync(
@@ -358,7 +352,7 @@ describe('a page that was opened as a file', () => {
     return result
   }
 
-  test('is told to be served', async () => {
+  test('gets the advice to serve it', async () => {
     const { context } = await withHosts({
       [`${cdn}/npm/warpjet`]: dist('p5.warpjet.min.js'),
       [ownMesh]: dist('mesh.min.js'),

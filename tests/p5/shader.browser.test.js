@@ -1,4 +1,4 @@
-// The option `shader`: a warp on a shader of the sketch's own, whose hooks go on.
+// The option `shader`: a warp on a shader of the sketch, whose hooks still run.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -15,7 +15,7 @@ const { browsers, server } = await openHosts(p5HostsInThisRun)
 const directional = 'noStroke(); directionalLight(255, 255, 255, 0.4, 0.6, -1)'
 const light = `${directional}; ambientLight(40)`
 const bend = `({ glsl, position }) => glsl.vec3(position.y.mult(3).sin().mult(0.25), 0, 0)`
-// The hook turns (x, y, z) into (-y, x, z), as rotateZ(PI / 2) does, and its normal with it.
+// The hook maps (x, y, z) to (-y, x, z), like rotateZ(PI / 2), and its normal too.
 const hooks = {
   glsl300: `
     warps.turning = baseMaterialShader().modify({
@@ -53,7 +53,7 @@ const plain = {
 const turn = ([x, y, z]) => [-y, x, z]
 const turned = { ...plain, vertices: plain.vertices.map(turn), normals: plain.normals.map(turn) }
 
-/** With nothing but red. */
+/** Draws only red. */
 const reds = (image) => ({
   ...image,
   data: image.data.map((value, i) => (i % 4 === 1 || i % 4 === 2 ? 0 : value)),
@@ -66,7 +66,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
   const hook = hooks[version === '1.11' ? version : renderer === 'WEBGPU' ? 'wgsl' : 'glsl300']
 
   describe(`createWarp with the option shader, p5 ${version}, ${renderer}`, () => {
-    test("moves what the sketch's hooks made, or lets them move what it made, in their colours", async () => {
+    test("moves the results of the sketch's hooks, or lets them move its own, with their colours", async () => {
       const spaces = { local: bend, world: bendPixels, camera: bendPixels }
       const orders = { first: spaces, last: isOrdered ? { local: bend } : {} }
       const shape = (warp, model) =>
@@ -102,7 +102,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
       }
     })
 
-    test('hands on what is set of the shader, and by the warp', async () => {
+    test('passes on uniforms that the sketch or the warp sets', async () => {
       const { whole, half, quarter } = await draw({
         setup: `${hook}; distort = createWarp(${bend}, { shader: warps.turning })`,
         scenes: {
@@ -116,7 +116,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
     })
 
     if (version !== '1.11')
-      test('goes on from what p5.strands made, with exactNormals where that is', async () => {
+      test('extends shaders of p5.strands, with and without exactNormals', async () => {
         const isExact = renderer === 'WEBGL'
         const { image, reference } = await draw({
           setup: `
@@ -143,21 +143,20 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
         assert.ok(differing < 25, `${differing} pixels differ`)
       })
 
-    test('says what shader it cannot be', async () => {
+    test('rejects unsupported shaders', async () => {
       const options = (more) =>
         `(createWarp(({ glsl }) => glsl.vec3(0, 0, 0), { ${more} }), 'nothing was said')`
       const cases = {
         'shader: 3':
-          /"shader" must be a shader that modify\(\) or buildMaterialShader\(\) made, but is the number 3/,
+          /"shader": expected a shader that modify\(\) or buildMaterialShader\(\) made, got the number 3/,
         'shader: baseStrokeShader()':
-          /must be one of shapes, .* has no hooks for the vertices of shapes/,
-        "shader: baseMaterialShader(), type: 'normal'":
-          /"type" and "shader" both say what to draw with/,
+          /expected a shader of shapes, .* got one without hooks for the vertices of shapes/,
+        "shader: baseMaterialShader(), type: 'normal'": /"type" and "shader" exclude each other/,
         "shader: baseMaterialShader(), hooks: 'middle'":
           /expected 'first' or 'last' for the option "hooks", got the text "middle"/,
         ...(!isOrdered && {
           "shader: baseMaterialShader(), hooks: 'last'":
-            /on p5 1.11 the hooks of the shader come first/,
+            /on p5 1.11 the hooks of the shader always run first/,
         }),
       }
       const isGpu = renderer === 'WEBGPU'

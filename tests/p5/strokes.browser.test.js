@@ -1,4 +1,4 @@
-// Lines, wireframes and points under a warp, against p5's own `rotate`: the oracle is the host's own transformation.
+// Lines, wireframes and points under a warp, compared with p5's own `rotate`: the oracle is p5's own transformation.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -17,7 +17,7 @@ const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.w
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 const word = await contoursOf('We8')
 
-/** The outlines of a word, of p5 2.x, since 1.11 cannot tell them: [[[x, y], …], …]. */
+/** The outlines of a word, computed by p5 2.x since 1.11 cannot: [[[x, y], …], …]. */
 async function contoursOf(text) {
   const { page, messages } = await runSketch(
     browsers.WEBGL,
@@ -38,15 +38,15 @@ async function contoursOf(text) {
   return contours
 }
 
-/** Twice the same turn: by p5, and as an offset. */
+/** The same rotation twice: by p5, and as an offset. */
 const turn = 'rotateZ(0.6); rotateX(0.5)'
 const turned = `({ glsl, position }) =>
   glsl.rotateZ(0.6).mult(glsl.rotateX(0.5)).mult(position).sub(position)`
 
-/** With what pop() does not bring back. */
+/** Resets settings that pop() does not restore. */
 const camera = 'camera(0, 0, 700, 0, 0, 0, 0, 1, 0); strokeJoin(ROUND); strokeCap(ROUND)'
 
-/** What is drawn, after the turn. */
+/** The drawing after the rotation. */
 const shapes = {
   'a wireframe': { style: 'noFill(); stroke(255); strokeWeight(3)', shape: 'box(60)' },
   'a fill with its edges': {
@@ -88,7 +88,7 @@ const shapes = {
   },
 }
 
-/** Points of a line, near enough that its chords are its tangents; and where a warp puts them, worked out in double. */
+/** Points of a line, close enough that chords approximate its tangents, and their warped positions in double. */
 const straight = Array.from({ length: 161 }, (_, i) => [i - 80, 0.3 * i - 24, 20])
 const bent = ([x, y, z]) => [x, y + 40 * Math.sin(x / 20), z + 30 * Math.cos(x / 30)]
 const bending = `({ glsl, position: { x } }) => glsl.vec3(0, x.div(20).sin().mult(40), x.div(30).cos().mult(30))`
@@ -107,7 +107,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
     drawScenes(browsers[renderer], server, [...scripts, addon], { renderer, ...options })
 
   describe(`strokes on p5 ${version} by ${renderer}`, () => {
-    test('follow a warp as they follow p5, in each space', async () => {
+    test("follow a warp in the same way as p5's transforms, in each space", async () => {
       const setup = `
         word = ${JSON.stringify(word)}
         const turn = ${turned}
@@ -133,7 +133,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
       }
     })
 
-    test('bend with a warp as a line through its moved points', async () => {
+    test('bend with a warp like a line through the moved points', async () => {
       const scenes = {}
       for (const [name, style] of Object.entries(bentStyles)) {
         scenes[`${name}, by p5`] =
@@ -154,13 +154,13 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
         const lit = litPixels(byP5).length
         assert.ok(lit > 150, `${name}: ${lit} pixels`)
         assert.equal(beyondEdges(images[name], byP5, 8), 0, name)
-        // Chords are not quite tangents, which antialiasing shows along the edges.
+        // Chords approximate tangents, which antialiasing shows along the edges.
         const differing = differingPixels(images[name], byP5, 8)
         assert.ok(differing < 0.04 * lit, `${name}: ${differing} of ${lit} pixels differ`)
       }
     })
 
-    test('are as the sketch and the option `stroke` say', async () => {
+    test('depend on the sketch and the option `stroke`', async () => {
       const setup = `
         const still = ({ glsl }) => glsl.vec3(0, 0, 0)
         warps.left = createWarp(still)
@@ -174,7 +174,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
         fill(255, 0, 0)`
       const lines = `stroke(0, 0, 255); strokeWeight(10);`
       const scenes = {
-        // p5 begins with thin black lines.
+        // p5's default is thin black lines.
         'a sketch that never asked': 'warps.left(); plane(100)',
         'the option': `strokeWeight(10); warps.on(); plane(100)`,
         'a sketch that asked': `${lines} warps.left(); plane(100)`,

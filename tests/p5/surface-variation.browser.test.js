@@ -1,5 +1,5 @@
-// Warps along the normal in p5 sketches: exact for shapes that addSurfaceVariation told how they vary, as documented for
-// others. The normal material shows the normals that the GPU computed.
+// Warps along the normal in p5 sketches: exact for shapes with addSurfaceVariation, as documented for others. The normal material
+// shows the normals computed on the GPU.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser, leavePage } from '../support/browser/browser.js'
@@ -22,7 +22,7 @@ after(async () => {
   await server.close()
 })
 
-/** Bumps along the unit normal, as a sketch writes them and in double; the model is of size `u`. */
+/** Bumps along the unit normal, in the sketch and in double; the model has size `u`. */
 const bumps = (u) => ({
   code: `({ position, normal }) => normal.normalize().mult(
     position.x().mult(${4 / u}).add(1).sin().add(position.y().mult(${5 / u}).sin()).mult(${0.12 * u}))`,
@@ -32,7 +32,7 @@ const bumps = (u) => ({
   },
 })
 
-/** Bumps by the texture coordinates of `sphereMesh`, which start behind. */
+/** Bumps by the texture coordinates of `sphereMesh`, which start at the back. */
 const uvBumps = {
   code: `({ normal, uv }) => normal.mult(
     uv.x().mult(${12 * Math.PI}).sin().mult(uv.y().mult(${Math.PI}).sin()).mult(0.1))`,
@@ -68,11 +68,11 @@ const spaces = {
   uv: { ...uvBumps, before: identity, after: m.product(view, model) },
 }
 
-/** Where a point of the unit sphere goes, and the normal there from differences, in view space. */
+/** Returns the warped position of a point of the unit sphere, and the normal there by differences, in view space. */
 function seenAt(p, { offset, before, after }) {
   const moved = (q) => {
     const position = m.movePoint(before, q)
-    // As p5 has it: turned by the inverse transpose, of any length.
+    // As in p5: transformed by the inverse transpose, of any length.
     const normal = m.turnNormal(before, q)
     return m.movePoint(after, m.add(position, offset(position, normal)))
   }
@@ -86,7 +86,7 @@ function seenAt(p, { offset, before, after }) {
 }
 
 describe('createWarp on p5 2.x, along the normal', () => {
-  test('is exact for a shape that was told how it varies, and for others by themselves', async () => {
+  test('is exact for a shape with addSurfaceVariation, and for others by default', async () => {
     const sphere = sphereMesh(160, 120)
     const { page, messages } = await runSketch(
       browser,
@@ -125,7 +125,7 @@ describe('createWarp on p5 2.x, along the normal', () => {
     }
     for (const [name, space] of Object.entries(spaces)) {
       const exact = await draw(`warps.${name}(); model(told)`)
-      // After the other shape, whose attributes p5 leaves on, and for the first time.
+      // Draws after the other shape, whose attributes p5 leaves enabled, and for the first time.
       const afterIt = await draw(
         `warps.${name}(); model(told); clear(); background(0); model(untold)`,
       )
@@ -162,7 +162,7 @@ describe('createWarp on p5 2.x, along the normal', () => {
 })
 
 for (const [version, p5] of Object.entries(p5Versions))
-  test(`p5 ${version} prints nothing for warps along the normal, and says what addSurfaceVariation needs`, async () => {
+  test(`p5 ${version} prints nothing for warps along the normal, and reports the requirements of addSurfaceVariation`, async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -186,7 +186,7 @@ for (const [version, p5] of Object.entries(p5Versions))
     const expected =
       version === '2.x'
         ? 'none'
-        : 'addSurfaceVariation: this p5 keeps no properties of vertices; use p5 2.'
+        : 'addSurfaceVariation: this p5 has no vertex properties; use p5 2.'
     assert.equal(await page.evaluate('problem'), expected)
     await leavePage(page)
     assert.deepEqual(messages, [])

@@ -1,5 +1,5 @@
-// glsl.texture in p5 sketches: heights that displace a plane, with its normals, and an image sampled where a warp says in
-// a fragment shader. The picture on the canvas is judged by the interpolant in double.
+// glsl.texture in p5 sketches: heights that displace a plane, with its normals, and an image sampled at warped positions in a
+// fragment shader. Compares the picture on the canvas with the interpolant in double.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -24,10 +24,10 @@ after(async () => {
 
 const [size, side, height] = [200, 160, 30]
 const image = randomImage(7, 5, 4)
-// p5 keeps images with their colours multiplied by alpha.
+// p5 stores images with premultiplied alpha.
 image.data = image.data.map((byte, i) => (i % 4 === 3 ? 255 : byte))
 
-/** The image as each of p5's things that hold pixels. */
+/** The image as each of p5's classes that hold pixels. */
 const sources = {
   image: `warps.image = createImage(${image.width}, ${image.height})
     fillPixels(warps.image)`,
@@ -107,7 +107,7 @@ for (const [version, p5] of p5InThisRun) {
           }
       })
 
-    test('an image is a uniform like others: a value, a function, another one for a call', async () => {
+    test('an image is a uniform like others: a value, a function, or overridden in a call', async () => {
       const offset = `({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bspline' }).r()
         .mult(uniforms.amount))`
@@ -135,7 +135,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(flat, byName, 30) > 5000, 'the image shows')
     })
 
-    test('an image wraps as textureWrap() says, and is read as its filter says', async () => {
+    test('an image wraps by textureWrap(), and is filtered by its filter', async () => {
       const offset = (options) => `({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().mult(2.6)${options}).r().mult(${height}))`
       const made = (name, options) =>
@@ -163,13 +163,13 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(pictures.mirror, pictures.repeat, 30) > 3000)
     })
 
-    test('in WebGL 1 the warp is told the size of an image among its uniforms', async () => {
+    test('in WebGL 1 the warp gets the size of an image by a uniform', async () => {
       const displaced = `warps.displace = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bicubic' }).r()
         .mult(${height})), { type: 'normal', uniforms: { heights: () => warps.image } })`
       const scenes = { shown: `warps.displace(); plane(${side}, ${side}, 60, 60)` }
       const [first, second] = [
-        // p5 warns of framebuffers there.
+        // p5 warns about framebuffers there.
         await draw({
           setup: `setAttributes({ version: 1 })\nif (webglVersion !== 'webgl') throw new Error('no WebGL 1')\n${setupOf(sources.image)}\n${displaced}`,
           scenes,
@@ -179,8 +179,8 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(first.shown, second.shown, 2) < 40)
     })
 
-    // plane(160, 160) is a plane of 1 by 1 that is scaled in two directions and not in the third.
-    test('a displaced plane is lit alike, however it came to its size', async () => {
+    // plane(160, 160) is a plane of 1 by 1 that is scaled in two directions, but not in the third.
+    test('a displaced plane has the same light, whichever way it got its size', async () => {
       const warp = (amount) => `createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bspline' }).r()
         .mult(${amount})), { uniforms: { heights: warps.image } })`
@@ -197,7 +197,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(pictures.flat, pictures.even, 3) < 40)
     })
 
-    test('an image sampled at a warped place, in the fragment stage', async () => {
+    test('an image sampled at a warped position, in the fragment stage', async () => {
       const { code, declarations, uniforms } = compile((glsl) => {
         const uv = glsl.vec2Param('vTexCoord')
         const moved = uv.add(uv.yx().mult(5).sin().mult(0.1))
@@ -237,7 +237,7 @@ void main() {
       })
       const moved = (u, v) => [u + 0.1 * Math.sin(5 * v), v + 0.1 * Math.sin(5 * u)]
       const options = { wrap: 'mirror', filter: 'bicubic' }
-      // A pixel shows what is at its middle.
+      // A pixel shows the value at its centre.
       for (const [u, v] of grid(20).map((place) =>
         place.map((t) => (Math.floor(t * side) + 0.5) / side),
       )) {
@@ -247,15 +247,16 @@ void main() {
       }
     })
 
-    test('says in a WarpError what is wrong with an image', async () => {
+    test('reports mistakes with an image by a WarpError', async () => {
       const cases = {
         'createWarp(warp)': /reads "heights", .* "uniform highp sampler2D heights;"/,
         'distort({ heights: 5 })':
-          /uniform "heights" must be an image, such as one of loadImage or createGraphics, but is the number 5/,
-        'inUniforms({ heights: 5 })': /uniform "heights" must be an image, .* but is the number 5/,
-        'distort({ heights: null })': /uniform "heights" must be an image, .* but is null/,
-        'distort({ heights: "a.png" })': /must be an image, .* but is the text "a.png"/,
-        'distort({ heights: Promise.resolve() })': /must be an image, .* but is a promise/,
+          /expected an image, such as one of loadImage or createGraphics, for the uniform "heights", got the number 5/,
+        'inUniforms({ heights: 5 })':
+          /expected an image, .* for the uniform "heights", got the number 5/,
+        'distort({ heights: null })': /expected an image, .* for the uniform "heights", got null/,
+        'distort({ heights: "a.png" })': /expected an image, .* got the text "a.png"/,
+        'distort({ heights: Promise.resolve() })': /expected an image, .* got a promise/,
       }
       const { page, messages } = await runSketch(
         browser,

@@ -1,4 +1,4 @@
-// The option `uniforms` of createWarp, on each p5 and on both WebGLs: judged by where the picture is.
+// The option `uniforms` of createWarp, on each p5 and both WebGL versions: checks the position in the picture.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser, leavePage } from '../support/browser/browser.js'
@@ -18,14 +18,14 @@ after(async () => {
   await server.close()
 })
 
-/** How far to the right and down what is drawn lies from the middle of the canvas, in pixels. */
+/** Returns the offset of the drawing from the centre of the canvas to the right and down, in pixels. */
 function place(image) {
   const lit = litPixels(image)
   const mean = (axis) => lit.reduce((sum, pixel) => sum + pixel[axis], 0) / lit.length
   return [mean('x'), mean('y')].map(Math.round)
 }
 
-/** createWarp's arguments, of a warp in pixels. */
+/** The arguments of createWarp for a warp in pixels. */
 const moves = (offset, uniforms, more = '') =>
   `(({ glsl, uniforms }) => ${offset}), { space: 'world', uniforms: { ${uniforms} }, ${more} }`
 
@@ -34,7 +34,7 @@ for (const [version, p5] of p5InThisRun)
     describe(`uniforms on p5 ${version} and WebGL ${webgl}`, () => {
       const shape = `fill('red'); plane(20)`
 
-      /** Draws the scenes → places by scene. `warps` are arguments of createWarp by name. */
+      /** Draws the scenes → positions by scene. `warps` are arguments of createWarp by name. */
       async function places(warps, scenes, before = '') {
         const setup = Object.entries(warps).map(
           ([name, args]) => `warps.${name} = createWarp(${args})`,
@@ -82,7 +82,7 @@ for (const [version, p5] of p5InThisRun)
           assert.deepEqual(found, [40, 0], name)
       })
 
-      test('are asked for at each distort, and replaced for one', async () => {
+      test('are read at each distort, and overridden for one', async () => {
         const warps = {
           fixed: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
           follow: moves('glsl.vec3(uniforms.at, 0)', 'at: () => [mouseX, frame]'),
@@ -118,7 +118,7 @@ for (const [version, p5] of p5InThisRun)
         })
       })
 
-      test('may have any name, and stand beside defs', async () => {
+      test('may have any name, and can be combined with defs', async () => {
         const names = [
           'uModelViewMatrix',
           'float',
@@ -147,7 +147,7 @@ for (const [version, p5] of p5InThisRun)
           any: 'warps.any()',
           'any given': 'warps.any({ "a b": 14 })',
           defs: 'warps.defs({ a: 20, b: 40 })',
-          // What defs declares keeps its value.
+          // A uniform declared by defs keeps its value.
           again: 'warps.defs({ unread: [3, 4] })',
         })
         assert.deepEqual(found, {
@@ -160,33 +160,36 @@ for (const [version, p5] of p5InThisRun)
     })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: a WarpError says what is wrong with uniforms, and drawing goes on`, async () => {
+  test(`p5 ${version}: a WarpError reports mistakes with uniforms, and drawing goes on`, async () => {
     const offset = '({ glsl, uniforms }) => glsl.vec3(uniforms.amount, uniforms.at)'
     const cases = {
       'createWarp(offset)':
         /^createWarp: the offset reads uniforms\.amount, which nothing declares/,
       'createWarp(offset, { uniforms: { amont: 1, at: [1, 2] } })':
         /declares no "amount"; there are amont, at\./,
-      'createWarp(offset, { uniforms: 3 })': /"uniforms" must be an object, .* is the number 3/,
+      'createWarp(offset, { uniforms: 3 })':
+        /expected an object, .* for the option "uniforms", got the number 3/,
       'createWarp(offset, { uniforms: { amount: "a" } })':
-        /^createWarp: the uniform "amount" must be a number, .* but is the text "a"/,
+        /^createWarp: expected a number, .* for the uniform "amount", got the text "a"/,
       'createWarp(offset, { uniforms: { mouse: [1, 2] } })': /"mouse" has the name of an input/,
       'createWarp(offset, { uniforms: { amount: 1, at: [1, 2] }, defs: "uniform float x, amount;" })':
-        /"amount" stands in the options "uniforms" and "defs"/,
+        /"amount" is in both options "uniforms" and "defs"/,
       'createWarp(({ glsl }) => glsl.vec3(glsl.param("amount")), { uniforms: { amount: 1 } })':
         /reads "amount" by glsl\.param; .* is read as uniforms\.amount/,
       'createWarp(3, { uniforms: { amount: 1 } })': /expected a function, got the number 3/,
       'distort({ amont: 2 })': /no uniform "amont"; there are amount, at, unread\./,
-      'distort({ amount: [1, 2] })': /"amount" is a float and takes a number, but a vec2 came/,
+      'distort({ amount: [1, 2] })':
+        /expected a finite number for the uniform "amount", got an array of 2/,
       'distort({ amount: undefined })':
-        /"amount" is a float and takes a number, but undefined came/,
-      'distort({ amount: NaN })': /"amount" must be a finite number, but is NaN/,
-      'distort({ at: 3 })': /"at" is a vec2 and takes an array of 2 numbers, but a float came/,
-      'distort({ unread: "x" })': /"unread" is a float and takes a number, but the text "x" came/,
+        /expected a finite number for the uniform "amount", got undefined/,
+      'distort({ amount: NaN })': /for the uniform "amount", got NaN/,
+      'distort({ at: 3 })':
+        /expected an array of 2 finite numbers for the uniform "at", got the number 3/,
+      'distort({ unread: "x" })': /for the uniform "unread", got the text "x"/,
       'plain({ amount: 2 })':
         /no uniform "amount"; createWarp's option "uniforms" must declare it: \{ uniforms: \{ amount: 0\.5 \} \}/,
       'now = [1, 2, 3]; try { distort() } finally { now = [1, 2] }':
-        /"at" was a vec2 when the warp was made, but its function now gives a vec3/,
+        /for the uniform "at", got an array of 3; its function must always return what it returned at first/,
     }
     const { page, messages } = await runSketch(
       browser,

@@ -1,15 +1,15 @@
-// What the page of units says and shows of `position`, against what p5 hands to the graphics card: the vertices of each shape and its
-// matrices, as they are when it is drawn.
+// The docs page about units describes and draws `position`: compares it with the vertices of each shape and the matrices that p5
+// passes to the GPU.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { path } from '../../.scripts/lib/files.mjs'
-import { eye, shapes } from '../../.scripts/reference/units.mjs'
+import { eye, shapes } from '../support/units.js'
 import { launchBrowser, leavePage } from '../support/browser/browser.js'
 import { servePages } from '../support/browser/server.js'
 import { p5Versions, runSketch } from '../support/browser/sketch.js'
 
-/** Remembers what each buffer holds, and of each draw the vertices and matrices. Runs in the page, before p5. */
+/** Records the contents of each buffer, and the vertices and matrices of each draw call. Runs in the page, before p5. */
 const watching = `
 const drawn = [], contents = new Map(), gl = WebGL2RenderingContext.prototype
 const { bufferData, drawArrays, drawElements } = gl
@@ -30,7 +30,7 @@ gl.drawArrays = function (...given) { note(this); return drawArrays.apply(this, 
 gl.drawElements = function (...given) { note(this); return drawElements.apply(this, given) }
 `
 
-/** What the table has beyond the pictures. */
+/** Rows of the table that the pictures lack. */
 const others = [
   'warpBox(100, 200, 50, 3)',
   'ellipsoid(50, 80, 100)',
@@ -48,7 +48,7 @@ const bounds = (points) =>
     return [Math.min(...along), Math.max(...along)]
   })
 
-/** The camera looks straight ahead: going back is moving only. */
+/** The camera looks straight ahead: inverting its matrix is a translation. */
 function inSpaces({ numbers, view, modelView }) {
   assert.deepEqual(view, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -eye, 1])
   const local = Array.from({ length: numbers.length / 3 }, (_, i) =>
@@ -59,7 +59,7 @@ function inSpaces({ numbers, view, modelView }) {
   return { local: bounds(local), world: bounds(world), camera: bounds(camera) }
 }
 
-/** Round shapes are polygons, which do not quite reach where they should. */
+/** Round shapes are polygons, which do not quite reach the ideal extent. */
 function assertAbout(found, expected, what) {
   for (const [i, range] of expected.entries())
     for (const [k, x] of range.entries()) {
@@ -69,7 +69,7 @@ function assertAbout(found, expected, what) {
     }
 }
 
-/** What a cell of the table says, such as `x and y from 0 to 1, z is 0`; nothing where it has no numbers. */
+/** Parses a cell of the table, such as `x and y from 0 to 1, z is 0`; `undefined` if it has no numbers. */
 function ofCell(text) {
   const found = [[], [], []]
   for (const [, letters, low, high, only] of text.matchAll(
@@ -84,7 +84,7 @@ const rows = readFileSync(path('web/docs/units.md'), 'utf8')
   .split('\n')
   .filter((line) => line.startsWith('| `'))
   .map((line) => line.split('|').slice(1, 3))
-/** By the name of the function. */
+/** Maps names of functions to cells. */
 const table = new Map(
   rows.flatMap(([names, local]) =>
     [...names.matchAll(/`(\w+)\(/g)].map(([, name]) => [name, ofCell(local)]),
@@ -101,11 +101,11 @@ after(async () => {
   await server.close()
 })
 
-test('the table has numbers of eleven functions', () =>
+test('the table has numbers for eleven functions', () =>
   assert.equal([...table.values()].filter(Boolean).length, 11))
 
 for (const [version, p5] of Object.entries(p5Versions))
-  test(`what position is in p5 ${version}`, async () => {
+  test(`the meaning of position in p5 ${version}`, async () => {
     const scripts = [p5.replace(/js$/, 'min.js'), '/dist/p5.warpjet.min.js']
     const code = `${watching}
 function setup() { createCanvas(640, 480, WEBGL); noStroke(); noLoop() }
@@ -128,7 +128,7 @@ function draw() {
       const said = table.get(/^\w+/.exec(call)[0])
       if (said) assertAbout(local, said, `${call} in the table`)
     }
-    // The box of the picture of spaces.
+    // The box in the picture of spaces.
     const { local, world, camera } = found.get(others.at(-1))
     assertAbout(local, Array(3).fill([-0.5, 0.5]), 'the box in local space')
     const middle = (ranges) => ranges.map(([low, high]) => (low + high) / 2)
@@ -141,7 +141,7 @@ function draw() {
         assert.ok(Math.abs(x - [150, -50, z][i]) < 1e-3, `${ranges}`)
   })
 
-test('the pictures show these shapes, with a number for each', () => {
+test('the pictures show these shapes, each with a number', () => {
   const pictures = ['units-1.svg', 'units-2.svg', 'units-spaces.svg']
   const text = pictures.map((file) => readFileSync(path(`web/docs/${file}`), 'utf8')).join('')
   for (const { call, title = call } of shapes) assert.ok(text.includes(`>${title}</text>`), title)

@@ -1,4 +1,5 @@
-// Each example of the gallery on a WEBGPU canvas, in its own text but for `await createCanvas(…, WEBGPU)`: the same picture as in WEBGL.
+// Each example of the gallery on a WEBGPU canvas, changed only by `await createCanvas(…, WEBGPU)`: draws the same picture as in
+// WEBGL.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -7,7 +8,7 @@ import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
 import { pngOf } from '../support/png.js'
 import { path } from '../support/browser/bench.js'
-import { answering, ask, coarseShapes, cookie } from '../support/browser/examples.js'
+import { replaceResponses, ask, coarseShapes, cookie } from '../support/browser/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
 
@@ -17,7 +18,7 @@ const examples = sections
   .flatMap((section) => section.examples.map(({ name }) => name))
   .filter((name) => !name.startsWith('three-'))
 
-/** A page for each, which compiles p5 once for all examples. */
+/** Opens one page per renderer, which compiles p5 once for all examples. */
 const hosts = ['p5-2', 'p5-webgpu']
 
 let browser, server, url
@@ -25,7 +26,7 @@ const pages = {}
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
   browser = await launchBrowserWithWebGPU()
-  server = await serveSources(5260, [answering(forHost)])
+  server = await serveSources(5260, [replaceResponses(forHost)])
   url = server.resolvedUrls.local[0]
   for (const host of hosts) pages[host] = await openFor(host)
 })
@@ -40,7 +41,7 @@ async function openFor(host) {
   return openPage(context, `${url}recorder.js`)
 }
 
-/** What WEBGPU needs comes with p5. */
+/** p5's WEBGPU build. */
 function forHost(request, path, content) {
   const host = cookie(request, 'host')
   if (/^\/examples\/[\w-]+\/sketch\.js$/.test(path))
@@ -51,13 +52,14 @@ function forHost(request, path, content) {
 
 const webgpu = readFileSync(path('node_modules/p5/lib/p5.webgpu.min.js'), 'utf8')
 
-/** Time stands still, chance repeats itself, and pixels are few. */
+/** Time is fixed, random numbers are seeded, and pixels are few. */
 const still = `
 {
   let seed = 1
   Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
   p5.prototype.millis = () => 1700
-  // On WEBGPU p5 itself takes the first directional light alone, and its highlights are others: p5-webgpu.test.js shows each without a warp.
+  // On WEBGPU p5 itself uses only the first directional light, and has different highlights: webgpu.browser.test.js shows both
+  // without a warp.
   const { directionalLight } = p5.prototype
   let lit = -1
   p5.prototype.directionalLight = function (...light) {
@@ -65,7 +67,7 @@ const still = `
     lit = this.frameCount
     return this
   }
-  // The warp draws no edges, and p5 takes seconds to work out those of a model.
+  // Removes edges, which the warp does not draw, and which p5 takes seconds to compute for a model.
   p5.Geometry.prototype._edgesToVertices = function () { return this }
   p5.prototype.specularMaterial = p5.prototype.shininess = function () { return this }
   const own = { setup, draw }
@@ -75,7 +77,7 @@ const still = `
     pixelDensity(0.5)
     noLoop()
   }
-  // The first frame, which p5 draws by itself, is looked at by nobody.
+  // Ignores the first frame, which p5 draws by itself.
   window.draw = () => (window.draw = own.draw)
 }`
 
@@ -83,7 +85,7 @@ async function pictureOf(name, host) {
   const { page, messages } = pages[host]
   await page.goto(`${url}examples/${name}/gallery.html`)
   await page.waitForFunction(() => window.frameCount >= 1, null, { timeout: 120_000 })
-  // Fonts bring canvases of their own.
+  // Fonts create canvases too.
   await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
   const draw = 'redraw()'
   const image =

@@ -1,4 +1,4 @@
-// createWarp on a canvas of WebGPU: the same pictures as in WebGL, whose own tests say that they are right.
+// createWarp on a WebGPU canvas: draws the same pictures as in WebGL, which other tests check.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import * as deformers from '../../dist/deformers.js'
@@ -22,7 +22,7 @@ after(async () => {
   await server.close()
 })
 
-/** Draws the scenes with both renderers, and compares them. None has p5's highlights, which differ by themselves. */
+/** Draws the scenes with both renderers, and compares them. No scene has highlights, which differ in p5 itself. */
 async function compare({ setup, scenes, tolerance = 6, share = 0.005 }) {
   const images = {}
   for (const [renderer, more] of Object.entries({ WEBGL: [], WEBGPU: [p5WebGPU] }))
@@ -43,8 +43,8 @@ async function compare({ setup, scenes, tolerance = 6, share = 0.005 }) {
 const wave = `({ glsl, position }) => glsl.vec3(
   position.y().mult(2.4).add(1).sin().mult(0.15), position.z().mult(3.2).sin().mult(0.11), 0)`
 
-describe('createWarp on WEBGPU draws as in WEBGL', () => {
-  test('by each material, in each space', async () => {
+describe('createWarp on WEBGPU looks as in WEBGL', () => {
+  test('with each material, in each space', async () => {
     const images = await compare({
       setup: `
         warps.local = createWarp(${wave})
@@ -81,7 +81,7 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
     assert.deepEqual(images['normalMaterial()'], images['the normal as colour'])
   })
 
-  test('with uniforms of each type, images and WGSL of the sketch', async () => {
+  test("with uniforms of each type, images and the sketch's WGSL", async () => {
     const move = (x) => `({ glsl, uniforms }) => glsl.vec3(${x}, 0, 0)`
     const world = `space: 'world'`
     await compare({
@@ -123,7 +123,7 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
     })
   })
 
-  test('each deformer, and what composes them', async () => {
+  test('each deformer and composition', async () => {
     const composing = ['add', 'blend', 'chain', 'inSpace', 'mask']
     const names = Object.keys(deformers).filter((name) => !composing.includes(name))
     assert.equal(names.length, 13)
@@ -144,7 +144,7 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
     })
   })
 
-  test('what composes warps of each kind, within one another too', async () => {
+  test('compositions of each kind of warp, also nested', async () => {
     const made = {
       'add of a deformer and a sketch’s own': 'add(turn, own)',
       'blend by a number': 'blend(turn, own, 0.4)',
@@ -184,7 +184,7 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
     assert.equal(different.size, Object.keys(made).length)
   })
 
-  test('what the documentation of p5.warp shows', async () => {
+  test('the examples in the documentation of p5.warp', async () => {
     const shown = Object.keys(listings).filter((name) => /of p5\.warp/.test(name))
     assert.equal(shown.length, 3)
     await compare({
@@ -209,7 +209,7 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
     })
   })
 
-  test('in a p5.Graphics of WEBGL, since p5 makes none of WEBGPU', async () => {
+  test('in a p5.Graphics of WEBGL, since p5 has none of WEBGPU', async () => {
     await compare({
       setup: `
         const layer = createGraphics(120, 120, WEBGL)
@@ -242,22 +242,22 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
         ]),
       ),
       tolerance: 12,
-      // Far from its axis a turn shows how exactly a driver knows sines.
+      // Far from its axis a rotation shows the driver's precision of sines.
       share: 0.02,
     })
   })
 })
 
-test('on WEBGPU a WarpError says what is wrong', async () => {
+test('on WEBGPU a WarpError reports mistakes', async () => {
   const cases = {
     'createGraphics(50, 50, WEBGPU).createWarp(still)': /createGraphics\(width, height, WEBGL\)/,
     'createWarp(({ normal, uv }) => normal.mult(uv.x.mult(uv.y).sin()), {})()':
       /on WEBGPU an offset that depends on both normal and uv/,
     [`createWarp(still, { defs: 'uniform float size[3];' })`]: /defs.*uniforms: \{ size: 0\.5 \}/,
     "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: 1 })":
-      /"v" must be an array of numbers/,
+      /"v": expected an array of numbers/,
     "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: [1] })":
-      /"v" must be an array of 2 numbers/,
+      /"v": expected an array of 2 numbers/,
     "createWarp(still, { shader: baseMaterialShader().modify({ 'Vertex getObjectInputs': '(Vertex inputs) { return inputs; }' }) })":
       /hook getObjectInputs in GLSL; on a WEBGPU canvas write it in WGSL/,
     'createWarp(({ glsl }) => glsl.vec3(glsl.param("size"), 0, 0))': /uniforms/,
@@ -286,7 +286,7 @@ test('on WEBGPU a WarpError says what is wrong', async () => {
   assert.deepEqual(messages, [])
 })
 
-test('a mistake in the WGSL of defs is told with its line, that of defs and that of the sketch', async () => {
+test('a mistake in the WGSL of defs is reported with its line in defs and in the sketch', async () => {
   const { page } = await runSketch(
     browser,
     server,
@@ -324,12 +324,12 @@ test('a mistake in the WGSL of defs is told with its line, that of defs and that
   assert.equal(second - first, 1)
 })
 
-/** Whether what is lit is elsewhere, by more than edges. */
+/** Returns whether the lit pixels differ by more than edges. */
 const differs = (images, name) =>
   beyondEdges(images.WEBGPU[name], images.WEBGL[name], 12) >
   0.05 * litPixels(images.WEBGL[name]).length
 
-test('what p5 itself draws otherwise on WEBGPU, or not at all, it does without a warp', async () => {
+test('drawings that p5 itself does not support on WEBGPU, or draws differently, without a warp', async () => {
   const wide = 'ortho(-100, 100, -100, 100, -1000, 1000)'
   const ball = 'noStroke(); fill(200); sphere(60)'
   const scenes = {
@@ -379,7 +379,7 @@ test('GLSL and models of text fail in p5 itself', async () => {
   )
 })
 
-test('p5 itself draws in a framebuffer of HALF_FLOAT, and not in one of FLOAT, with smooth edges or without', async () => {
+test('p5 itself draws into a HALF_FLOAT framebuffer, but not a FLOAT one, with and without antialiasing', async () => {
   const heard = {}
   for (const options of [
     'format: HALF_FLOAT',

@@ -1,5 +1,5 @@
-// A project with p5, built by every bundler and shown by Chromium: `import 'warpjet/p5'` registers, a model is loaded, a mesh
-// is warped, and nothing is printed.
+// A project with p5, built by every bundler and run in Chromium: `import 'warpjet/p5'` registers, a model is loaded, a mesh is
+// warped, and nothing is printed.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { rolldown } from 'rolldown'
@@ -52,12 +52,12 @@ test('Vite, a worker', async () => {
   await draws(pageOf('out/vite-worker/main.js'))
 })
 
-test('Vite while developing', async () => {
+test("Vite's development server", async () => {
   const server = await vite.createServer({ ...common, server: { port: 0, host: '127.0.0.1' } })
   try {
     await server.listen()
     const { port } = server.httpServer.address()
-    // It reloads the page as soon as it has found what to prebundle.
+    // Vite reloads the page as soon as it has found packages to prebundle.
     await server.warmupRequest('/sketch.js')
     await server.environments.client.depsOptimizer?.scanProcessing
     const { page, messages } = await openPage(browser, `http://127.0.0.1:${port}/`)
@@ -112,7 +112,7 @@ test('esbuild', async () => {
   await draws(pageOf('out/esbuild/sketch.js'))
 })
 
-/** Rollup and rolldown take the same options here; both say what they are not sure of, such as an import that does nothing. */
+/** Rollup and rolldown have the same options here; both warn about doubtful code, such as an import without effect. */
 async function roll(bundler, dir, plugins) {
   const warnings = []
   const onwarn = ({ message }) => warnings.push(message)
@@ -123,14 +123,14 @@ async function roll(bundler, dir, plugins) {
   await draws(pageOf(`${dir}/sketch.js`))
 }
 
-/** What p5 imports is CommonJS, which is not Rollup's business. */
+/** p5's own imports are CommonJS, which Rollup does not support. */
 const p5InOneFile = {
   name: 'p5-in-one-file',
   resolveId: (name) => (name === 'p5' ? `${project}/node_modules/p5/lib/p5.esm.min.js` : null),
 }
 
 for (const browser of [false, true])
-  test(`Rollup, ${browser ? 'for browsers' : 'as it is'}`, async () => {
+  test(`Rollup, ${browser ? 'for browsers' : 'by default'}`, async () => {
     const { rollup } = await load('rollup')
     const { default: nodeResolve } = await load('@rollup/plugin-node-resolve')
     await roll(rollup, `out/rollup-${browser}`, [p5InOneFile, nodeResolve({ browser })])
@@ -138,7 +138,7 @@ for (const browser of [false, true])
 
 test('rolldown', () => roll(rolldown, 'out/rolldown', [p5InOneFile]))
 
-// Its package.json has it read `exports`, which Parcel does only when told, and p5 in one file, of which it loses a part.
+// package.json makes Parcel read `exports`, which it ignores by default, and use p5 in one file, of which it would lose a part.
 test('Parcel', async () => {
   const { output, status } = runIn(process.execPath, [
     'node_modules/parcel/lib/bin.js',

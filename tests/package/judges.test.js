@@ -1,4 +1,4 @@
-// What others' programs say of the tarball, and TypeScript of its types.
+// Checks the tarball by other tools, and its types by TypeScript.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'

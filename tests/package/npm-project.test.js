@@ -1,4 +1,4 @@
-// The npm project that the playground packs: installed with the package that is tested, it starts, is built, and draws the same.
+// The npm project that the playground exports: installed with the tested package, it starts, builds, and draws the same picture.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
@@ -23,7 +23,7 @@ let page, context, close
 before(async () => ({ page, context, close } = await openPlayground(5255, await launchBrowser())))
 after(() => close())
 
-/** Writes what is in an archive, whose files are as they are. */
+/** Writes the files of an uncompressed archive. */
 function unpack(bytes) {
   rmSync(folder, { recursive: true, force: true })
   mkdirSync(folder)
@@ -36,7 +36,7 @@ function unpack(bytes) {
   }
 }
 
-/** npm in that folder, for as long as `isDone` of what it has said is not so → what that gives. */
+/** Runs npm in that folder until `isDone` is true for its output → the result of `isDone`. */
 async function npm(args, isDone = () => undefined) {
   const child = spawn('npm', args, {
     cwd: folder,
@@ -54,14 +54,14 @@ async function npm(args, isDone = () => undefined) {
       })
   })
   const found = await Promise.race([done, ended.then((status) => ({ status }))])
-  // npm hands no signal on to what it has started.
+  // npm does not forward signals to its child processes.
   const stop = () => process.kill(-child.pid)
   if (!('status' in Object(found))) return { found, stop }
   assert.equal(found.status, 0, output)
   return {}
 }
 
-/** Packs the sketch that is shown, and installs it with the tarball in the place of what npm has. */
+/** Exports the current sketch, and installs it with the tarball instead of the package from npm. */
 async function install() {
   unpack(await bytesOf(await saved(page, 'npm project')))
   const file = `${folder}/package.json`
@@ -98,7 +98,7 @@ test('with p5 it starts, and draws as in the playground', async () => {
   }
 })
 
-test('with three.js it is built, and draws as in the playground', async () => {
+test('with three.js it builds, and draws as in the playground', async () => {
   await page.getByLabel('Runs in').selectOption('three')
   await settled(page)
   await write(page, ball)

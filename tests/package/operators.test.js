@@ -1,4 +1,4 @@
-// The operators' plugin in each bundler that it is for: what comes of it runs in Node, which without it refuses the operators.
+// The operators' plugin in each supported bundler: the output runs in Node, which without the plugin rejects the operators.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import { rolldown } from 'rolldown'
@@ -16,7 +16,7 @@ function works(program) {
   assert.equal(status, 0)
 }
 
-test('unbuilt it says what to add', () => {
+test('without a build, a message says what to add', () => {
   const { output, status } = runIn(process.execPath, ['with-operators.mjs'])
   assert.match(output, /WarpError: JavaScript's own \+ - \* .* import 'warpjet\/operators'/)
   assert.equal(status, 1)
@@ -40,7 +40,7 @@ const nodeModules = async () => {
   return nodeResolve({ exportConditions: ['node'] })
 }
 
-/** Rollup and rolldown take the same options here. */
+/** Rollup and rolldown have the same options here. */
 async function roll(bundler, dir, ...plugins) {
   const warnings = []
   const onwarn = ({ message }) => warnings.push(message)

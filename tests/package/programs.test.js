@@ -1,4 +1,4 @@
-// Programs in Node: the oldest that package.json names and this one, as modules and by require, plain and bundled.
+// Programs in Node: the minimum version of package.json and this one, as modules and by require, unbundled and bundled.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { load, project, runIn } from './support/project.js'

@@ -1,4 +1,4 @@
-// The workflow that publishes: what npm says of the tarball, what it sends, and each line that the workflow runs.
+// The publishing workflow: npm's messages about the tarball, the upload, and each command of the workflow.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { accessSync, constants, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs'
@@ -11,13 +11,13 @@ import { project, runIn, tarball } from './support/project.js'
 const root = fileURLToPath(new URL('../../', import.meta.url))
 const manifest = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
 const file = `${root}.github/workflows/publish.yml`
-/** What it runs, in order; each is one line. */
+/** Its commands, in order; each is one line. */
 const runs = [...readFileSync(file, 'utf8').matchAll(/^ *(?:- )?run: (.+)$/gm)].map(
   ([, run]) => run,
 )
 const runOf = (pattern) => runs.find((run) => pattern.test(run))
 
-/** A registry that knows no package yet, and keeps what it gets. */
+/** A registry without packages, which records uploads. */
 const received = []
 let server, home
 before(async () => {
@@ -41,7 +41,9 @@ after(() => {
   rmSync(home, { recursive: true })
 })
 
-/** A line of the workflow, in a shell, for that registry → { output, status }. The test itself has to answer npm meanwhile. */
+/**
+ * Runs a command of the workflow in a shell, with that registry → { output, status }. The test itself must answer npm meanwhile.
+ */
 async function run(line, cwd, env = {}) {
   const own = Object.entries(process.env).filter(([name]) => !/^npm_/i.test(name))
   const child = spawn('sh', ['-ec', line], {
@@ -62,10 +64,10 @@ async function run(line, cwd, env = {}) {
 }
 
 const warnings = (output) => output.match(/^npm (?:warn|error).*$/gim) ?? []
-/** Provenance is signed for what runs at GitHub, and for nothing else. */
+/** Provenance is signed only for runs at GitHub. */
 const publish = () => runOf(/^npm publish/).replace(' --provenance', '')
 
-test('npm has nothing against the tarball but that nobody has logged in', async () => {
+test('npm has no complaints about the tarball, except that nobody has logged in', async () => {
   const { output, status } = await run(`${publish()} --dry-run`, project)
   assert.equal(status, 0, output)
   const [warning, ...others] = warnings(output)
@@ -74,7 +76,7 @@ test('npm has nothing against the tarball but that nobody has logged in', async 
   assert.equal(received.length, 0)
 })
 
-test('with a token the very tarball that was tested is published, without a warning', async () => {
+test('with a token the tested tarball itself is published, without a warning', async () => {
   const token = runOf(/_authToken/)
   assert.deepEqual(await run(token, project, { NPM_TOKEN: 'a-token' }), { output: '', status: 0 })
   const { output, status } = await run(publish(), project)
@@ -97,7 +99,7 @@ test('a tag that is not the version of package.json publishes nothing', async ()
   assert.equal(await statusFor('v9.9.9'), 1)
 })
 
-test('the workflow is one, and each line that it runs is known to work', async () => {
+test('there is one workflow, and each of its commands is tested', async () => {
   const { output, status } = runIn(process.execPath, [
     'node_modules/@action-validator/cli/cli.mjs',
     file,
@@ -110,7 +112,7 @@ test('the workflow is one, and each line that it runs is known to work', async (
     readdirSync(home).filter((name) => name.endsWith('.tgz')),
     [tarball()],
   )
-  // What `npm run site` writes is opened by web/tests/site.browser.test.js.
+  // web/tests/site.browser.test.js opens the output of `npm run site`.
   assert.ok(manifest.scripts.site)
   assert.deepEqual(runs, [
     runOf(/GITHUB_REF_NAME/),

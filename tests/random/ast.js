@@ -1,5 +1,6 @@
-// Expressions as plain objects, { op, shape, size, args, … }: their text for our builder, and their value in plain numbers.
-// Leaves are { op: 'input', name } and { op: 'number', value, raw }; raw ones are written as JavaScript's own numbers.
+// Expressions as plain objects, { op, shape, size, args, … }: generates their code for our builder, and computes their values in
+// plain numbers. Leaves are { op: 'input', name } and { op: 'number', value, raw }; raw numbers are written as JavaScript
+// numbers.
 import { apply } from './plain.js'
 import { componentShape, dimension, isMatrix, sizeOf } from './shapes.js'
 
@@ -34,7 +35,7 @@ function componentText({ name, shape }, index) {
   return `${vector}.${'xyzw'[index % size]}()`
 }
 
-/** What can be differentiated by: numbers, and components of vectors and matrices. */
+/** Returns the variables of derivatives: numbers, and components of vectors and matrices. */
 export const components = inputs.flatMap((input) =>
   Array.from({ length: sizeOf(input.shape) }, (_, index) => ({
     name: input.name,
@@ -43,7 +44,7 @@ export const components = inputs.flatMap((input) =>
   })),
 )
 
-/** All nodes, the root first. */
+/** Returns all nodes, the root first. */
 export function* nodesOf(root) {
   yield root
   for (const argument of root.args) yield* nodesOf(argument)
@@ -51,13 +52,13 @@ export function* nodesOf(root) {
 
 export const depthOf = (root) => 1 + Math.max(0, ...root.args.map(depthOf))
 
-/** The names of the inputs that an expression reads. */
+/** Returns the names of the inputs that an expression reads. */
 export const inputsOf = (root) =>
   new Set([...nodesOf(root)].filter(({ op }) => op === 'input').map(({ name }) => name))
 
 /**
- * The value of an expression as a flat list. `around(node, values, compute)`, if given, makes the value of each node from those
- * of its arguments; `compute(values)` is the right one.
+ * Returns the value of an expression as a flat list. `around(node, values, compute)`, if present, computes the value of each node
+ * from those of its arguments; `compute(values)` is the correct value.
  */
 export function evaluate(root, point, { operations, around } = {}) {
   const visit = (node) => {
@@ -71,7 +72,7 @@ export function evaluate(root, point, { operations, around } = {}) {
   return visit(root)
 }
 
-/** The JavaScript of an expression. `form` of a node is 'method' (its first argument is the receiver) or 'builder'. */
+/** Returns the JavaScript of an expression. `form` of a node is 'method' (its first argument is the receiver) or 'builder'. */
 export function textOf(node) {
   const { op, args } = node
   if (op === 'input') return node.name
@@ -86,7 +87,7 @@ export function textOf(node) {
 
 const paramName = (shape) => (shape === 'float' ? 'param' : `${shape}Param`)
 
-/** The callback for `compile` as text: declares the inputs, and returns results, [{ name, text }], made of `value`. */
+/** Returns the callback for `compile` as code: declares the inputs, and returns results, [{ name, text }], made from `value`. */
 export function callbackText(root, results) {
   const names = new Set(inputsOf(root))
   for (const { name } of components)
@@ -102,13 +103,13 @@ export function callbackText(root, results) {
   ].join('\n')
 }
 
-/** A result that is the value itself. */
+/** The result that is the value itself. */
 export const valueResult = ({ shape }) => ({ name: 'value', text: 'value', shape })
 
 /**
- * What may be asked of an expression beside its value → [{ name, text, shape, entries }]: its first derivatives by all
- * components of numbers and vectors, and by one entry of each matrix. `entries` tells for each number of the result which
- * component of the value it is, by which input's component.
+ * Returns the derivatives of an expression → [{ name, text, shape, entries }]: its first derivatives by all components of numbers
+ * and vectors, and by one entry of each matrix. `entries` maps each number of the result to a component of the value and of an
+ * input.
  */
 export function derivativeResults(root, random) {
   if (root.shape === 'bool') return []
@@ -125,7 +126,7 @@ export function derivativeResults(root, random) {
 
 const places = (root) => Array.from({ length: root.size }, (_, i) => i)
 
-/** The derivative by one component. */
+/** Returns the derivative by one component. */
 export function singleResult(root, by) {
   return {
     name: `d_${by.name}${by.index}`,
@@ -135,7 +136,7 @@ export function singleResult(root, by) {
   }
 }
 
-/** The gradient of a number, or the Jacobian of a vector: a row for each component of the value. */
+/** Returns the gradient of a number, or the Jacobian of a vector: a row for each component of the value. */
 function whole(root, name, by) {
   const scalar = root.shape === componentShape(root.shape)
   const [rows, columns] = [dimension(root.shape), by.length]
@@ -148,7 +149,7 @@ function whole(root, name, by) {
   }
 }
 
-/** The second derivative by two components. */
+/** Returns the second derivative by two components. */
 export const secondResult = (root, first, second) => ({
   name: `d_${first.name}${first.index}_${second.name}${second.index}`,
   text: `glsl.derivative(glsl.derivative(value, ${first.text}), ${second.text})`,

@@ -1,5 +1,5 @@
-// Whether a compiled expression is right: its value against plain numbers, its derivatives against differences of these.
-// Points where these cannot tell, near kinks and jumps and where rounding errors grow, are not compared, but counted.
+// Checks a compiled expression: its value against plain numbers, its derivatives against differences of these. Points near kinks
+// and jumps, or with large rounding errors, are not compared, but counted.
 import {
   callbackText,
   components,
@@ -14,27 +14,27 @@ import { derivative, outermost } from './differences.js'
 import { randomOf } from './generate.js'
 import { isFirm, roundingSpread } from './noise.js'
 
-/** Of a value of size 1, or else relative to its size. */
+/** Relative to the size of a value, if that is above 1. */
 const derivativeTolerance = 1e-6
-/** Rounding errors of double precision, beside those of `noise.js`. */
+/** Rounding errors of double precision, in addition to those of `noise.js`. */
 const doubleTolerance = 1e-12
 const doublePerFloat = 1e-8
-/** More than this part of a value must not be uncertain. */
-const mostUncertain = 1e-2
+/** The max uncertain fraction of a value. */
+const maxUncertain = 1e-2
 
 export const kinds = ['value', 'derivative', 'second']
 
 const scaleOf = (x) => Math.max(1, Math.abs(x))
 export const kindOf = ({ entries }) => kinds[entries?.[0]?.by.length ?? 0]
 
-/** All results to ask for: the value, its first derivatives, and for each third seed two second ones. */
+/** Returns all results to check: the value, its first derivatives, and two second ones for every third seed. */
 export function resultsOf({ seed, root }) {
   const random = randomOf(seed)
   const firsts = derivativeResults(root, random)
   return [valueResult(root), ...firsts, ...(seed % 3 ? [] : secondResults(root, random, 2))]
 }
 
-/** `count` second derivatives, by any two components of inputs that are there. */
+/** Returns `count` second derivatives, by any two components of existing inputs. */
 export function secondResults(root, random, count) {
   const used = inputsOf(root)
   const usable = components.filter(({ name }) => used.has(name))
@@ -45,8 +45,8 @@ export function secondResults(root, random, count) {
 }
 
 /**
- * The derivatives that a result consists of, by differences → [{ value, error }]. The error is infinite where there is a kink at
- * the point or close by.
+ * Computes the derivatives in a result by differences → [{ value, error }]. The error is infinite if there is a kink at the point
+ * or nearby.
  */
 export function differentiate(root, { entries }, point, operations) {
   const f = (at) => evaluate(root, at, { operations })
@@ -62,7 +62,7 @@ export function differentiate(root, { entries }, point, operations) {
   })
 }
 
-/** The numbers that a result must have at a point → [{ value, tolerance }], or null where they are not known well. */
+/** Returns the expected numbers of a result at a point → [{ value, tolerance }], or null if they are too uncertain. */
 export function expectedAt(root, result, point, operations) {
   if (result.entries)
     return differentiate(root, result, point, operations).map(({ value, error }) =>
@@ -73,20 +73,20 @@ export function expectedAt(root, result, point, operations) {
   const middle = evaluate(root, point, { operations })
   const uncertain = roundingSpread(root, middle, (f) => f(point), operations)
   return middle.map((value, i) =>
-    uncertain[i] <= mostUncertain * scaleOf(value)
+    uncertain[i] <= maxUncertain * scaleOf(value)
       ? { value, tolerance: doubleTolerance * scaleOf(value) + doublePerFloat * uncertain[i] }
       : null,
   )
 }
 
-/** The callback of a text. */
+/** Compiles code to a callback. */
 export const callbackOf = (source) => new Function(`return ${source}`)()
 
 const createCounts = () => ({ compared: 0, total: 0 })
 
 /**
  * Compares a case on the CPU → { counts, failure }. `counts` has { compared, total } numbers of each kind. `evaluateCase(source)`
- * compiles a callback's text and gives its results at a point, as compile(…).evaluate does.
+ * compiles a callback's code and returns its results at a point, like compile(…).evaluate.
  */
 export function checkCase(test, evaluateCase, operations) {
   const { root, points } = test
@@ -121,7 +121,7 @@ export function checkCase(test, evaluateCase, operations) {
 export const isNear = (got, expected) =>
   !expected || Math.abs(got - expected.value) <= expected.tolerance
 
-/** Adds up what `checkCase` counts. */
+/** Adds up the counts of `checkCase`. */
 export function addCounts(sum, counts) {
   for (const kind of kinds)
     for (const key of ['compared', 'total']) sum[kind][key] += counts[kind][key]

@@ -1,12 +1,12 @@
-// Which pieces of its kinked operations an expression is on at a point. Where these stay the same on all sides it is smooth; at a
-// kink itself, where differences may see nothing, the slope is a matter of convention.
+// Finds the pieces of kinked operations that an expression takes at a point. If these stay the same on all sides, it is smooth;
+// at a kink itself, which differences may miss, the slope is a matter of convention.
 import { evaluate } from './ast.js'
 
-/** How operands compare, each pair of them. */
+/** Compares each pair of operands. */
 const order = (...operands) =>
   operands.flatMap((x, i) => operands.slice(i + 1).map((y) => Math.sign(x - y)))
 const side = (x) => [Math.sign(x)]
-/** Between two whole numbers, or on one. */
+/** Finds the two integers around a number, or the integer that it is. */
 const step = (x) => [Math.floor(x) + Math.ceil(x)]
 
 const byComponent = {
@@ -34,7 +34,7 @@ const ofVectors = {
 }
 ofVectors.distance = ofVectors.dist
 
-/** What an expression chooses at a point, as a text. `around`, as of `evaluate`, may change values on their way. */
+/** Returns the choices of an expression at a point, as a string. `around`, as for `evaluate`, may change intermediate values. */
 export function choicesAt(root, point, around = (_, values, compute) => compute(values)) {
   const choices = []
   const record = ({ op }, values) => {

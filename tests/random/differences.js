@@ -1,10 +1,10 @@
-// Derivatives of a function of numbers by differences, with Richardson's extrapolation from three steps, and whether it is
-// smooth enough there for them to be right.
+// Derivatives of a function of numbers by differences, with Richardson's extrapolation from three steps, and a check whether it
+// is smooth enough for that.
 
 const stepOfFirst = 2 ** -12
 const stepOfSecond = 2 ** -8
 
-function moved(point, ...shifts) {
+function movePoint(point, ...shifts) {
   const result = { ...point }
   for (const [{ name, index }, shift] of shifts) {
     result[name] = [...result[name]]
@@ -13,20 +13,23 @@ function moved(point, ...shifts) {
   return result
 }
 
-/** From differences of steps h, h/2 and h/4, whose errors are a h² + b h⁴ + … */
+/** Uses differences of steps h, h/2 and h/4, whose errors are a h² + b h⁴ + … */
 function extrapolate([d1, d2, d3]) {
   const [coarse, fine] = [(4 * d2 - d1) / 3, (4 * d3 - d2) / 3]
   return { value: (16 * fine - coarse) / 15, error: Math.abs(coarse - fine) }
 }
 
-/** ∂f/∂input for each component of f → [{ value, error }]; a kink or a jump nearby makes the error large. */
+/** Returns ∂f/∂input for each component of f → [{ value, error }]; a kink or a jump nearby makes the error large. */
 function firstDerivative(f, point, by, middle) {
   const steps = [1, 2, 4].map((part) => stepOfFirst / part)
-  const pairs = steps.map((step) => [f(moved(point, [by, step])), f(moved(point, [by, -step]))])
+  const pairs = steps.map((step) => [
+    f(movePoint(point, [by, step])),
+    f(movePoint(point, [by, -step])),
+  ])
   return middle.map((_, i) => {
     const slopes = pairs.map(([after, before], s) => (after[i] - before[i]) / (2 * steps[s]))
     const estimate = extrapolate(slopes)
-    // Bends are h f'' + O(h³). A kink at the point itself shows only here.
+    // Second differences are h f'' + O(h³). Only these show a kink at the point itself.
     const [bend, halfBend] = pairs.map(
       ([after, before], s) => (after[i] - 2 * middle[i] + before[i]) / steps[s],
     )
@@ -34,7 +37,7 @@ function firstDerivative(f, point, by, middle) {
   })
 }
 
-/** The points around one at which a second difference of step h looks. */
+/** Returns the points that a second difference of step h uses. */
 function corners(point, first, second, step) {
   const shifts = isSame(first, second)
     ? [1, -1].map((i) => [[first, i * step]])
@@ -42,11 +45,11 @@ function corners(point, first, second, step) {
         [first, i * step],
         [second, (k % 2 ? -1 : 1) * step],
       ])
-  return shifts.map((shift) => moved(point, ...shift))
+  return shifts.map((shift) => movePoint(point, ...shift))
 }
 const isSame = (a, b) => a.name === b.name && a.index === b.index
 
-/** ∂²f/∂first ∂second for each component of f → [{ value, error }]. */
+/** Returns ∂²f/∂first ∂second for each component of f → [{ value, error }]. */
 function secondDerivative(f, point, first, second, middle) {
   const steps = [1, 2, 4].map((part) => stepOfSecond / part)
   const differences = steps.map((step) => {
@@ -60,20 +63,20 @@ function secondDerivative(f, point, first, second, middle) {
   return middle.map((_, i) => extrapolate(differences.map((difference) => difference[i])))
 }
 
-/** The points farthest away at which differences look for the derivative by one or two components. */
+/** Returns the outermost points of the differences for the derivative by one or two components. */
 export const outermost = (point, [first, second]) =>
   second ? corners(point, first, second, stepOfSecond) : corners(point, first, first, stepOfFirst)
 
-/** The derivative by one or two components, for each component of f → [{ value, error }]. */
+/** Returns the derivative by one or two components, for each component of f → [{ value, error }]. */
 export const derivative = (f, point, [first, second], middle) =>
   second
     ? secondDerivative(f, point, first, second, middle)
     : firstDerivative(f, point, first, middle)
 
-/** The derivative by one or two components from a single step: right to a few digits, for estimates. */
+/** Estimates the derivative by one or two components from a single step, to a few digits. */
 export function slopeOf(f, point, [first, second]) {
   const slope = (g, by, step) => (at) => {
-    const [after, before] = [g(moved(at, [by, step])), g(moved(at, [by, -step]))]
+    const [after, before] = [g(movePoint(at, [by, step])), g(movePoint(at, [by, -step]))]
     return after.map((value, i) => (value - before[i]) / (2 * step))
   }
   if (!second) return slope(f, first, stepOfFirst)(point)

@@ -1,5 +1,5 @@
-// Random bodies for glsl.repeat, each as expressions and as plain numbers, with states of one to three components. What a step
-// adds is bounded, so that no state runs away.
+// Random bodies for glsl.repeat, each as expressions and as plain numbers, with states of one to three components. The increment
+// of each step is bounded, so that no state diverges.
 import { randomOf } from './generate.js'
 
 const unary = {
@@ -19,7 +19,7 @@ const binary = {
 
 const pick = (random, list) => list[Math.floor(list.length * random())]
 
-/** A formula of numbers: what it reads are names. */
+/** A formula of numbers that reads variables by name. */
 function grow(random, names, depth) {
   if (depth === 0)
     return random() < 0.2 ? Number((4 * random() - 2).toFixed(1)) : pick(random, names)
@@ -31,7 +31,7 @@ function grow(random, names, depth) {
   ]
 }
 
-/** In plain numbers. */
+/** Evaluates a formula in plain numbers. */
 function numberOf(formula, values) {
   if (typeof formula === 'number') return formula
   if (typeof formula === 'string') return values[formula]
@@ -39,7 +39,7 @@ function numberOf(formula, values) {
   return (unary[op] ?? binary[op])(...operands.map((each) => numberOf(each, values)))
 }
 
-/** As an expression. */
+/** Builds a formula as an expression. */
 function expressionOf(glsl, formula, values) {
   if (typeof formula === 'number') return glsl.val(formula)
   if (typeof formula === 'string') return values[formula]
@@ -48,8 +48,8 @@ function expressionOf(glsl, formula, values) {
 }
 
 /**
- * The fold of a seed: `outer` is a loop of `steps`, in whose body there may be an `inner` one. Each has formulas for its states; those of the
- * inner one read the outer one's states and step too.
+ * Returns the fold of a seed: `outer` is a loop of `steps`, whose body may contain an `inner` one. Each has formulas for its
+ * states; those of the inner loop read the outer states and step too.
  */
 function randomFold(random, outside, depth) {
   const level = depth === 0 ? 'inner' : 'outer'
@@ -64,7 +64,7 @@ function randomFold(random, outside, depth) {
     step,
     starts: states.map(() => grow(random, outside, 2)),
     inner,
-    // A state and what is below 1: the sine of anything.
+    // A state, and the sine of anything, which is at most 1.
     nexts: states.map((name) => ['add', ['mult', name, 0.5], ['sin', grow(random, read, 3)]]),
   }
 }
@@ -105,13 +105,13 @@ function runExpressions(glsl, { steps, states, step, starts, inner, nexts }, out
   return states.map((name) => ends[name])
 }
 
-/** The sum of the outcomes, in double. */
+/** Returns the sum of the outcomes, in double. */
 export const foldNumber = ({ fold, inputs }, point) =>
   runNumbers(fold, Object.fromEntries(inputs.map((name, i) => [name, point[i]]))).reduce(
     (a, b) => a + b,
   )
 
-/** For `compile`: the sum of the outcomes and its derivatives by x, y and z, and the second one by x and y. */
+/** Returns outputs for `compile`: the sum of the outcomes and its derivatives by x, y and z, and the second one by x and y. */
 export const foldCallback =
   ({ fold, inputs, seed }) =>
   (glsl) => {
@@ -129,7 +129,7 @@ export const foldCallback =
     }
   }
 
-/** Central differences, in double, and whether they can be trusted: those of two step sizes agree. */
+/** Returns central differences, in double, and whether those of two step sizes agree. */
 export function slopes(test, point) {
   const at = (i, h) =>
     foldNumber(
@@ -142,7 +142,7 @@ export function slopes(test, point) {
   })
 }
 
-/** The second derivative by x and y. */
+/** Returns the second derivative by x and y. */
 export function secondSlope(test, [x, y, z]) {
   const at = (h, k) => foldNumber(test, [x + h, y + k, z])
   const [coarse, fine] = [2e-3, 1e-3].map(

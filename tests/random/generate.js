@@ -1,17 +1,17 @@
-// Random well-typed expressions, the same ones for the same seed. Each node is evaluated as it is made, at the points where
-// the test will look: what leaves the domain of the operation that it is for, or grows, is wrapped into something tamer.
+// Generates random well-typed expressions, the same ones for the same seed. Each node is evaluated when it is made, at the points
+// of the test: values that leave the domain of the operation, or grow too large, are wrapped by something tamer.
 import { seededRandom } from '../warps/random.js'
 import { depthOf, inputNode, inputs, node, number } from './ast.js'
 import { signaturesFor } from './operations.js'
 import { isMatrix, matrixShapes, sizeOf, vectorShapes } from './shapes.js'
 import { createTamer } from './tame.js'
 
-/** So many seeds in turn share their points, so that they can share a shader. */
+/** Number of consecutive seeds that have the same points, so that they can share a shader. */
 export const blockSize = 40
 export const pointCount = 6
 
 const maxDepth = 12
-/** Matrices are seldom the result, since they have so many numbers; inside of expressions they are everywhere. */
+/** Matrices are seldom the result, since they have many numbers; inside of expressions they are frequent. */
 const rootShapes = [
   ...Array(6).fill('float'),
   ...Array(4).fill(vectorShapes).flat(),
@@ -19,7 +19,7 @@ const rootShapes = [
   'bool',
 ]
 
-/** Park and Miller's first numbers of neighbouring seeds are alike; these are not. */
+/** The first numbers of Park and Miller's generator are similar for neighbouring seeds; this mixes them. */
 export function randomOf(seed) {
   const random = seededRandom(((seed + 1) * 7919 * 65537) % 2147483647)
   for (let i = 0; i < 5; i++) random()
@@ -27,8 +27,8 @@ export function randomOf(seed) {
 }
 
 /**
- * The points of a block of seeds: values of every input, from -2 to 2, that are float32 numbers. Those of the last one are
- * mostly where kinks and jumps are.
+ * Returns the points of a block of seeds: values of every input, from -2 to 2, as float32 numbers. Those of the last point are
+ * mostly at kinks and jumps.
  */
 export function pointsOf(seed) {
   const random = randomOf(1e6 + Math.floor(seed / blockSize))
@@ -43,7 +43,7 @@ export function pointsOf(seed) {
   )
 }
 
-/** A constant with few digits. */
+/** Returns a constant with few digits. */
 function randomConstant(random) {
   const kind = random()
   const value = 6 * random() - 3
@@ -52,8 +52,8 @@ function randomConstant(random) {
 }
 
 /**
- * The case of a seed → { seed, points, root }. `allowed(name)` may leave operations out. Without `isTame` operations take what
- * comes, also outside their domains.
+ * Returns the case of a seed → { seed, points, root }. `allowed(name)` may exclude operations. Without `isTame`, operations get
+ * any operands, also outside their domains.
  */
 export function randomCase(seed, allowed = () => true, isTame = true) {
   const random = randomOf(seed)
@@ -69,7 +69,7 @@ export function randomCase(seed, allowed = () => true, isTame = true) {
     return signatures.find(({ weight }) => (place -= weight) < 0)
   }
 
-  /** An input, a part of one, or a constant, as an expression of `shape`. */
+  /** Returns an input, a part of one, or a constant, as an expression of `shape`. */
   function leaf(shape, mayBeConstant) {
     if (shape === 'float' && mayBeConstant && random() < 0.4)
       return number(randomConstant(random), random() < 0.8)
@@ -91,10 +91,10 @@ export function randomCase(seed, allowed = () => true, isTame = true) {
     return node('swizzle', shape, [argument], { letters: chosen })
   }
 
-  /** Side branches are mostly short, so that a deep expression is a long chain and no forest. */
+  /** Side branches are mostly short, so that a deep expression is a long chain rather than a wide tree. */
   const sideDepth = (depth) => Math.min(depth, random() < 0.6 ? 0 : random() < 0.7 ? 1 : 3)
 
-  /** An expression of `shape` with `depth` operations on top of each other. */
+  /** Returns an expression of `shape` with `depth` nested operations. */
   function grow(shape, depth, mayBeConstant) {
     const isCondition = shape.startsWith('b')
     if (depth <= 0 && !isCondition) return leaf(shape, mayBeConstant)

@@ -1,4 +1,4 @@
-// Random cases on a GPU: many of them in one shader, compared with plain numbers within what errors of float32 size do there.
+// Random cases on a GPU: many in one shader, compared with plain numbers within the effects of float32 errors.
 import {
   callbackText,
   components,
@@ -14,14 +14,16 @@ import { randomOf } from './generate.js'
 import { isFirm, roundingSpread, sineSpread } from './noise.js'
 import { dimension, isMatrix, sizeOf } from './shapes.js'
 
-/** So many times the errors seen in a few tries; somewhat more than the errors of sines add up to; rounding at the end. */
+/**
+ * Factors: of the errors in a few samples, of the accumulated errors of sines (slightly more than 1), and of the final rounding.
+ */
 const safety = 8
 const nonlinear = 1.5
 const rounding = 1e-5
-/** A number that is known no better than this, in proportion to its size above 1, is not compared. */
-const mostUncertain = 0.05
+/** The max uncertainty of a number that is compared, relative to its size if above 1. */
+const maxUncertain = 0.05
 
-/** What is asked of a case here: the value, for each third seed a first derivative, and for each ninth a second one. */
+/** Returns the results to check: the value, a first derivative for every third seed, and a second one for every ninth. */
 export function gpuResults({ seed, root }) {
   const random = randomOf(seed)
   const used = inputsOf(root)
@@ -33,7 +35,7 @@ export function gpuResults({ seed, root }) {
   return results.map((result) => ({ ...result, name: `s${seed}_${result.name}` }))
 }
 
-/** The program of some cases for `pipelines.run`; `compile` is ours. */
+/** Returns the program of some cases for `pipelines.run`; `compile` is ours. */
 export function programOf(cases, target, compile) {
   const compiled = cases.map((test) =>
     compile(callbackOf(callbackText(test.root, gpuResults(test))), { target }),
@@ -50,10 +52,13 @@ const toVariable = ({ name, shape }) => ({
   shape: isMatrix(shape) || shape === 'bool' ? shape : dimension(shape),
 })
 
-/** A point as `pipelines.run` takes it. */
+/** Converts a point for `pipelines.run`. */
 export const toFloats = (point) => inputs.flatMap(({ name }) => point[name])
 
-/** What a GPU must come to at a point, for each number of each result → { value, tolerance }, or null if not known well. */
+/**
+ * Returns the numbers expected from a GPU at a point, for each number of each result → { value, tolerance }, or null if too
+ * uncertain.
+ */
 export function gpuExpected(test, point) {
   const { root } = test
   const firm = isFirm(root, point)
@@ -70,14 +75,14 @@ export function gpuExpected(test, point) {
     return numbers.map(({ value, error }, i) => {
       const scale = Math.max(1, Math.abs(value))
       const tolerance = safety * uncertain[i] + nonlinear * waves[i] + rounding * scale + error
-      return tolerance <= mostUncertain * scale ? { value, tolerance } : null
+      return tolerance <= maxUncertain * scale ? { value, tolerance } : null
     })
   })
 }
 
 /**
- * Compares what a GPU gave for the cases of a program at each point → { failures, counts }; `expected` has what `gpuExpected`
- * gives, by case and by point.
+ * Compares the GPU's results for the cases of a program at each point → { failures, counts }; `expected` has the results of
+ * `gpuExpected` by case and by point.
  */
 export function compareGpu(cases, given, expected) {
   const counts = { compared: 0, total: 0 }

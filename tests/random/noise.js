@@ -1,14 +1,14 @@
-// How much errors of float32 size grow on their way through an expression: it is evaluated with its intermediate values
-// changed by errors that a GPU may make. Derivatives of the changed function show what such errors do to a derivative.
+// Estimates how much errors of float32 size grow in an expression: evaluates it with its intermediate values changed by errors
+// that a GPU may make. Derivatives of the changed function show the effect of such errors on a derivative.
 import { evaluate } from './ast.js'
 import { choicesAt } from './choices.js'
 import { randomOf } from './generate.js'
-import { plainOperations, structural, turning } from './plain.js'
+import { plainOperations, structural, rotationFrom } from './plain.js'
 
-/** Some units in the last place. */
+/** A few units in the last place. */
 const relative = 2 ** -22
 
-/** These only choose, or come to numbers that float32 has. */
+/** Operations that only select, or whose results are exact in float32. */
 const exact = new Set(
   [
     'input neg abs sign floor ceil round trunc step min max clamp vecMin vecMax vecClamp',
@@ -18,18 +18,18 @@ const exact = new Set(
 )
 const isExact = ({ op, value }) => (op === 'number' ? Math.fround(value) === value : exact.has(op))
 
-/** Sums of products, in which intermediate results may be larger than the last one. */
+/** Sums of products, whose intermediate results may be larger than the final one. */
 const sums = new Set([...Object.keys(structural), 'mult', 'mix', 'vecMix'])
 sums.delete('dist')
 sums.delete('distance')
 
-/** Errors that do not shrink with the result: of differences of exponentials, and of logarithms. */
+/** Errors that do not shrink with the result: those of differences of exponentials, and of logarithms. */
 const absolute = 1e-6
 const withAbsolute = new Set(['sinh', 'tanh', 'asinh', 'atanh', 'acosh', 'log', 'log2'])
 
-/** Rounding errors for one evaluation, as `evaluate` takes them; each sample has others. */
-function rounding(sample) {
-  // Each second sample has the errors of the one before it the other way round: one of both goes over the edge of a jump.
+/** Returns rounding errors for one evaluation, for `evaluate`; each sample has different ones. */
+function roundingErrors(sample) {
+  // Every second sample has the errors of the previous one with opposite sign; one of the two crosses the edge of a jump.
   const random = randomOf(sample >> 1)
   const sign = sample % 2 ? -1 : 1
   const noise = () => sign * (random() < 0.5 ? -1 : 1) * (0.5 + random())
@@ -46,35 +46,36 @@ function rounding(sample) {
 const manySamples = [0, 1, 2, 3, 4, 5, 6, 7]
 const samples = [0, 1, 2, 3]
 
-/** Whether rounding errors leave an expression on the same sides of its kinks and jumps. */
+/** Returns whether an expression stays on the same sides of its kinks and jumps under rounding errors. */
 export function isFirm(root, point) {
   const choices = choicesAt(root, point)
-  return manySamples.every((sample) => choicesAt(root, point, rounding(sample)) === choices)
+  return manySamples.every((sample) => choicesAt(root, point, roundingErrors(sample)) === choices)
 }
 
 /**
- * How far `estimate(f)` goes from `exactly`, for each number of it, if f is the expression with rounding errors: the most in a few
- * tries.
+ * Returns the max distance of `estimate(f)` from `exactly`, for each number of it, over a few samples of f, which is the
+ * expression with rounding errors.
  */
 export function roundingSpread(root, exactly, estimate, operations) {
   const largest = exactly.map(() => 0)
   for (const sample of samples) {
-    const rounded = (point) => evaluate(root, point, { operations, around: rounding(sample) })
-    estimate(rounded).forEach((value, i) => {
+    const roundedValue = (point) =>
+      evaluate(root, point, { operations, around: roundingErrors(sample) })
+    estimate(roundedValue).forEach((value, i) => {
       const distance = Math.abs(value - exactly[i])
-      // NaN stays.
+      // NaN stays NaN.
       largest[i] = distance <= largest[i] ? largest[i] : distance
     })
   }
   return largest
 }
 
-/** How far SwiftShader's functions are off. */
+/** Errors of SwiftShader's functions. */
 const errors = { sin: 2.5e-4, cos: 2.5e-4, asin: 1e-4, acos: 1e-4, atan: 1e-4 }
 
 /**
- * The function of a point, with an error in the call number `source` of those functions alone. It goes up and down with the
- * argument, so that it reaches the derivative; `phase` says where. `count` hears the number of calls.
+ * Returns the function at a point with an error only in call number `source` of those functions. The error oscillates with the
+ * argument, so that it affects the derivative; `phase` shifts it. `count` gets the number of calls.
  */
 function wavy(root, source, phase, count = () => {}) {
   return (point) => {
@@ -84,14 +85,14 @@ function wavy(root, source, phase, count = () => {}) {
       return calls++ === source ? value + errors[name] * Math.sin(x + phase) : value
     }
     const [sin, cos, asin, acos, atan] = Object.keys(errors).map(wave)
-    const operations = { ...plainOperations, ...turning(sin, cos), asin, acos, atan }
+    const operations = { ...plainOperations, ...rotationFrom(sin, cos), asin, acos, atan }
     const value = evaluate(root, point, { operations })
     count(calls)
     return value
   }
 }
 
-/** The same for the errors of sines and arcs: at most the sum of what each of them does alone. */
+/** Does the same for the errors of sines and arcs: the max is the sum of their separate effects. */
 export function sineSpread(root, point, exactly, estimate) {
   let calls
   wavy(root, -1, 0, (count) => (calls = count))(point)

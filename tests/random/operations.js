@@ -1,9 +1,9 @@
-// Which operations there are for the generator: for each shape of a result, what arguments of which shapes lead to it, and
-// the domains where they make sense.
+// The operations for the generator: for each shape of a result, the shapes of arguments that lead to it, and the domains where
+// they are defined.
 import { chained } from './plain.js'
 import { dimension, matrixShapes, vectorShapes } from './shapes.js'
 
-/** By component; the domain of each argument. */
+/** Operations by component, with the domain of each argument. */
 const componentwise = {
   neg: 'any',
   add: 'any any',
@@ -63,7 +63,7 @@ const signature = (op, shapes, domains = '', weight = 1) => {
   return { op, weight, arguments: shapes.map((shape, i) => ({ shape, domain: each[i] || 'any' })) }
 }
 
-/** Arguments of one shape; where that is a vector, some of them may become numbers. */
+/** Arguments of one shape; if that is a vector, some of them may become numbers. */
 function componentSignature(op, shape, domains, weight) {
   const { length } = domains.split(' ')
   const row = signature(op, Array(length).fill(shape), domains, weight)
@@ -113,7 +113,7 @@ const ofVector = (v) => {
   ]
 }
 
-/** The ways to put a vector together: floats and shorter vectors, or one number. */
+/** The ways to construct a vector: from floats and shorter vectors, or from one number. */
 function parts(n) {
   const shapes = ['float', 'vec2', 'vec3']
   const ways = (rest) =>
@@ -166,10 +166,10 @@ for (const shape of vectorShapes) {
 }
 for (const shape of matrixShapes) table[shape] = ofMatrix(shape)
 
-/** The signatures that result in `shape`. */
+/** Returns the signatures with the result `shape`. */
 export const signaturesFor = (shape) => table[shape]
 
-/** Every name that the generator can use. */
+/** All names that the generator can use. */
 export const operationNames = [
   ...new Set(
     Object.values(table)

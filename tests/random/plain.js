@@ -1,11 +1,11 @@
-// What each operation is, in plain numbers of double precision: written from chapter 8 of the GLSL ES 3.00 specification
-// and from the conventions in the README, and never from our own table.
+// Each operation in plain numbers of double precision: written from chapter 8 of the GLSL ES 3.00 specification and from the
+// conventions in the README, independently of our own table.
 import { dimension, isMatrix } from './shapes.js'
 
 const truth = (condition) => (condition ? 1 : 0)
-const bounded = (x, low, high) => Math.min(Math.max(x, low), high)
+const clampTo = (x, low, high) => Math.min(Math.max(x, low), high)
 
-/** To the nearest whole number; a half goes to the even one. */
+/** Rounds to the nearest integer; a half to the even one. */
 function roundToEven(x) {
   const below = Math.floor(x)
   if (x - below !== 0.5) return Math.round(x)
@@ -13,7 +13,7 @@ function roundToEven(x) {
 }
 
 function smoothstep(low, high, x) {
-  const t = bounded((x - low) / (high - low), 0, 1)
+  const t = clampTo((x - low) / (high - low), 0, 1)
   return t * t * (3 - 2 * t)
 }
 
@@ -53,7 +53,7 @@ export const byComponent = {
   mod: (x, y) => x - y * Math.floor(x / y),
   min: (x, y) => Math.min(x, y),
   max: (x, y) => Math.max(x, y),
-  clamp: bounded,
+  clamp: clampTo,
   mix: (x, y, t) => x * (1 - t) + y * t,
   step: (edge, x) => truth(x >= edge),
   smoothstep,
@@ -83,7 +83,7 @@ const aliases = {
 }
 for (const [alias, name] of Object.entries(aliases)) byComponent[alias] = byComponent[name]
 
-/** These take any number of operands, from left to right. */
+/** Operations with any number of operands, from left to right. */
 export const chained = new Set(['add', 'sub', 'mult', 'div', 'min', 'max', 'and', 'or', 'sum'])
 for (const name of ['prod', 'vecSum', 'vecProd', 'vecMin', 'vecMax']) chained.add(name)
 
@@ -110,7 +110,7 @@ const timesVector = (m, v) => v.map((_, i) => dot(row(m, i), v))
 const timesMatrix = (m, k) =>
   range(Math.sqrt(k.length)).flatMap((i) => timesVector(m, column(k, i)))
 
-/** The matrix without a column and a row. */
+/** Returns the matrix without a column and a row. */
 const minor = (m, j, i) => {
   const n = Math.sqrt(m.length)
   return m.filter((_, place) => Math.floor(place / n) !== j && place % n !== i)
@@ -133,8 +133,8 @@ function rotation(axis, s, c) {
   })
 }
 
-/** What sine and cosine are part of, made of any two functions. */
-export function turning(sin, cos) {
+/** Computes matrices of sine and cosine, with any two functions instead of these. */
+export function rotationFrom(sin, cos) {
   const rotate = (axis, [angle]) => rotation(axis, sin(angle), cos(angle))
   return {
     sin,
@@ -151,7 +151,7 @@ function cross([a, b, c], [x, y, z]) {
   return [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-const { rotate, rotateX, rotateY, rotateZ } = turning(Math.sin, Math.cos)
+const { rotate, rotateX, rotateY, rotateZ } = rotationFrom(Math.sin, Math.cos)
 
 /** Operations on whole vectors and matrices. */
 export const structural = {
@@ -179,7 +179,7 @@ const matrixProduct = (m, k, shapeM, shapeK) => {
   return isMatrix(shapeM) ? timesMatrix(m, k) : timesVector(transpose(k), m)
 }
 
-/** vec2…4, mat2…4 and mat2Rows…4Rows of their parts. */
+/** vec2…4, mat2…4 and mat2Rows…4Rows from their components. */
 function construct(name, size, parts) {
   const all = parts.flat()
   if (all.length > 1) return name.endsWith('Rows') ? transpose(all) : all
@@ -187,13 +187,13 @@ function construct(name, size, parts) {
   return range(size).map((i) => (isMatrix(name) && i % (n + 1) ? 0 : all[0]))
 }
 
-/** Operations by name; an own table stands in for a part of them. */
+/** Operations by name; another table may replace some of them. */
 export const plainOperations = { ...byComponent, ...structural }
 
 const letters = ['xyzw', 'rgba', 'stpq']
 export const letterIndex = (letter) => Math.max(...letters.map((set) => set.indexOf(letter)))
 
-/** The value of one node of an expression (see ast.js) from the values of its arguments. */
+/** Returns the value of one node of an expression (see ast.js) from the values of its arguments. */
 export function apply(node, values, operations = plainOperations) {
   const { op, args, size } = node
   if (op === 'swizzle') return [...node.letters].map((letter) => values[0][letterIndex(letter)])

@@ -1,16 +1,16 @@
-// Makes a failing expression small: takes away whatever is not needed for it to fail.
+// Shrinks a failing expression: removes everything that is not needed for it to fail.
 import { inputNode, inputs, nodesOf, number } from './ast.js'
 import { chained } from './plain.js'
 import { isCondition, isMatrix } from './shapes.js'
 
-/** `root` with one node in another's place. */
-function replaced(root, from, to) {
+/** Returns `root` with one node replaced by another. */
+function replaceNode(root, from, to) {
   if (root === from) return to
-  const args = root.args.map((argument) => replaced(argument, from, to))
+  const args = root.args.map((argument) => replaceNode(argument, from, to))
   return args.every((argument, i) => argument === root.args[i]) ? root : { ...root, args }
 }
 
-/** How many nodes; constants count more if they have many digits, and operands less than operations. */
+/** Measures an expression by its nodes; constants count more if they have many digits, and operands less than operations. */
 function weight(root) {
   let sum = 0
   for (const { op, value, raw } of nodesOf(root)) {
@@ -22,10 +22,10 @@ function weight(root) {
 
 const constants = [0, 1, 2, -1]
 
-/** Numbers may stand for vectors; an operation that does not take them says so, and the candidate is dropped. */
+/** Numbers may replace vectors; an operation that does not accept them throws, and the candidate is dropped. */
 const mayBeNumber = ({ shape }) => !isMatrix(shape) && !isCondition(shape)
 
-/** What may stand in a node's place. */
+/** Returns possible replacements of a node. */
 function* simpler(node, isRoot) {
   const fits = ({ shape }) =>
     isRoot
@@ -41,12 +41,12 @@ function* simpler(node, isRoot) {
 }
 
 const isSame = (a, b) => a?.kind === b.kind && stem(a.message) === stem(b.message)
-/** An error's message without what differs from case to case. */
+/** Returns an error's message without the parts that differ between cases. */
 const stem = (message = '') => message.replace(/".*?"|[-\d.]+|\w+\(.*/gs, '').slice(0, 60)
 
 /**
- * The smallest case it finds that fails in the same way → { test, failure }. `check(test)` gives the failure, if any, or a
- * promise of it.
+ * Returns the smallest case it finds that fails in the same way → { test, failure }. `check(test)` returns the failure, if any,
+ * or a promise of it.
  */
 export async function shrink(test, failure, check) {
   let best = { test, failure }
@@ -55,7 +55,7 @@ export async function shrink(test, failure, check) {
     isSmaller = false
     search: for (const node of nodesOf(best.test.root))
       for (const candidate of simpler(node, node === best.test.root)) {
-        const root = replaced(best.test.root, node, candidate)
+        const root = replaceNode(best.test.root, node, candidate)
         const key = JSON.stringify(root)
         if (weight(root) >= weight(best.test.root) || tried.has(key)) continue
         tried.add(key)
@@ -69,7 +69,7 @@ export async function shrink(test, failure, check) {
   return best
 }
 
-/** A candidate that makes no sense, such as a cross product of numbers, throws; that is no failure of the compiler. */
+/** An invalid candidate, such as a cross product of numbers, throws; this is not a failure of the compiler. */
 async function attempt(check, test) {
   try {
     return await check(test)
@@ -78,10 +78,10 @@ async function attempt(check, test) {
   }
 }
 
-/** Numbers that are not known well enough to be compared show as a question mark. */
+/** Shows numbers that are too uncertain to be compared as a question mark. */
 const numbers = (list) => `[${list.map((x) => x ?? '?').join(', ')}]`
 
-/** A failure as text for the reader of a test's report. */
+/** Formats a failure for the reader of a test's report. */
 export function describe({ test, failure }) {
   const { kind, message, point, result, got, expected, source } = failure
   const lines = [`seed ${test.seed}: ${kind} ${result?.text ?? ''}`, source]

@@ -1,10 +1,10 @@
-// Keeps random expressions within domains: looks at their values at the points, and wraps them where that is needed.
+// Keeps random expressions within domains: computes their values at the points, and wraps them if necessary.
 import { seededRandom } from '../warps/random.js'
 import { apply } from './plain.js'
 import { node as plainNode, number } from './ast.js'
 import { isCondition } from './shapes.js'
 
-/** Where each domain's values lie, with room to the edge. */
+/** Ranges within each domain, with a distance to its edge. */
 const domains = {
   any: () => true,
   positive: (x) => x > 0.05,
@@ -15,7 +15,7 @@ const domains = {
   small: (x) => Math.abs(x) < 3,
 }
 
-/** Values and slopes beyond these are squashed. */
+/** Larger values and slopes are squashed. */
 const largest = 20
 const steepest = 12
 const step = 1e-4
@@ -34,12 +34,12 @@ export function createTamer({ points, random, make, allowed }) {
   const places = [...points, ...nearby]
   const known = new WeakMap()
 
-  /** The values of a node at all places, from those of its arguments. */
+  /** Returns the values of a node at all points, from those of its arguments. */
   function valuesOf(node) {
-    if (!known.has(node)) known.set(node, computed(node))
+    if (!known.has(node)) known.set(node, compute(node))
     return known.get(node)
   }
-  function computed(node) {
+  function compute(node) {
     if (node.op === 'input') return places.map((point) => point[node.name])
     if (node.op === 'number') return places.map(() => [node.value])
     const lists = node.args.map(valuesOf)
@@ -52,7 +52,7 @@ export function createTamer({ points, random, make, allowed }) {
   }
 
   const constant = (low, high) => number(Number((low + (high - low) * random()).toFixed(2)))
-  /** Wrappers are chosen among those whose operations there are. */
+  /** Chooses among wrappers whose operations exist. */
   function choose(...ways) {
     const usable = ways.filter(([names]) => names.split(' ').every(allowed))
     return usable[Math.floor(random() * usable.length)][1]()
@@ -83,7 +83,7 @@ export function createTamer({ points, random, make, allowed }) {
 
   const holds = (node, domain) => valuesOf(node).every((value) => value.every(domains[domain]))
 
-  /** Bounded, and mostly of moderate slope. */
+  /** Bounded functions, mostly with moderate slope. */
   function isModerate(node) {
     const values = valuesOf(node)
     if (!values.flat().every((x) => Math.abs(x) <= largest)) return false
@@ -93,14 +93,14 @@ export function createTamer({ points, random, make, allowed }) {
     return steep.length <= points.length / 2
   }
 
-  /** Scaled down to about 1, or put through a function that is bounded. */
+  /** Scales a value down to about 1, or applies a bounded function. */
   function squash(node) {
     const size = Math.max(...valuesOf(node).flat().map(Math.abs))
     const factor = number(Number((1 / size).toPrecision(2)))
     if (!isFinite(size) || !(factor.value > 0)) return withoutNaN(node)
     return call('mult', node, factor)
   }
-  /** Only a gap in the domains above could lead here: a choice that is not taken where it has no value. */
+  /** Only a gap in the domains above could lead here: a branch that is not taken where it has no value. */
   const withoutNaN = (node) => {
     if (node.shape === 'float') return constant(-1, 1)
     const parts = Array.from({ length: node.size }, () => constant(-1, 1))
@@ -108,14 +108,14 @@ export function createTamer({ points, random, make, allowed }) {
   }
 
   const lengthsOf = (node) => valuesOf(node).map((value) => Math.hypot(...value))
-  /** A vector that is not near zero. */
+  /** Makes a vector that is not near zero. */
   function direction(node) {
     if (lengthsOf(node).every((length) => length > 0.3)) return node
     const tries = [1, -1, 2, -2, 3, -3, 4, 5].map((shift) => call('add', node, number(shift)))
     return tries.find((moved) => lengthsOf(moved).every((length) => length > 0.3)) ?? tries.at(-1)
   }
 
-  /** A matrix whose diagonal outweighs the rest. */
+  /** Makes a matrix that is dominated by its diagonal. */
   function invertible(node) {
     const scaled = call('mult', node, number(0.2))
     const { shape } = node

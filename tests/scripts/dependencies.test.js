@@ -36,7 +36,7 @@ test('the package violates none', () => assert.deepEqual(violations(['error']), 
 
 for (const [rule, file, line] of [
   ['no-circular-files', 'errors/describe.ts', "import type {} from './errors.js'"],
-  ['no-circular-modules', 'errors/notes.ts', "import type {} from '../options/options.js'"],
+  ['no-circular-modules', 'errors/notes.ts', "import type {} from '../options/guards.js'"],
   ['no-entry-from-below', 'mesh/load.ts', "import type {} from '../deformers.js'"],
   ['adapters-use-host-layer', 'babylon/warp.ts', "import type {} from '../core/inputs/inputs.js'"],
   ['no-orphans', 'mesh/forgotten.ts', 'export const forgotten = 1'],

@@ -1,30 +1,29 @@
-// How far warped triangles are from the warped surface, measured by dense samples and not by what `subdivide` looks at.
+// Measures the distance of warped triangles from the warped surface, by dense samples, independently of `subdivide`.
 
-/** Numbers of positions that are moved at once. */
+/** The count of numbers that are warped at once. */
 const batchSize = 6e5
 
 /**
- * The largest distance from a point of the true surface (a point inside a triangle of `mesh`, warped) to that triangle
- * with its corners warped: to the closest point of it. Samples lie in each triangle on a lattice no wider than
- * `spacing`, measured before the warp, and with at least four steps a side. The warp is best one without normals, which
- * nothing here reads.
+ * Returns the maximum distance from a point of the true surface (a warped point of a triangle of `mesh`) to the closest point of the
+ * triangle with warped corners. Samples are on a lattice in each triangle, no wider than `spacing`, measured before the warp, and with
+ * at least four steps per side. The warp should have no normals, which are not used.
  */
 export function deviation(mesh, warp, uniforms, spacing) {
-  const moved = (positions) => warp.evaluate({ positions }, { uniforms }).positions
-  const corners = moved(mesh.positions)
-  let most = 0
+  const warpPositions = (positions) => warp.evaluate({ positions }, { uniforms }).positions
+  const corners = warpPositions(mesh.positions)
+  let max = 0
   let batch = []
   let positions = new Float32Array(batchSize)
   let filled = 0
   const flush = () => {
-    const points = moved(positions.subarray(0, filled))
+    const points = warpPositions(positions.subarray(0, filled))
     let next = 0
     for (const { triangle, steps } of batch)
       for (const [s, t] of lattice(steps)) {
         const sample = point(points, next++)
-        // No point of the triangle is farther than the closest: most samples need no more than this.
-        if (length(sub(sample, between(triangle, s, t))) > most)
-          most = Math.max(most, distanceToTriangle(sample, triangle))
+        // The distance to any point is an upper bound of that to the closest: most samples need only this.
+        if (length(sub(sample, between(triangle, s, t))) > max)
+          max = Math.max(max, distanceToTriangle(sample, triangle))
       }
     batch = []
     filled = 0
@@ -47,10 +46,10 @@ export function deviation(mesh, warp, uniforms, spacing) {
     batch.push({ triangle: at(corners), steps })
   }
   flush()
-  return most
+  return max
 }
 
-/** Edges, by the positions of their ends, that are not used by `times` triangles: cracks of a closed mesh, with 2. */
+/** Returns the edges, identified by positions, that are not in exactly `times` triangles: with 2, the cracks of a closed mesh. */
 export function edgesNotUsed(times, { positions, indices }) {
   const used = new Map()
   const key = (v) => point(positions, v).join()
@@ -83,7 +82,7 @@ function lattice(steps) {
   return lattices.get(steps)
 }
 
-/** To the inside if the foot of the perpendicular is there, else to the nearest side. */
+/** The distance to the interior if the foot of the perpendicular is inside, otherwise to the nearest side. */
 function distanceToTriangle(p, [a, b, c]) {
   const [ab, ac, ap] = [sub(b, a), sub(c, a), sub(p, a)]
   const [uu, uv, vv] = [dot(ab, ab), dot(ab, ac), dot(ac, ac)]

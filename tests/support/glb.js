@@ -10,7 +10,7 @@ const componentTypes = {
 }
 const sizes = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 }
 
-/** The document, and `accessor(i)`: its numbers as they stand in the file. */
+/** Returns the document, and `accessor(i)`, which returns the numbers in the file. */
 export function readGlb(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   const word = (at) => view.getUint32(at, true)
@@ -35,7 +35,7 @@ export function readGlb(bytes) {
   return { json, chunks, viewBytes, accessor }
 }
 
-/** The bytes of a GLB file of a document and, if there are any, bytes. */
+/** Returns the bytes of a GLB file with a document and optional binary data. */
 export function writeGlb(json, binary) {
   const text = new TextEncoder().encode(typeof json === 'string' ? json : JSON.stringify(json))
   const parts = [[0x4e4f534a, pad(text, 0x20)]]

@@ -1,7 +1,7 @@
-// Whether work takes time in proportion to how much there is of it.
+// Tests whether work takes linear time.
 import assert from 'node:assert/strict'
 
-/** The processor's time in microseconds, which other programs disturb little; the shortest of some runs. */
+/** Returns the minimum processor time of some runs, in microseconds, which other programs disturb little. */
 export async function timeOf(work, count, runs = 2) {
   const times = []
   while (times.length < runs) {
@@ -17,8 +17,8 @@ export const few = 1500
 export const many = 12000
 
 /**
- * Eight times as many take eight times as long; where each is looked for among all, sixty-four times, each time that one
- * looks. A garbage collection or the engine's compiler may lengthen a run: then it is run again.
+ * Compares sizes with a ratio of 8: linear work takes 8 times as long, and quadratic work 64 times. A garbage collection or the engine's
+ * compiler may lengthen a run, which is then repeated.
  */
 export async function isLinear(work) {
   let ratio

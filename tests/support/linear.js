@@ -1,11 +1,11 @@
-// Vectors and matrices in double: arrays of numbers, and of rows. Nothing of warpjet is in it.
+// Vectors and matrices in double precision, as arrays of numbers and of rows. Independent of warpjet.
 
 export const isMatrix = (x) => Array.isArray(x?.[0])
 const each = (f, ...values) =>
   Array.isArray(values[0])
     ? values[0].map((_, i) => each(f, ...values.map((v) => v[i])))
     : f(...values)
-export const scaled = (x, by) => each((number) => number * by, x)
+export const scale = (x, by) => each((number) => number * by, x)
 
 export const add = (a, b) => each((x, y) => x + y, a, b)
 export const subtract = (a, b) => each((x, y) => x - y, a, b)
@@ -15,8 +15,8 @@ const identity = (n) =>
   Array.from({ length: n }, (_, i) => Array.from({ length: n }, (_, j) => +(i === j)))
 
 export function times(a, b) {
-  if (typeof a === 'number') return scaled(b, a)
-  if (typeof b === 'number') return scaled(a, b)
+  if (typeof a === 'number') return scale(b, a)
+  if (typeof b === 'number') return scale(a, b)
   if (!isMatrix(a)) throw new Error('Two vectors side by side have no product.')
   return isMatrix(b)
     ? a.map((row) => transpose(b).map((column) => dot(row, column)))
@@ -26,8 +26,8 @@ export function times(a, b) {
 export const cross = (a, b) =>
   [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
 
-/** By Gauss and Jordan, with the largest pivots: where warpjet has minors. */
-export function solved(m) {
+/** Inverts by Gauss-Jordan elimination with pivoting, where warpjet uses minors. */
+export function invert(m) {
   const n = m.length
   const rows = m.map((row, i) => [...row, ...identity(n)[i]])
   let det = 1
@@ -38,9 +38,8 @@ export function solved(m) {
     if (best !== i) [rows[i], rows[best], det] = [rows[best], rows[i], -det]
     const pivot = rows[i][i]
     det *= pivot
-    rows[i] = scaled(rows[i], 1 / pivot)
-    for (let k = 0; k < n; k++)
-      if (k !== i) rows[k] = subtract(rows[k], scaled(rows[i], rows[k][i]))
+    rows[i] = scale(rows[i], 1 / pivot)
+    for (let k = 0; k < n; k++) if (k !== i) rows[k] = subtract(rows[k], scale(rows[i], rows[k][i]))
   }
   return { det, inverse: rows.map((row) => row.slice(n)) }
 }

@@ -1,13 +1,12 @@
-// A cube of 180 units, whose points every kind of noise moves by up to 20 units along z: nothing about where it bends can be
-// guessed from few samples.
+// A cube of 180 units, whose points every kind of noise moves by up to 20 units along z: few samples do not reveal where it bends.
 import { compileWarp } from 'warpjet'
-import { box } from '../../.scripts/lib/coarse-meshes.mjs'
+import { box } from './coarse-meshes.js'
 
 export const cube = box([90, 90, 90])
 
 const octaves = { octaves: 3 }
 
-/** By name, without normals, which nobody asks them for. The last three have creases. */
+/** Maps a name → warp, without normals, which are not needed. The last three have creases. */
 export const noiseWarps = Object.fromEntries(
   Object.entries({
     noise: (glsl, p) => glsl.noise(p),

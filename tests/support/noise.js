@@ -1,7 +1,7 @@
-// The noise of src/noise in plain numbers, in double: written from the papers and from what the comments there say, with
-// none of its code. Points are arrays of 1 to 4 numbers, worley's of 1 to 3.
+// The noise of src/noise in plain numbers, in double precision: written from the papers and the comments there, without its code.
+// Points are arrays of 1 to 4 numbers, for worley of 1 to 3.
 //
-// Each base sums over the corners around a point, instead of blending axis by axis, and so has a gradient by the product rule.
+// Each base sums over the corners around a point, instead of interpolating axis by axis, so that its gradient follows by the product rule.
 
 const modulo = (x, n) => x - n * Math.floor(x / n)
 const sum = (numbers) => numbers.reduce((total, x) => total + x, 0)
@@ -13,7 +13,7 @@ function dot(a, b) {
 
 const prime = 4091
 
-/** A whole number below 4091 from one and any whole number: the cube of a linear function modulo 4091. */
+/** Hashes a whole number below 4091 and any whole number to one below 4091: the cube of a linear function modulo 4091. */
 export function hash(h, i) {
   const n = modulo(1597 * (h + modulo(i, prime)) + 823, prime)
   return (n * n * n) % prime
@@ -29,15 +29,15 @@ const randoms = (h, count) => factors[count].map((factor) => ((h * factor) % 409
 
 const known = new Map()
 
-/** What `make(h, n)` gives, made once. */
-const remembered = (make) => (h, n) => {
+/** Memoizes `make(h, n)`. */
+const memoize = (make) => (h, n) => {
   const key = prime * n + h
   if (!known.has(key)) known.set(key, make(h, n))
   return known.get(key)
 }
 
 /** A unit vector: a cube folded onto the polytope |x| + |y| + … = constant (McEwan and others 2012, section 5). */
-export const direction = remembered((h, n) => {
+export const direction = memoize((h, n) => {
   if (n === 1) return [2 * randoms(h, 1)[0] - 1]
   const cube = randoms(h, n - 1).map((x) => 2 * x - 1)
   const last = (n - 1) / 2 - sum(cube.map(Math.abs))
@@ -45,7 +45,7 @@ export const direction = remembered((h, n) => {
   return folded.map((x) => x / Math.hypot(...folded))
 })
 
-/** All lists of `n` of the `choices`. */
+/** Returns all arrays of `n` of the `choices`. */
 const lists = (choices, n) =>
   n === 0 ? [[]] : lists(choices, n - 1).flatMap((list) => choices.map((c) => [...list, c]))
 
@@ -61,16 +61,16 @@ const total = (parts, scale = 1) => ({
 })
 
 /**
- * Values at the corners of a grid, each with the weight Π b(t) or 1 - b(t) → { value, gradient }. `corner` has the value
- * at a corner, from its hash and from where the point lies seen from there, and the gradient of that.
+ * Interpolates values at the corners of a grid, each with the weight Π b(t) or 1 - b(t); returns { value, gradient }. `corner` returns
+ * the value at a corner and its gradient, from the hash of the corner and the position of the point relative to it.
  */
 function lattice(p, seed, corner) {
   const cell = p.map(Math.floor)
   const inside = p.map((x, i) => x - cell[i])
-  /** Of each axis that of the corner below and of the one above. */
+  /** For each axis the weights of the lower and of the upper corner. */
   const weights = inside.map((t) => [1 - fade(t), fade(t)])
 
-  /** The sum over the corners of what `term` gives, times one of the `weights` of each axis. Called millions of times. */
+  /** Sums `term` over the corners, times one of the `weights` of each axis. Called millions of times. */
   function sumOver(weights, term) {
     const offset = [...p]
     let total = 0
@@ -121,7 +121,7 @@ export const bases = {
     const cell = p.map((x) => Math.floor(x + skew * sum(p)))
     const place = (corner) => corner.map((c) => c - unskew * sum(corner))
     const offsetFrom = (corner) => place(corner).map((x, i) => p[i] - x)
-    // The largest coordinate first; of equal ones the first.
+    // Orders coordinates from the largest; equal ones keep their order.
     const first = offsetFrom(cell)
     const order = [...p.keys()].sort((a, b) => first[b] - first[a])
     const parts = Array.from({ length: n + 1 }, (_, steps) => {
@@ -143,7 +143,7 @@ export const noise = (p, { seed = 0 } = {}) => bases.noise(p, hashOfSeed(seed)).
 export const valueNoise = (p, { seed = 0 } = {}) => bases.valueNoise(p, hashOfSeed(seed)).value
 export const simplex = (p, { seed = 0 } = {}) => bases.simplex(p, hashOfSeed(seed)).value
 
-/** The distances to the two nearest of points strewn one a cell, [F1, F2] (Worley 1996). */
+/** Returns the distances to the two nearest of random points, one per cell, [F1, F2] (Worley 1996). */
 export function worley(p, { seed = 0 } = {}) {
   const home = p.map(Math.floor)
   const distances = lists([-3, -2, -1, 0, 1, 2, 3], p.length).map((step) => {

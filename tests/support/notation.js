@@ -1,19 +1,19 @@
-// Reads formulas as textbooks write them, in double: `v · dv / |v|`, `−A⁻¹ dA A⁻¹`, `Σ aᵢ bᵢ`. A vector is an array of numbers, a matrix
-// an array of its rows. Products of all kinds, side by side too, bind alike and go from left to right; Σ takes what stands
-// side by side after it, over the index ᵢ or ₖ. Written for the tests of the docs, with nothing of warpjet in it.
+// Evaluates formulas in textbook notation, in double precision: `v · dv / |v|`, `−A⁻¹ dA A⁻¹`, `Σ aᵢ bᵢ`. A vector is an array of numbers,
+// a matrix an array of its rows. All kinds of products, also by juxtaposition, have the same precedence and associate to the left; Σ
+// applies to the juxtaposed factors after it, over the index ᵢ or ₖ. Written for the tests of the docs, independently of warpjet.
 
-import { add, cross, dot, scaled, solved, subtract, times, transpose } from './linear.js'
+import { add, cross, dot, scale, invert, subtract, times, transpose } from './linear.js'
 
 const functions = {
-  det: (m) => solved(m).det,
+  det: (m) => invert(m).det,
   tr: (m) => m.reduce((total, row, i) => total + row[i], 0),
   ...Object.fromEntries(['sin', 'cos', 'sign', 'max'].map((name) => [name, Math[name]])),
 }
 
 const powers = { '²': 2, '³': 3, '⁴': 4 }
 const suffixes = {
-  '⁻¹': (m) => solved(m).inverse,
-  '⁻ᵀ': (m) => transpose(solved(m).inverse),
+  '⁻¹': (m) => invert(m).inverse,
+  '⁻ᵀ': (m) => transpose(invert(m).inverse),
   ᵀ: transpose,
   ...Object.fromEntries(Object.entries(powers).map(([sign, n]) => [sign, (x) => x ** n])),
 }
@@ -30,7 +30,7 @@ function tokensOf(text) {
   return tokens
 }
 
-/** The text as a function of what its letters are. */
+/** Parses a formula to a function of the values of its letters. */
 export function read(text) {
   const tokens = tokensOf(text)
   let at = 0
@@ -63,13 +63,13 @@ export function read(text) {
 
   const startsFactor = () =>
     /^(?:[\dA-Za-zα-ω(√|Σ])/.test(tokens[at] ?? '') && !(isNext('|') && open)
-  const kinds = { '·': dot, '×': cross, '/': (a, b) => scaled(a, 1 / b) }
+  const kinds = { '·': dot, '×': cross, '/': (a, b) => scale(a, 1 / b) }
 
   function product() {
     if (isNext('−')) {
       take()
       const positive = product()
-      return (known) => scaled(positive(known), -1)
+      return (known) => scale(positive(known), -1)
     }
     let left = factor()
     while (isNext(...Object.keys(kinds)) || startsFactor()) {
@@ -79,7 +79,7 @@ export function read(text) {
     return left
   }
 
-  /** Whether a bar that comes next closes. */
+  /** Tests whether the next bar is a closing one. */
   let open = false
   function inside(close, isBar) {
     const outer = open
@@ -150,8 +150,8 @@ export function read(text) {
   return result
 }
 
-/** What a text comes to; the parts that `where` names may read each other. */
-export function evaluated(text, known, where = {}) {
+/** Evaluates a formula. The parts that `where` defines can refer to each other. */
+export function evaluateFormula(text, known, where = {}) {
   const all = { ...known }
   for (const [name, part] of Object.entries(where))
     Object.defineProperty(all, name, { get: () => read(part)(all) })

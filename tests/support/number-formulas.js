@@ -1,11 +1,11 @@
-// The formulas of .scripts/reference/formulas.mjs in double: they are JavaScript.
+// Evaluates the formulas of .scripts/reference/formulas.mjs, which are JavaScript, in double precision.
 
 const numbers = {
   ...Object.fromEntries(Object.getOwnPropertyNames(Math).map((name) => [name, Math[name]])),
   clamp: (x, low, high) => Math.min(Math.max(x, low), high),
 }
 
-/** Names of the operands as the docs have them. */
+/** Names of the operands in the docs. */
 const operands = {
   pow: ['x', 'exponent'],
   'atan(y, x)': ['y', 'x'],
@@ -20,8 +20,8 @@ const operands = {
 }
 export const operandsOf = (name, count) => operands[name] ?? ['x', 'y'].slice(0, count)
 
-export function evaluated(text, values, where = {}) {
+export function evaluateFormula(text, values, where = {}) {
   const known = { ...numbers, ...values }
-  for (const [name, part] of Object.entries(where)) known[name] = evaluated(part, values)
+  for (const [name, part] of Object.entries(where)) known[name] = evaluateFormula(part, values)
   return new Function(...Object.keys(known), `return ${text}`)(...Object.values(known))
 }

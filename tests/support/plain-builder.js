@@ -1,16 +1,16 @@
-// What stands for the builder `glsl` where a call of the docs is to be computed in double: each operation is the formula that the
-// docs print, and noise the plain one. Nothing of warpjet is in it.
+// A replacement for the builder `glsl` that evaluates calls of the docs in double precision: operations are the formulas in the docs,
+// and noise is the plain one. Independent of warpjet.
 import { formulas } from '../../.scripts/reference/formulas.mjs'
 import { vectorFormulas } from '../../.scripts/reference/vector-formulas.mjs'
 import { isMatrix, transpose } from './linear.js'
 import * as noise from './noise.js'
-import { evaluated } from './notation.js'
+import { evaluateFormula } from './notation.js'
 import * as numbers from './number-formulas.js'
 
-/** The letters of a form, such as `rotate(a, φ) v`, but for the v that is turned. */
+/** Returns the letters of a form such as `rotate(a, φ) v`, without the rotated v. */
 export const lettersOf = (form) => /\((.*)\)/.exec(form)[1].split(', ')
 
-/** The matrix that turns v so. */
+/** Returns the matrix of a rotation of v. */
 export const turns = Object.fromEntries(
   Object.entries(vectorFormulas)
     .filter(([, { form }]) => form.endsWith(') v'))
@@ -18,8 +18,8 @@ export const turns = Object.fromEntries(
       name,
       (...given) => {
         const known = Object.fromEntries(lettersOf(form).map((letter, i) => [letter, given[i]]))
-        const turned = ([x, y, z]) => evaluated(value, { ...known, v: [x, y, z] }, where)
-        return transpose([turned([1, 0, 0]), turned([0, 1, 0]), turned([0, 0, 1])])
+        const rotate = ([x, y, z]) => evaluateFormula(value, { ...known, v: [x, y, z] }, where)
+        return transpose([rotate([1, 0, 0]), rotate([0, 1, 0]), rotate([0, 0, 1])])
       },
     ]),
 )
@@ -31,7 +31,7 @@ function titleOf(name, values) {
   return first && second ? 'mult(A, B)' : first ? 'mult(A, v)' : 'mult(v, A)'
 }
 
-function computed(name, values) {
+function compute(name, values) {
   if (turns[name]) return turns[name](...values)
   if (/^vec\d$/.test(name)) return values
   if (/^mat\d$/.test(name)) {
@@ -45,25 +45,29 @@ function computed(name, values) {
   const vector = vectorFormulas[title]
   if (vector) {
     const known = Object.fromEntries(lettersOf(vector.form).map((letter, i) => [letter, values[i]]))
-    const result = evaluated(vector.value, { ...known, count: values[0].length }, vector.where)
-    // `0` is written for a vector, too.
+    const result = evaluateFormula(
+      vector.value,
+      { ...known, count: values[0].length },
+      vector.where,
+    )
+    // The docs write `0` for a zero vector too.
     return result === 0 && title === 'refract' ? values[0].map(() => 0) : result
   }
   const { value, by, where } = formulas[title]
   const named = numbers.operandsOf(title, by.length).map((operand, i) => [operand, values[i]])
-  return numbers.evaluated(value, Object.fromEntries(named), where)
+  return numbers.evaluateFormula(value, Object.fromEntries(named), where)
 }
 
 const plain = (given) => given?.plain ?? given
 
-/** A value with the operations as methods; what it is stands in `plain`. */
-export const wrapped = (value) =>
+/** Wraps a value so that it has operations as methods; `plain` is the value. */
+export const wrap = (value) =>
   new Proxy(
     { plain: value },
     {
       get(target, name) {
         if (name === 'plain') return target.plain
-        if (/^[xyzw]$/.test(name)) return () => wrapped(target.plain['xyzw'.indexOf(name)])
+        if (/^[xyzw]$/.test(name)) return () => wrap(target.plain['xyzw'.indexOf(name)])
         return (...rest) => builder[name](target.plain, ...rest)
       },
     },
@@ -75,6 +79,6 @@ export const builder = new Proxy(
     get:
       (_, name) =>
       (...given) =>
-        wrapped(computed(name, given.map(plain))),
+        wrap(compute(name, given.map(plain))),
   },
 )

@@ -1,9 +1,9 @@
-// A picture as the bytes of a PNG file (PNG specification, section 5), 8 bits a channel.
+// Encodes a picture as a PNG file (PNG specification, section 5), with 8 bits per channel.
 import { crc32, deflateSync } from 'node:zlib'
 
 const crc = crc32 ?? slowCrc32
 
-/** `pixel(x, y)` gives [red, green, blue]. */
+/** Encodes a picture; `pixel(x, y)` returns [red, green, blue]. */
 export function png(width, height, pixel) {
   const rows = []
   for (let y = 0; y < height; y++)
@@ -11,7 +11,7 @@ export function png(width, height, pixel) {
   return file(width, height, 2, Buffer.from(rows))
 }
 
-/** Of an image: bytes of red, green, blue and alpha, from the top left. */
+/** Encodes an image: bytes of red, green, blue and alpha, from the top left. */
 export function pngOf({ width, height, data }) {
   const rows = Buffer.alloc(height * (1 + 4 * width))
   for (let y = 0; y < height; y++)
@@ -41,7 +41,7 @@ function chunk([type, data]) {
   return Buffer.concat([ends.subarray(0, 4), body, ends.subarray(4)])
 }
 
-/** Node before 22.2 has no `crc32`. */
+/** Replaces `crc32` of Node, which exists since 22.2. */
 function slowCrc32(bytes) {
   let sum = -1
   for (const byte of bytes) {

@@ -1,8 +1,8 @@
-// Runs GLSL statements as this compiler writes them, in double precision and without the compiler, so that their results
-// can be compared with plain JavaScript. Of GLSL it knows only what those texts need: declarations and assignments of
-// float, bool and vec2 to vec4, and a mat2 that a vec2 is multiplied by; operators, constructors, swizzles, and the functions below. What GLSL would refuse, it
-// refuses too: names not declared or not set, types that do not fit, a whole number without a point. It computes both
-// branches of ?: and both sides of && and ||, for nothing here has effects.
+// Interprets GLSL statements of the compiler in double precision, independently of the compiler, so that their results can be compared
+// with plain JavaScript. It supports only the necessary subset of GLSL: declarations and assignments of float, bool and vec2 to vec4, and
+// a mat2 that multiplies a vec2; operators, constructors, swizzles, and the functions below. It rejects what GLSL rejects: undeclared and
+// unassigned names, wrong types, float literals without a point. It evaluates both branches of ?: and both sides of && and ||, since
+// nothing has side effects.
 
 const { acosh, asinh, atanh, ceil, cosh, floor, log2, sign, sinh, tanh, trunc } = Math
 const { abs, acos, asin, atan, atan2, cos, exp, log, max, min, sin, sqrt, tan } = Math
@@ -20,7 +20,7 @@ const functions = {
   min: (x, y) => min(x, y),
   mix: (x, y, t) => x * (1 - t) + y * t,
   mod: (x, y) => x - y * floor(x / y),
-  // Where GLSL leaves the result open, it is NaN.
+  // Results that GLSL does not define are NaN.
   pow: (x, y) => (x < 0 || (x === 0 && y <= 0) ? NaN : x ** y),
   radians: (x) => (x * Math.PI) / 180,
   smoothstep(low, high, x) {
@@ -41,7 +41,7 @@ const operators = {
   '>=': onlyOf('float', (a, b) => a >= b),
   '+': byComponent((a, b) => a + b),
   '-': byComponent((a, b) => a - b),
-  '*': (a, b) => (a.columns ? turned(a, b) : product(a, b)),
+  '*': (a, b) => (a.columns ? multiplyMat2(a, b) : product(a, b)),
   '/': byComponent((a, b) => a / b),
 }
 
@@ -49,12 +49,12 @@ const product = byComponent((a, b) => a * b)
 const negative = byComponent((a) => -a)
 const not = onlyOf('bool', (a) => !a)
 
-/** Loosest first. */
+/** The binary operators, from the lowest precedence. */
 const precedence = [['||'], ['&&'], ['==', '!='], ['<', '<=', '>', '>='], ['+', '-'], ['*', '/']]
 
 /**
- * Values by name → all variables that the statements set, by name. Numbers are floats, arrays of two to four numbers are
- * vectors, true and false are bools.
+ * Runs statements with the values of variables by name; returns all variables that they assign, by name. Numbers are floats, arrays of two
+ * to four numbers are vectors, true and false are bools.
  */
 export function runGlsl(code, inputs = {}) {
   const values = { ...inputs }
@@ -148,7 +148,7 @@ function onlyOf(type, f) {
   }
 }
 
-/** A float beside vectors counts for each component. */
+/** Applies a function by component; a float is used for each component of a vector. */
 function byComponent(f) {
   const scalar = onlyOf('float', f)
   return (...operands) => {
@@ -175,7 +175,7 @@ function call(name, operands) {
   return parts.length === size ? parts.map(Number) : fail(`${name} of ${parts.length} components`)
 }
 
-function turned({ columns: [first, second] }, [x, y, ...others]) {
+function multiplyMat2({ columns: [first, second] }, [x, y, ...others]) {
   if (y === undefined || others.length) fail('a mat2 times what is no vec2')
   return [0, 1].map((row) => first[row] * x + second[row] * y)
 }

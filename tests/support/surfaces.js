@@ -1,10 +1,10 @@
-// Surfaces by formula, and what a warp of them must give: an oracle in double that knows no derivative of the warp.
+// Surfaces by formula, and the expected results of warps: an oracle in double precision that does not use derivatives of the warp.
 import { cross, dot, normalize } from './browser/matrix.js'
 
 const { sin, cos, PI } = Math
 
 /**
- * Each gives, at u and v from 0 to 1, { position, normal, shape, uGradient, vGradient }: `shape` is the derivative of the
+ * Each returns, at u and v from 0 to 1, { position, normal, shape, uGradient, vGradient }: `shape` is the derivative of the
  * normal, by rows, from the principal curvatures (do Carmo, Differential Geometry of Curves and Surfaces, section 3.3).
  */
 export const surfaces = {
@@ -17,7 +17,7 @@ export const surfaces = {
       position: normal.map((x) => radius * x),
       normal,
       shape: shapeOf([east, 1 / radius], [north, 1 / radius]),
-      // None at the poles.
+      // There is none at the poles.
       uGradient: east.map((x) => (sin(b) > 1e-9 ? x / (2 * PI * radius * sin(b)) : 0)),
       vGradient: north.map((x) => x / (PI * radius)),
     }
@@ -43,7 +43,7 @@ const shapeOf = (...parts) =>
     [0, 1, 2].map((k) => parts.reduce((sum, [t, curvature]) => sum + curvature * t[i] * t[k], 0)),
   )
 
-/** A mesh of it, with what a mesh cannot have in `exact`: the derivatives by formula. */
+/** Makes a mesh of a surface, with the exact derivatives by formula in `exact`. */
 export function surfaceMesh(surface, columns, rows) {
   const mesh = { positions: [], normals: [], uvs: [], indices: [] }
   const names = [
@@ -70,7 +70,7 @@ export function surfaceMesh(surface, columns, rows) {
   return { mesh, exact }
 }
 
-/** The normal of the surface moved by `offset(position, normal, uv)`, from differences of fourth order; null at a pole. */
+/** Returns the normal of the surface moved by `offset(position, normal, uv)`, by differences of fourth order; `null` at a pole. */
 export function movedNormal(surface, offset, u, v) {
   const at = (u, v) => {
     const { position, normal } = surface(u, v)

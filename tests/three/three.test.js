@@ -398,7 +398,7 @@ test('uniforms are those of three.js, and say what is wrong with them', () => {
   uniforms.follow.value = 3
   assert.throws(() => (uniforms.shift.value = 3), {
     name: 'WarpError',
-    message: `The warp's uniform "shift" is a vec3 and takes an array of 3 numbers, but a float came.`,
+    message: `warp: expected an array of 3 finite numbers for the uniform "shift", got the number 3.`,
   })
   assert.throws(() => (uniforms.follow.value = NaN), WarpError)
   assert.equal(uniforms.follow.value, 3)

@@ -1,4 +1,4 @@
-// What the shipped types of 'warpjet/deformers' must allow and refuse; only checked, never run.
+// Checks which uses the types of 'warpjet/deformers' allow and reject. Compiled only, never run.
 import {
   add,
   bend,
@@ -56,7 +56,7 @@ export const composed: OffsetFunction = chain(
 compileWarp(composed)
 compileWarp((inputs) => twist({ angle: inputs.millis, center: inputs.glsl.vec3(1, 2, 3) })(inputs))
 
-// With uniforms of its own.
+// With its own uniforms.
 createWarp(
   {},
   chain(twist(), ({ uniforms, glsl }: WarpInputs<{ far: number }>) =>
@@ -79,7 +79,7 @@ twist({ axis: 'w' })
 twist({ center: [0, 0] })
 // @ts-expect-error a vec3 is no angle
 twist({ angle: ({ position }) => position })
-// @ts-expect-error a text is no amount
+// @ts-expect-error a string is not an amount
 taper({ amount: '1' })
 // @ts-expect-error only true or false
 stretch({ keepVolume: () => true })

@@ -1,4 +1,4 @@
-// What the types of 'warpjet/glsl' must allow and refuse; only checked, never run.
+// Checks which uses the types of 'warpjet/glsl' allow and reject. Compiled only, never run.
 import {
   type DifferentiateOptions,
   type GlslOffset,
@@ -21,7 +21,7 @@ import {
 import { warp as warpThree } from '../../js-bindings/three.js'
 import { Mesh } from 'three'
 
-// An offset is one wherever offsets go.
+// Its offset functions are accepted wherever offset functions are.
 const offsetOptions: GlslOffsetOptions = {
   function: 'moved',
   maxIterations: 64,
@@ -34,22 +34,22 @@ compileWarp(waves, { target: 'wgsl', uniforms: { amount: 0.5, many: 3, isOn: tru
 compileWarp(chain(moved, twist()))
 warpThree(new Mesh(), waves, { uniforms: { amount: 0.5 } })
 export const read: string[] = compileWarp(waves).uniforms.map(({ name, type }) => `${type} ${name}`)
-// With the uniforms that it needs.
+// With its uniforms.
 const needing: OffsetFunction<{ amount: number }> = glslOffset<{ amount: number }>('…')
 compileWarp(needing, { uniforms: { amount: 1 } })
 
-// @ts-expect-error a text is needed
+// @ts-expect-error source is required
 glslOffset()
-// @ts-expect-error no text
+// @ts-expect-error not a string
 glslOffset(5)
 // @ts-expect-error no such result
 glslOffset('', { returns: 'normal' })
 // @ts-expect-error no such option
 glslOffset('', { name: 'offset' })
-// @ts-expect-error a number of times
+// @ts-expect-error a number of iterations
 glslOffset('', { maxIterations: '8' })
 
-// A text that comes back.
+// Returns source.
 const derivativeOptions: DifferentiateOptions = {
   function: 'map',
   by: 'p',
@@ -67,11 +67,11 @@ export const texts: string[] = [
 differentiate('', { target: 'hlsl' })
 // @ts-expect-error by its name
 differentiate('', { by: 0 })
-// @ts-expect-error an offset alone may give a position
+// @ts-expect-error only an offset can return a position
 differentiate('', { returns: 'position' })
 export const shared: GlslOptions = { function: 'map', maxIterations: 3 }
 
-// A shader stays what it is.
+// The type of a shader is unchanged.
 const shader = { setUniform: (name: string, value: number) => [name, value] }
 exactNormals(shader).setUniform('amount', 1)
 // @ts-expect-error no shader
@@ -79,7 +79,7 @@ exactNormals('shader')
 // @ts-expect-error a shader is needed
 exactNormals()
 
-// Functions of a text among expressions: of numbers, vectors and matrices.
+// Functions of GLSL source in expressions: with numbers, vectors and matrices.
 compileWarp(({ glsl, position, millis, uniforms }) => {
   const ripple = glsl.source('float ripple(vec2 p, float t) { return p.x * t; }', { uniforms })
   const height: Scalar = ripple(position.xy(), millis).mult(2)
@@ -94,9 +94,9 @@ compileWarp(({ glsl, position, millis, uniforms }) => {
   ripple(1, 2).yz()
   // @ts-expect-error no such option
   glsl.source('', { target: 'wgsl' })
-  // @ts-expect-error a text is needed
+  // @ts-expect-error source is required
   glsl.source()
-  // @ts-expect-error a name is none of the operands
+  // @ts-expect-error a string is not an operand
   noise('position')
   return matrix.mult(flow.mult(height))
 })

@@ -1,4 +1,4 @@
-// What the types of 'warpjet/mesh' must allow and refuse; only checked, never run.
+// Checks which uses the types of 'warpjet/mesh' allow and reject. Compiled only, never run.
 import { MeshoptDecoder } from 'meshoptimizer'
 import { compileWarp } from '../../js-bindings/warpjet.js'
 import {

@@ -1,4 +1,4 @@
-// What the types of 'warpjet/three' and 'warpjet/react' must allow and refuse; only checked, never run.
+// Checks which uses the types of 'warpjet/three' and 'warpjet/react' allow and reject. Compiled only, never run.
 import {
   Color,
   Group,
@@ -54,15 +54,15 @@ warp(
     },
   },
 )
-// @ts-expect-error a Vector2 has no third part
+// @ts-expect-error a Vector2 has no third component
 warp(new Mesh(), ({ glsl, uniforms: { two } }) => glsl.vec3(two.z()), {
   uniforms: { two: new Vector2() },
 })
-// @ts-expect-error the option has three words
+// @ts-expect-error the option has three values
 warp(new Group(), ({ position }) => position, { space: 'view' })
 // @ts-expect-error three.js has no mouse
 warp(new Group(), ({ mouse, glsl }) => glsl.vec3(mouse, 0))
-// @ts-expect-error nor a part of it
+// @ts-expect-error nor its components
 warp(new Group(), ({ mouseX, glsl }) => glsl.vec3(mouseX, 0, 0))
 // @ts-expect-error instances are placed by matrices
 warp(new Group(), ({ instance, glsl }) => glsl.vec3(instance, 0, 0))

@@ -1,4 +1,4 @@
-// What the shipped types must allow and refuse; only checked, never run.
+// Checks which uses the shipped types allow and reject. Compiled only, never run.
 import {
   compile,
   compileWarp,
@@ -31,7 +31,7 @@ compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
   const d: Vec3 = glsl.derivative(chosen, position.x())
   // @ts-expect-error a vec2 and a vec3 do not fit together
   uv.add(position)
-  // @ts-expect-error texts are no operands
+  // @ts-expect-error strings are not operands
   t.add('1')
   // @ts-expect-error a vec2 has no z
   uv.z()
@@ -64,7 +64,7 @@ gen(
   { debug: true, maxDepthPerVariable: 4 },
 )
 
-// By component: a number of numbers, otherwise what the vectors are.
+// Operations by component return a number for numbers, otherwise the type of the vectors.
 compile((glsl) => {
   const [x, p, q] = [glsl.param('x'), glsl.vec3Param('p'), glsl.vec2Param('q')]
   const numbers: Scalar[] = [
@@ -98,9 +98,9 @@ compile((glsl) => {
     p.prod(p, 2),
     p.degrees(),
   ]
-  // @ts-expect-error a number of a vector
+  // @ts-expect-error a number is expected, not a vector
   const number: Scalar = glsl.sin(p)
-  // @ts-expect-error a vector of numbers
+  // @ts-expect-error a vector is expected, not a number
   const vector: Vec3 = glsl.pow(x, 2)
   // @ts-expect-error two sizes
   glsl.pow(p, q)
@@ -117,7 +117,7 @@ compile((glsl) => {
   return { y: glsl.sum(...numbers), z: glsl.sum(...vectors), number, vector }
 })
 
-// Vectors: sizes are told apart, and components come in any order.
+// Vectors have different types by size, and components in any order.
 compile((glsl) => {
   const [x, p, q, c] = [
     glsl.param('x'),
@@ -148,7 +148,7 @@ compile((glsl) => {
   return { n: numbers[0]!, v: parts[0]!, four, bent }
 })
 
-// Matrices have what works on them.
+// Matrices have only the operations that apply to them.
 compile((glsl) => {
   const [x, p, q] = [glsl.param('x'), glsl.vec3Param('p'), glsl.vec2Param('q')]
   const [m, n]: [Mat3, Mat2] = [glsl.mat3Param('m'), glsl.mat2(1, 2, 3, 4)]
@@ -211,7 +211,7 @@ compile((glsl) => {
   glsl.mat3(q, q, q)
   // @ts-expect-error no vector of matrices
   glsl.vec3(m)
-  // @ts-expect-error which column is a number of JavaScript
+  // @ts-expect-error the index of a column is a number, not an expression
   m.column(x)
   // @ts-expect-error about an axis, not an angle
   x.rotate(p)
@@ -298,7 +298,7 @@ compile((glsl) => {
   return { color }
 })
 
-// Uniforms: their types come from the values.
+// The types of uniforms follow from their values.
 {
   const list: number[] = [1, 2, 3]
   const vector = { x: 1, y: 2, z: 3, add() {} }
@@ -326,7 +326,7 @@ compile((glsl) => {
       const center: Vec3 = uniforms.center.add(uniforms.vector, uniforms.target)
       const tint: Vec4 = uniforms.tint.add(uniforms.color)
       const turn: Mat3 = uniforms.turn
-      // TypeScript does not know how many numbers these have.
+      // TypeScript does not know the lengths of these.
       const any: (Vector | Mat3 | Mat4)[] = [uniforms.list, uniforms.numbers]
       // @ts-expect-error a number has no components
       uniforms.amount.x()
@@ -347,9 +347,9 @@ compile((glsl) => {
     },
   )
   warp.evaluate({ positions: list }, { uniforms: { amount: 2, wind: [0, 1] } })
-  // @ts-expect-error a text is no value of a uniform
+  // @ts-expect-error a string is not a value of a uniform
   compileWarp(({ position }) => position, { uniforms: { name: 'red' } })
-  // @ts-expect-error without the option there are none
+  // @ts-expect-error there are no uniforms without the option
   compileWarp(({ position, uniforms }) => position.mult(uniforms.amount))
 
   const twist: OffsetFunction<{ amount: number }> = ({ position, uniforms }) =>
@@ -389,7 +389,7 @@ compile((glsl) => {
   distort({ picture: 3 })
 }
 
-// Own functions.
+// Functions of the host.
 compile((glsl) => {
   const [x, p, q] = [glsl.param('x'), glsl.vec3Param('p'), glsl.vec2Param('q')]
   const bump: OwnFunction<1> = glsl.fn({
@@ -434,14 +434,14 @@ compile((glsl) => {
   return { number, vector }
 })
 
-// Functions of a sketch's own may take more than one type.
+// User functions can accept more than one type.
 export function wave<Value extends Scalar | Vec3>(value: Value, amount: number): Expression {
   return value.sin().mult(amount)
 }
 export const doubled = (vector: Vector): Vector => vector.mult(2).normalize()
 export const flipped = (matrix: AnyMatrix): AnyMatrix => matrix.transpose().neg()
 
-// A model in a sketch; p5's own types are not ours to add to.
+// A model in a sketch. Does not extend p5's own types.
 export async function load(sketch: Loading): Promise<number> {
   const model: WarpModel = await sketch.loadWarpModel('bunny.glb', { normalize: false })
   // @ts-expect-error no such option
@@ -452,7 +452,7 @@ export async function load(sketch: Loading): Promise<number> {
   return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
 }
 
-// A component is a value that may also be called; other trades' names are there.
+// A component is a value that can also be called; aliases exist.
 compileWarp(({ glsl, position, uv }) => {
   const y: Scalar = position.y.mul(2).oneMinus().saturate()
   const pair: Vec2 = position.zx.add(uv.yx(), position.y())

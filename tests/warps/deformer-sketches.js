@@ -1,5 +1,5 @@
 // The sketches of deformers as plain functions of numbers; see gallery.js.
-import { add, normalize } from '../support/browser/matrix.js'
+import { add } from '../support/browser/matrix.js'
 import { deformers } from './deformers.js'
 
 const { cos, max, sin } = Math
@@ -27,31 +27,32 @@ const smoothstep = (low, high, x) => {
 }
 
 /** A deformer whose options depend on the inputs. */
-const moving = (deformer, options) => (p, inputs) => deformer(options(inputs.millis, p))(p, inputs)
+const withInputs = (deformer, options) => (p, inputs) =>
+  deformer(options(inputs.millis, p))(p, inputs)
 
 const swing = (millis) => cos(millis / 1500)
-const twisted = moving(twist, (millis) => ({ length: 150, angle: 2.6 * swing(millis) }))
-const bent = moving(bend, (millis) => ({ from: -75, to: 75, angle: 2.1 * swing(millis) }))
+const twisted = withInputs(twist, (millis) => ({ length: 150, angle: 2.6 * swing(millis) }))
+const bent = withInputs(bend, (millis) => ({ from: -75, to: 75, angle: 2.1 * swing(millis) }))
 const after = (a, b) => (p, inputs) => {
   const first = a(p, inputs)
   return add(first, b(add(p, first), inputs))
 }
 
-// As wide as the bar: with the distance from its middle the errors of a GPU's sine grow.
+// As wide as the bar: the errors of a GPU's sine grow with the distance from its middle.
 const bar = { size: 21 }
 
 export const deformerSketches = {
   'deformer-twist': {
     size: 100,
-    offset: moving(twist, (millis) => ({ angle: 2.8 * cos(millis / 1200) })),
+    offset: withInputs(twist, (millis) => ({ angle: 2.8 * cos(millis / 1200) })),
   },
   'deformer-bend': {
     size: 190,
-    offset: moving(bend, (millis) => ({ from: -90, to: 90, angle: 2.6 * sin(millis / 1300) })),
+    offset: withInputs(bend, (millis) => ({ from: -90, to: 90, angle: 2.6 * sin(millis / 1300) })),
   },
   'deformer-taper': {
     size: 100,
-    offset: moving(taper, (millis) => ({
+    offset: withInputs(taper, (millis) => ({
       center: [0, 60, 0],
       length: 160,
       amount: -0.9 * sin(millis / 1000),
@@ -59,7 +60,7 @@ export const deformerSketches = {
   },
   'deformer-bulge': {
     size: 250,
-    offset: moving(bulge, (millis) => ({
+    offset: withInputs(bulge, (millis) => ({
       axis: 'x',
       center: [800 * ((millis / 3000) % 1) - 400, 0, 0],
       radius: 110,
@@ -68,7 +69,7 @@ export const deformerSketches = {
   },
   'deformer-stretch': {
     size: 100,
-    offset: moving(stretch, (millis) => ({
+    offset: withInputs(stretch, (millis) => ({
       center: [0, 100, 0],
       keepVolume: true,
       amount: 0.45 * sin(millis / 350),
@@ -84,20 +85,25 @@ export const deformerSketches = {
   },
   'deformer-melt': {
     size: 100,
-    offset: moving(melt, (millis) => ({ height: 60, amount: 0.42 + 0.42 * sin(millis / 1400) })),
+    offset: withInputs(melt, (millis) => ({
+      height: 60,
+      amount: 0.42 + 0.42 * sin(millis / 1400),
+    })),
   },
   'deformer-inflate': {
     size: 100,
-    offset: moving(inflate, (millis, [, y]) => ({ amount: 2 + 4 * sin(y / 16 - millis / 300) })),
+    offset: withInputs(inflate, (millis, [, y]) => ({
+      amount: 2 + 4 * sin(y / 16 - millis / 300),
+    })),
   },
   'deformer-noise': {
-    // Not on the borders of cells, where noise has no third derivative, and the differences stumble.
+    // Not at the borders of cells, where noise has no third derivative and differences are inaccurate.
     size: 130,
     offset: noiseDisplace({ amount: 55, scale: 75, speed: 0.4 }),
   },
   'deformer-genie': {
     size: 150,
-    offset: moving(genie, (millis) => ({
+    offset: withInputs(genie, (millis) => ({
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
@@ -106,14 +112,17 @@ export const deformerSketches = {
   },
   'deformer-spherify': {
     size: 100,
-    offset: moving(spherify, (millis) => ({
+    offset: withInputs(spherify, (millis) => ({
       radius: 75,
       amount: max(0, 0.4 + 0.45 * sin(millis / 1200)),
     })),
   },
   'deformer-shear': {
     size: 150,
-    offset: moving(shear, (millis) => ({ center: [0, 60, 0], amount: 0.7 * sin(millis / 700) })),
+    offset: withInputs(shear, (millis) => ({
+      center: [0, 60, 0],
+      amount: 0.7 * sin(millis / 700),
+    })),
   },
 
   'composition-twist': { ...bar, offset: twisted },

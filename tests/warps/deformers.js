@@ -1,5 +1,5 @@
-// The formulas of 'warpjet/deformers' in plain numbers, as their documentation has them: by options of constants, from a
-// point to its offset. What they do about an axis is written in the frame of that axis.
+// The formulas of 'warpjet/deformers' in plain numbers, as documented: from constant options and a point to its offset. Formulas
+// about an axis are written in the frame of that axis.
 import { noise } from '../support/noise.js'
 import { add, cross, dot, normalize, subtract } from '../support/browser/matrix.js'
 
@@ -12,17 +12,17 @@ const smoothstep = (low, high, x) => {
   const t = max(0, min(1, (x - low) / (high - low)))
   return t * t * (3 - 2 * t)
 }
-const fading = (r) => (r < 1 ? (1 - r * r) ** 3 : 0)
+const falloff = (r) => (r < 1 ? (1 - r * r) ** 3 : 0)
 
-/** Of length 1, or zero for zero. */
+/** Normalizes a vector; zero stays zero. */
 const unit = (v) => (v.some(Boolean) ? normalize(v) : [0, 0, 0])
 
 const named = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }
 const direction = (axis) => normalize(named[axis] ?? [...axis])
 
 /**
- * A point in a frame at `center` with `axis` as its third direction → [a, b, h], and the way back for a moved one. The
- * first two directions, a × b = h, are any.
+ * Maps a point to a frame at `center` with `axis` as its third direction → [a, b, h], and the inverse for a moved point. The
+ * first two directions satisfy a × b = h and are otherwise arbitrary.
  */
 function frame(center, axis) {
   const c = direction(axis)
@@ -34,7 +34,7 @@ function frame(center, axis) {
   }
 }
 
-/** An offset from where a point in that frame goes. */
+/** Returns an offset from the image of a point in that frame. */
 const inFrame = (center, axis, move) => (p) => {
   const { into, back } = frame(center, axis)
   return subtract(back(move(into(p))), p)
@@ -60,7 +60,7 @@ export const deformers = {
       return [r * x, r * y, s * z]
     }),
 
-  // In Barr's own words, with the radius 1 / k; for k = 0 the identity.
+  // In Barr's notation, with the radius 1 / k; for k = 0 the identity.
   bend: ({
     axis = 'z',
     along = 'y',
@@ -90,10 +90,10 @@ export const deformers = {
     axis === undefined
       ? (p) => {
           const d = subtract(p, center)
-          return times(d, amount * fading(hypot(...d) / radius))
+          return times(d, amount * falloff(hypot(...d) / radius))
         }
       : inFrame(center, axis, ([x, y, z]) => {
-          const r = 1 + amount * fading(abs(z) / radius)
+          const r = 1 + amount * falloff(abs(z) / radius)
           return [r * x, r * y, z]
         }),
 
@@ -119,7 +119,7 @@ export const deformers = {
         const d = hypot(x, y)
         const r = hypot(d, wavelength / 8)
         const phase = (2 * PI * (r - (speed * millis) / 1000)) / wavelength
-        return [x, y, z + amount * fading(d / radius) * sin(phase)]
+        return [x, y, z + amount * falloff(d / radius) * sin(phase)]
       })(p),
 
   melt: ({

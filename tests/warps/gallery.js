@@ -1,5 +1,5 @@
-// The warps of the gallery as plain functions of numbers, by the names that sketches.js gives them. The sketches have the
-// other half. See stress.js.
+// The warps of the gallery as plain functions of numbers, by their names in sketches.js, which has the offset functions. See
+// stress.js.
 import { deformerSketches } from './deformer-sketches.js'
 import { fbm } from '../support/noise.js'
 import { clamp } from './plain.js'
@@ -8,7 +8,7 @@ const { sin, cos, exp, sqrt, hypot, fround } = Math
 
 const minus = (a, b) => a.map((value, i) => value - b[i])
 
-/** Turned about the y axis. */
+/** Rotates about the y axis. */
 const turnedAboutY = ([x, y, z], angle) => [
   x * cos(angle) - z * sin(angle),
   y,
@@ -20,7 +20,7 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
-/** Both warps of the sketch; what differs is whether they are told how the normal varies. */
+/** Both warps of the sketch, which differ only in the gradients of the normal. */
 const bumpsAlongTheNormal = {
   size: 100,
   offset: ([x, y, z], { normal, millis }) => {
@@ -32,8 +32,8 @@ const bumpsAlongTheNormal = {
 const add = (p, shift) => p.map((x, i) => x + shift[i])
 
 /**
- * The relief of domain-warping-3d. Its slope changes so fast that differences need small steps, and that at the third
- * level rounding the shifted points to float32, 1e-6 fine from 8 to 16, alone turns the normal by up to 0.02°.
+ * The relief of domain-warping-3d. Its slope changes so fast that differences need small steps, and that at the third level
+ * rounding the shifted points to float32, 1e-6 fine from 8 to 16, alone turns the normal by up to 0.02°.
  */
 const relief = (level) => ({
   deep: level > 0,
@@ -52,7 +52,7 @@ const relief = (level) => ({
   },
 })
 
-/** Of a box of size 1, as p5 has it. */
+/** For a box of size 1, like p5's. */
 const swaying = {
   size: 0.5,
   offset([, y], { millis }) {
@@ -114,7 +114,7 @@ export const gallery = {
   'domain-warping-3d-warped': relief(1),
   'domain-warping-3d-twice': relief(2),
 
-  // Constants of shader text are float32's, which after a week matters.
+  // Constants in shaders are float32, which matters after a week.
   'glsl-terrain': {
     size: 0.5,
     step: 1e-5,

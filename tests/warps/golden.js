@@ -15,12 +15,12 @@ const warpTexts = () =>
   )
 
 /**
- * The texts to keep, by file name: those of the gallery, of the stress test but for its hundreds of sines, and what the
- * languages write differently.
+ * The golden files by name: the code of the gallery, of the stress test except for its hundreds of sines, and of the differences
+ * between languages.
  */
 export const goldenTexts = () => ({ ...warpTexts(), ...languageTexts() })
 
-/** The texts as they were kept. */
+/** Reads the golden files. */
 export const keptTexts = () =>
   Object.fromEntries(
     readdirSync(goldenFolder).map((file) => [

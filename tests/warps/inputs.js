@@ -1,4 +1,4 @@
-// Warps that read inputs other than position and time, beside plain functions of numbers. See stress.js.
+// Warps that read inputs other than position and time, with plain functions of numbers. See stress.js.
 import { onSmallMesh, seconds } from './plain.js'
 
 const { sin, cos, exp, hypot } = Math

@@ -1,7 +1,7 @@
-// One warp and one set of named expressions that use what the languages write differently, for the golden files.
+// A warp and a set of named expressions with everything that the languages write differently, for the golden files.
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 
-const turned = ({ glsl, position, normal, millis }) => {
+const turnOffset = ({ glsl, position, normal, millis }) => {
   const spin = glsl.rotate(glsl.vec3(0.2, 1, 0), position.y().add(millis.div(1000)))
   const ridge = position.x().mod(0.5).sub(0.25).abs().tanh().add(position.z().round())
   return spin
@@ -51,7 +51,7 @@ const loops = (glsl) => {
   return { sum, slope: glsl.gradient(sum, v), octaves: v.fbm({ octaves: 3 }) }
 }
 
-/** The texts by file name. */
+/** The generated code by file name. */
 export const languageTexts = () =>
   Object.fromEntries(
     targets.flatMap((target) => {
@@ -62,7 +62,7 @@ export const languageTexts = () =>
       return [
         [`language-loops.${ending}`, loop.declarations + loop.code],
         [`language-images.${ending}`, image.declarations + image.code],
-        [`language-warp.${ending}`, compileWarp(turned, { target }).code],
+        [`language-warp.${ending}`, compileWarp(turnOffset, { target }).code],
         [`language-pieces.${ending}`, declarations + code],
       ]
     }),

@@ -1,22 +1,22 @@
-// The warps that the paper, the article and the documentation of p5.warp and glsl-autodiff show, written anew.
+// The warps of the paper, the article and the documentation of p5.warp and glsl-autodiff, rewritten.
 import { add, subtract } from '../support/browser/matrix.js'
 import { clamp } from './plain.js'
 
 const { sin, cos, hypot, max, PI } = Math
 
-/** About the x axis. */
+/** Rotates about the x axis. */
 const turnedInSketch = (glsl, point, angle) => {
   const [y, z] = [point.y(), point.z()]
   const [c, s] = [angle.cos(), angle.sin()]
   return glsl.vec3(point.x(), c.mult(y).sub(s.mult(z)), s.mult(y).add(c.mult(z)))
 }
-const turned = ([x, y, z], angle) => [
+const rotate = ([x, y, z], angle) => [
   x,
   y * cos(angle) - z * sin(angle),
   y * sin(angle) + z * cos(angle),
 ]
 
-/** A warp as a sketch writes it, and as a plain function of numbers, by the listing. */
+/** A warp as an offset function, and as a plain function of numbers, by the listing. */
 export const warps = {
   'the paper: its example of an offset': {
     size: 1,
@@ -31,7 +31,7 @@ export const warps = {
       const angle = position.x().mult(0.02).mult(millis.div(1000).sin())
       return turnedInSketch(glsl, position, angle).sub(position)
     },
-    offset: (p, { millis }) => subtract(turned(p, 0.02 * p[0] * sin(millis / 1000)), p),
+    offset: (p, { millis }) => subtract(rotate(p, 0.02 * p[0] * sin(millis / 1000)), p),
   },
 
   'the README of p5.warp: three sines': {
@@ -55,7 +55,7 @@ export const warps = {
       const angle = position.x().mult(0.03).add(millis.div(1000))
       return turnedInSketch(glsl, position, angle).sub(position)
     },
-    offset: (p, { millis }) => subtract(turned(p, 0.03 * p[0] + millis / 1000), p),
+    offset: (p, { millis }) => subtract(rotate(p, 0.03 * p[0] + millis / 1000), p),
   },
 
   'the examples of p5.warp: the wobble': {
@@ -93,8 +93,8 @@ export const warps = {
       ]
       const swing = 0.5 * (beat + sin(0.00025 * millis))
       const flip = clamp(beat, 0, 1) * PI * sin(0.001 * millis)
-      const swung = subtract(turned(third, swing), third)
-      return add(waves, add(swung, subtract(turned(fromCenter, flip), fromCenter)))
+      const swung = subtract(rotate(third, swing), third)
+      return add(waves, add(swung, subtract(rotate(fromCenter, flip), fromCenter)))
     },
   },
 

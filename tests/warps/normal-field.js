@@ -1,5 +1,5 @@
-// How the normals of the tests' vertices vary over the surface: as on a sphere of the mesh's size, in every direction. So
-// each vertex stands for a surface of its own, near which the normal is a linear function.
+// How the normals of the tests' vertices vary over the surface: as on a sphere of the mesh's size, in every direction. So each
+// vertex represents a separate surface, near which the normal is a linear function.
 import { add, dot, normalize, subtract } from '../support/browser/matrix.js'
 
 const axes = [
@@ -8,7 +8,7 @@ const axes = [
   [0, 0, 1],
 ]
 
-/** The gradients of x, y and z of the normal, by the names of the shader's attributes. */
+/** Returns the gradients of x, y and z of the normal, by the names of the shader's attributes. */
 export function normalGradients(normal, size) {
   const unit = normal.some(Boolean) ? normalize(normal) : [0, 0, 0]
   const scale = Math.hypot(...normal) / size
@@ -18,7 +18,7 @@ export function normalGradients(normal, size) {
   return { normalXGradient, normalYGradient, normalZGradient }
 }
 
-/** The normal at `p` near a vertex; that of the vertex itself where nothing is known of its surroundings. */
+/** Returns the normal at `p` near a vertex; that of the vertex itself if its surroundings are unknown. */
 export function normalAt(p, vertex) {
   const { position, normal, normalXGradient, normalYGradient, normalZGradient } = vertex
   if (!normalXGradient) return normal

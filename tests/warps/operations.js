@@ -1,4 +1,4 @@
-// Warps that use each smooth operation, beside plain functions of numbers. See stress.js.
+// Warps that use each smooth operation, with plain functions of numbers. See stress.js.
 import { clamp, mix, onSmallMesh, seconds } from './plain.js'
 
 const { sin, cos, tan, asin, acos, atan, atan2, exp, log, sqrt, abs, hypot } = Math
@@ -113,7 +113,7 @@ export const operations = onSmallMesh({
   // At the poles neither angle has a derivative.
   'spherical coordinates': {
     warp({ glsl, position, millis }) {
-      const [x, y, z] = [position.x(), position.y(), position.z()]
+      const [x, y] = [position.x(), position.y()]
       const polar = position.normalize().z().clamp(-1, 1).acos()
       const azimuth = y.atan(x).add(millis.div(1000))
       const swell = polar.mult(2).sin().mult(0.2).mult(azimuth.mult(3).cos())

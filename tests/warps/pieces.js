@@ -1,4 +1,4 @@
-// Warps made of pieces, with kinks and jumps between them, beside plain functions of numbers. See stress.js.
+// Warps made of pieces, with kinks and jumps between them, with plain functions of numbers. See stress.js.
 import { clamp, onSmallMesh, seconds } from './plain.js'
 
 const { sin, log, abs, sign, floor, min, max, hypot } = Math

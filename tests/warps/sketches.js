@@ -1,4 +1,4 @@
-// The warps of the gallery, taken out of its sketches: each runs with a pretended p5, which only remembers.
+// The warps of the gallery, extracted from its sketches: each runs with a mock of p5, which only records.
 import { readFileSync, readdirSync } from 'node:fs'
 import * as deformers from '../../dist/deformers.js'
 import * as shaderText from '../../dist/glsl.js'
@@ -6,7 +6,7 @@ import * as warpjet from '../../dist/warpjet.js'
 
 const examples = new URL('../../examples/', import.meta.url)
 
-/** What stands in for everything that a sketch draws and loads: it can be called, read and written to, without end. */
+/** A mock for everything that a sketch draws and loads: it can be called, read and written without end. */
 const pretended = new Proxy(() => {}, {
   get: (_, key) => (key === 'then' || key === Symbol.toPrimitive ? undefined : pretended),
   set: () => true,
@@ -17,11 +17,11 @@ const pretended = new Proxy(() => {}, {
 const numbers = { PI: Math.PI, TWO_PI: 2 * Math.PI, HALF_PI: Math.PI / 2 }
 
 /**
- * All warps and shader texts of the sketches, in order → [{ name, warp, options }] and [{ name, text }]. The name is the
- * sketch's folder, followed by the variable if there are several; `options` are those of createWarp.
+ * All warps and GLSL sources of the sketches, in order → [{ name, warp, options }] and [{ name, text }]. The name is the sketch's
+ * folder, followed by the variable if there are several; `options` are those of createWarp.
  */
 export async function sketchWarps() {
-  // Those of three.js are modules, and no p5 could be pretended to them; web/tests/gallery.browser.test.js draws them.
+  // Sketches of three.js are modules, for which p5 cannot be mocked; web/tests/gallery.browser.test.js draws them.
   const folders = readdirSync(examples)
     .filter((folder) => !folder.startsWith('three-'))
     .sort()
@@ -45,7 +45,7 @@ async function warpsOf(folder) {
       return readFileSync(new URL(`${folder}/${file}`, examples), 'utf8').split('\n')
     },
     createWarp(warp, options = {}) {
-      // A text that it loads has no oracle here; tests/glsl runs those of packages.
+      // Source that the sketch loads has no oracle here; tests/glsl tests that of packages.
       if (loads) return pretended
       // On another shader it is the same warp.
       const { shader, ...others } = options

@@ -1,5 +1,5 @@
-// The six warps of p5.warp's stress test, written anew. Each has its mathematics twice: as a sketch writes it, and as a
-// plain function of numbers, the oracle, that knows nothing of the compiler.
+// The six warps of p5.warp's stress test, rewritten. Each has its formula twice: as an offset function, and as a plain function
+// of numbers, the oracle, which is independent of the compiler.
 import { seededRandom } from './random.js'
 
 const { sin, cos, min, max } = Math
@@ -42,8 +42,8 @@ const sinesInLocalSpace = {
   },
 }
 
-/** Turned about the axis through (0, 0, -500) along x. */
-const turned = ([x, y, z], angle) => [
+/** Rotates about the axis through (0, 0, -500) along x. */
+const rotate = ([x, y, z], angle) => [
   x,
   y * cos(angle) - (z + 500) * sin(angle),
   y * sin(angle) + (z + 500) * cos(angle) - 500,
@@ -64,7 +64,7 @@ const twist = {
     return turnedInSketch(glsl, position, angle).sub(position)
   },
   offset(p, { millis }) {
-    const moved = turned(p, 0.02 * p[0] + millis / 1000)
+    const moved = rotate(p, 0.02 * p[0] + millis / 1000)
     return moved.map((value, i) => value - p[i])
   },
 }
@@ -101,13 +101,13 @@ const wobble = {
       z + 8 * sin(1.7 * t + 0.02 * x),
     ]
     const strength = 0.004 + 0.004 * (0.5 + 0.5 * sin(t))
-    const once = turned(wavy, max(-0.5, min(0.6, strength * wavy[0])))
-    const twice = turned(once, max(-0.3, min(0.35, 0.001 * y + 0.3 * sin(0.7 * t))))
+    const once = rotate(wavy, max(-0.5, min(0.6, strength * wavy[0])))
+    const twice = rotate(once, max(-0.3, min(0.35, 0.001 * y + 0.3 * sin(0.7 * t))))
     return twice.map((value, i) => value - p[i])
   },
 }
 
-/** Into the corner (120, 150, 0); what has arrived there is a line or a point. */
+/** Moves to the corner (120, 150, 0); parts that have arrived there are a line or a point. */
 const genie = {
   name: 'genie into a corner',
   size: 100,
@@ -131,7 +131,7 @@ const genie = {
   },
 }
 
-/** Onto the plane x = 0: nothing is left of a surface that was at right angles to it. */
+/** Projects onto the plane x = 0, where surfaces perpendicular to it are collapsed. */
 const flatten = {
   name: 'flatten',
   size: 100,
@@ -140,9 +140,7 @@ const flatten = {
   offset: ([x]) => [-x, 0, 0],
 }
 
-/**
- * `count` sines, each of a random coordinate with random constants, in a random component. `waves` are the constants.
- */
+/** `count` sines, each of a random coordinate with random constants, in a random component. `waves` are the constants. */
 export function stackedSines(count) {
   const random = seededRandom(count)
   const waves = Array.from({ length: count }, () => ({

@@ -1,11 +1,12 @@
-// The warps of the gallery's examples with three.js, taken out of their modules: of each only what its warp names is run.
+// The warps of the gallery's examples with three.js, extracted from their modules: runs only the definitions that each warp
+// refers to.
 import { readFileSync, readdirSync } from 'node:fs'
 import { parse } from 'acorn'
 import * as THREE from 'three'
 
 const examples = new URL('../../examples/', import.meta.url)
 
-/** The first call of `warp` in each, as [{ name, warp, options }], which are its last two arguments. */
+/** Finds the first call of `warp` in each, as [{ name, warp, options }], which are its last two arguments. */
 export const threeWarps = () =>
   readdirSync(examples)
     .filter((folder) => folder.startsWith('three-'))

@@ -1,5 +1,5 @@
-// The warps of the gallery once more, with operators, by the names that sketches.js gives them. Each stands for itself, since p5
-// would lose what lies around it, too.
+// The warps of the gallery again, with operators, by their names in sketches.js. Each is self-contained, since p5 would also lose
+// the variables around it.
 
 const turnedAboutY = (rate, time) => `({ position, millis }) => {
   const { x, y, z } = position

@@ -1,8 +1,8 @@
-// The compiler in a memory of 8 MB, so that it runs out soon: one sentence, and the next warp works.
+// The compiler with only 8 MB of memory: running out of it throws one sentence, and the next warp works.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 
-// The most that a memory may grow to stands in the module: 32,768 pages, in the bytes of LEB128.
+// The maximum size of the memory in the module: 32,768 pages, in the bytes of LEB128.
 const most = Buffer.from([0x80, 0x80, 0x02])
 const { Module } = WebAssembly
 WebAssembly.Module = function (bytes) {
@@ -33,7 +33,7 @@ const refuses = (work, message) =>
 const outOfMemory =
   /^There is not enough memory for so large a warp: the compiler already holds [2-8] MB\.$/
 
-/** Sines of sums. */
+/** Nests sines of sums. */
 function many(start, count) {
   let sum = start
   for (let i = 0; i < count; i++) sum = sum.add(i).sin()
@@ -45,16 +45,16 @@ test('a warp that is too large', () => {
   refuses(() => compileWarp(large), outOfMemory)
 })
 
-test('a warp that compiles, but is too large to run', () => {
+test('a warp that compiles, but is too large to evaluate', () => {
   const warp = compileWarp(({ glsl, position }) => glsl.vec3(many(position.x(), 10_000), 0, 0))
   const vertices = { positions: new Float32Array(30_000), normals: new Float32Array(30_000) }
   refuses(
     () => warp.evaluate(vertices),
-    /^There is not enough memory to run so large a warp on the CPU, which already takes [2-8] MB\.$/,
+    /^There is not enough memory to evaluate so large a warp on the CPU, which already takes [2-8] MB\.$/,
   )
 })
 
-test('a hundred warps within each other', () => {
+test('a hundred nested warps', () => {
   let deepest = 0
   const nested = (depth) => () =>
     compileWarp(({ glsl, millis }) => {

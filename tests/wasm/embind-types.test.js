@@ -1,4 +1,4 @@
-// The TypeScript declarations that the build makes of what a wasm module registers.
+// The TypeScript declarations that the build generates from the bindings of a wasm module.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
@@ -31,7 +31,7 @@ test('vectors of SIMD, which JavaScript cannot hold', () => {
   assert.match(types('evaluation'), /^  _lanes_pow\(a: never, b: never\): never$/m)
 })
 
-test('signatures, of imported functions too', () => {
+test('signatures, also of imported functions', () => {
   // (module (import "a" "f" (func $f (param f64 i64) (result i32))) (func $g (param v128)) (export "f" (func $f)) (export "g" (func $g)))
   const bytes = Uint8Array.of(
     ...[0, 0x61, 0x73, 0x6d, 1, 0, 0, 0],

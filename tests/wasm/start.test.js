@@ -1,4 +1,4 @@
-// What is said where WebAssembly does not start. Browsers that refuse it are imitated, in a process of their own.
+// The errors if WebAssembly does not start. Each browser that rejects it is simulated in a process of its own.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { test } from 'node:test'
@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
-/** The errors of compileWarp and of loadMesh after `change` was done to the global WebAssembly. */
+/** Returns the errors of compileWarp and loadMesh after `change` has modified the global WebAssembly. */
 function problems(change) {
   const code = `
     const { Module } = WebAssembly
@@ -25,15 +25,15 @@ function problems(change) {
   return JSON.parse(output)
 }
 
-/** A class for `new WebAssembly.Module(bytes)` that throws where `refusal` says so. */
+/** Source of a class for `new WebAssembly.Module(bytes)` that throws if `refusal` says so. */
 const withModule = (refusal) =>
   `WebAssembly.Module = class { constructor(bytes) { ${refusal}; return new Module(bytes) } }`
 
-test('starts as it is', () => {
+test('starts without changes', () => {
   assert.deepEqual(problems(''), ['works', 'works'])
 })
 
-test('a Content-Security-Policy: what to add to it, whatever the browser calls it', () => {
+test('a Content-Security-Policy: the message says what to add, whatever the browser’s own message', () => {
   for (const refusal of [
     "throw new WebAssembly.CompileError('call to WebAssembly.Module() blocked by CSP')",
     "throw new EvalError('Refused to create a WebAssembly object')",
@@ -42,14 +42,14 @@ test('a Content-Security-Policy: what to add to it, whatever the browser calls i
       assert.match(problem, /^WarpError: .*'wasm-unsafe-eval' to its script-src/)
 })
 
-test('a browser that compiles no large module at once: its version', () => {
+test('a browser that compiles no large module synchronously: the message names the version', () => {
   const refusal =
     "if (bytes.length > 4096) throw new RangeError('WebAssembly.Compile is disallowed on the main thread, if the buffer size is larger than 4KB.')"
   for (const problem of problems(withModule(refusal)))
     assert.match(problem, /^WarpError: .*update it \(Chrome and Edge do since version 114\)/)
 })
 
-test('no WebAssembly: that it is needed', () => {
+test('no WebAssembly: the message says that it is needed', () => {
   for (const problem of problems('delete globalThis.WebAssembly'))
     assert.match(problem, /^WarpError: warpjet needs WebAssembly, which this browser lacks/)
 })

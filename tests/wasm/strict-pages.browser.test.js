@@ -1,5 +1,5 @@
-// All four wasm modules start and work where pages are strict: under a Content-Security-Policy without unsafe-eval, in a worker, and from
-// a file without a server; in Chromium and in Firefox.
+// All four wasm modules work in strict environments: under a Content-Security-Policy without unsafe-eval, in a worker, and from a file
+// without a server; in Chromium and in Firefox.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -10,7 +10,7 @@ import { browsers } from '../support/browser/two-browsers.js'
 const root = fileURLToPath(new URL('../../', import.meta.url))
 const folder = '.build/wasm-modules'
 
-/** Uses each module, given where dist is, and says what came. */
+/** Uses each module of a folder dist, and returns the results. */
 const work = `async function work(dist) {
   const { compileWarp } = await import(dist + '/warpjet.js')
   const { loadMesh, subdivide } = await import(dist + '/mesh.js')
@@ -24,7 +24,7 @@ const work = `async function work(dist) {
 }`
 const done = 'string,0,0,0,3,0,0,0,3,0,3,3,3'
 
-/** Writes into the title what \`promise\` gives, in a module of a page. */
+/** Source of a module that writes the result of \`promise\` into the title of a page. */
 const titled = (promise) =>
   `${promise}.then((text) => (document.title = text), (error) => (document.title = String(error)))`
 
@@ -66,7 +66,7 @@ for (const [name, launch] of Object.entries(browsers))
       const html = `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy}">`
       const script = `<script type="module" src="/${folder}/page.js"></script>`
       assert.equal(await titleOf(server.page(html + script)), done)
-      // The policy counts: nothing runs without its permission.
+      // The policy is in effect: code without permission does not run.
       const without = html.replace(" 'wasm-unsafe-eval'", '')
       assert.match(await titleOf(server.page(without + script)), /^WarpError: .*wasm-unsafe-eval/)
     })

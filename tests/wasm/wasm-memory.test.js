@@ -1,4 +1,4 @@
-// The wasm modules hold as much after a call as before it, whatever happened in it.
+// The wasm modules hold as much memory after a call as before it, whatever happens in the call.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'

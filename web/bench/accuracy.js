@@ -1,22 +1,22 @@
-/** How far a method's normals are from those of the double oracle, which knows nothing of our compiler. */
+/** Measures the angles between a method's normals and those of the double-precision oracle, which shares no code with our compiler. */
 import { angleBetween, warpVertex } from '../../tests/support/browser/oracle.js'
 import { dot } from '../../tests/support/browser/matrix.js'
 import { methods } from './methods.js'
 import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe.js'
 
-/** Of the oracle's differences, in units of the mesh. */
+/** The step of the oracle's finite differences, in units of the mesh. */
 const ORACLE_STEP = 0.02
-/** Where the moved surface has all but collapsed, float32 cannot have a normal, whoever computes it. */
+/** Above this sensitivity the warped surface has nearly collapsed, and no float32 computation can find its normal. */
 const MAX_SENSITIVITY = 1e3
 
-/** Exact normals of [{ position, normal }]; null where there is none to compare with. */
+/** Returns the exact normals at `places`, [{ position, normal }]; null for a place without a usable reference. */
 export const exactNormals = (workload, places, millis) =>
   places.map((place) => {
     const { normal, sensitivity } = warpVertex(workload.offset, place, { millis }, ORACLE_STEP)
     return normal?.some(Boolean) && sensitivity < MAX_SENSITIVITY ? normal : null
   })
 
-/** In degrees → { largest, median }; undefined where nothing could be compared, NaN where a normal is not a number. */
+/** Returns { largest, median } in degrees: undefined if nothing could be compared, `largest` NaN if a normal is NaN. */
 export function errorsOf(places, exact) {
   const errors = places
     .map(({ found }, i) => exact[i] && angleBetween(found, exact[i]))
@@ -27,8 +27,8 @@ export function errorsOf(places, exact) {
 }
 
 /**
- * The same for pixels that found their normals themselves: which side of the surface is the front they cannot know, so
- * each is compared with the side that it has found.
+ * Like `errorsOf`, for pixels that compute their own normals. These cannot know the front of the surface, so each is
+ * compared with the side it found.
  */
 export function pixelErrors(workload, pixels, millis) {
   const exact = exactNormals(workload, pixels, millis)
@@ -39,7 +39,7 @@ export function pixelErrors(workload, pixels, millis) {
   return errorsOf(pixels, seen)
 }
 
-/** The step of the smallest largest error → { h, largest, median }. @param probe a program of vertexProbe */
+/** Finds the step whose largest error is smallest → { h, largest, median }. @param probe a program of `vertexProbe` */
 export function bestStep(scene, workload, { probe, sample, steps, millis }) {
   let exact
   const trials = steps.map((h) => {
@@ -52,8 +52,8 @@ export function bestStep(scene, workload, { probe, sample, steps, millis }) {
 }
 
 /**
- * Measures each method on up to `limit` vertices, or pixels for dFdx → Map from the method's name to
- * { largest, median, h }, in degrees; `h`, in units of the mesh, is the step of the smallest largest error.
+ * Measures each method on up to `limit` vertices, or pixels for dFdx → Map from method name to { largest, median, h }. Errors
+ * are degrees; `h`, in units of the mesh, is the step whose largest error is smallest.
  */
 export function measureErrors(scene, workload, mesh, millis, limit) {
   const sample = sampleVertices(mesh, limit)

@@ -1,21 +1,21 @@
-/** What a frame costs. Each plot takes points of series.js and a width in pixels → an element. */
+/** The plots of frame cost. Each takes points of series.js and a width in pixels, and returns an element. */
 import * as Plot from '@observablehq/plot'
 import { make } from './dom.js'
 import { plain, short, whole } from './figures.js'
 import { spread } from './labels.js'
 import { methodNames, notes } from './method-notes.js'
-import { LINE, axisX, axisY, common, decimalTicks, least, most, widthOf } from './plot-parts.js'
+import { LINE, axisX, axisY, common, decimalTicks, maxOf, minOf, widthOf } from './plot-parts.js'
 
 const HEIGHT = 380
-/** From the end of a line to its name. */
+/** The distance in pixels from the end of a line to its name. */
 const LEADER = 24
-/** Pixels; in a narrower plot names beside the lines would take the place of these. */
+/** The width in pixels below which names beside the lines would leave too little space for the lines. */
 const NARROW = 480
 
 const endsOf = (points) =>
   methodNames.map((name) => points.filter(({ method }) => method === name).at(-1)).filter(Boolean)
 
-/** The names stand beside the ends of the lines, moved apart where these are close, with a thin line to each. */
+/** Puts each name beside the end of its line with a thin leader, and moves names apart if they would overlap. */
 function endLabels(points, x, y, [top, bottom]) {
   const ends = endsOf(points)
   const [scaleX, scaleY] = [Plot.scale({ x }), Plot.scale({ y })]
@@ -43,7 +43,7 @@ function endLabels(points, x, y, [top, bottom]) {
   ]
 }
 
-/** The names below the plot, in the order of the ends of their lines, from the top. */
+/** Lists the names below the plot, ordered by the ends of their lines from top to bottom. */
 const legend = (points) =>
   make(
     'ul',
@@ -56,24 +56,24 @@ const legend = (points) =>
   )
 
 /**
- * @param x `{ type, label, write }` of the scale: its type, and how a number is written
+ * @param x `{ type, label, write }`: type and label of the scale, and a formatter of its numbers
  * @param y `{ type, domain, ticks, write }`
- * @param about the words for a point's x
+ * @param about formats a point's x for its tooltip
  */
 function costPlot(points, { width, x, y, about }) {
   const isNarrow = width < NARROW
   const widest = Math.max(...points.map(({ method }) => widthOf(method)))
   const beside = isNarrow ? 20 : LEADER + 12 + widest
   const [left, right, top, bottom] = [46, beside, 30, HEIGHT - 42]
-  const [low, high] = [least(points, 'x'), most(points, 'x')]
+  const [low, high] = [minOf(points, 'x'), maxOf(points, 'x')]
   const scaleX = {
     type: x.type,
-    // A single place stands where the lines end otherwise.
+    // A single x is drawn at the right, at the end of the range.
     domain: [low < high ? low : high / 2, high],
     range: [left + 12, width - right],
   }
   const scaleY = { type: y.type, domain: y.domain, range: [bottom, top] }
-  // What is drawn last lies on top.
+  // Draw warpjet last, on top of the others.
   const drawn = [...points].sort((a, b) => (a.method === 'warpjet') - (b.method === 'warpjet'))
   const bars = drawn.filter(({ low, high }) => Number.isFinite(low) && Number.isFinite(high))
   const place = { x: 'x', y: 'y' }
@@ -123,7 +123,7 @@ function costPlot(points, { width, x, y, about }) {
   return isNarrow ? make('div', {}, plot, legend(points)) : plot
 }
 
-/** 1, 2 or 5 of a power of ten, so that there are four to nine ticks up to `high`. */
+/** Returns multiples of 1, 2 or 5 times a power of ten: four to nine ticks up to `high`. */
 function linearTicks(high) {
   const power = 10 ** Math.floor(Math.log10(high))
   const step = [0.2, 0.5, 1].map((part) => part * power).find((step) => high / step <= 9) ?? power
@@ -132,7 +132,7 @@ function linearTicks(high) {
 
 /** @param points of `costAgainstNodes` */
 export function plotAgainstNodes(points, width) {
-  const high = 1.05 * most(points, 'y')
+  const high = 1.05 * maxOf(points, 'y')
   return costPlot(points, {
     width,
     x: { type: 'linear', label: 'nodes of the warp →', write: whole },
@@ -146,7 +146,7 @@ const thousands = (value) =>
 
 /** @param points of `costAgainstVertices` */
 export function plotAgainstVertices(points, width) {
-  const domain = [least(points, 'y') / 1.3, most(points, 'y') * 1.3]
+  const domain = [minOf(points, 'y') / 1.3, maxOf(points, 'y') * 1.3]
   return costPlot(points, {
     width,
     x: { type: 'log', label: 'vertices, logarithmic →', write: thousands },

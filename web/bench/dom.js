@@ -1,4 +1,4 @@
-/** @returns a new element with these properties and children */
+/** Creates an element with these properties and children. */
 export function make(tag, properties = {}, ...children) {
   const element = Object.assign(document.createElement(tag), properties)
   element.append(...children)

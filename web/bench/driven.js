@@ -1,4 +1,4 @@
-/** The benchmark without a picture, for a program that drives the page: `window.bench`. */
+/** `window.bench`: the benchmark without a visible picture, for a script that drives the page. */
 import './memory.js'
 import { frameRate } from './frame-rate.js'
 import { measureRow } from './measure.js'
@@ -11,25 +11,25 @@ let scene
 
 const byName = (name) => workloads.find((workload) => workload.name === name)
 
-/** To the program that drives, where it wants to know. */
+/** Reports to the driving script, if it listens. */
 const progress = (text) => window.benchProgress?.(text)
 
 window.bench = {
   rows: workloads.map(({ name, nodes }) => ({ name, nodes })),
 
-  /** A canvas of `size` × `size` pixels; returns the name of the renderer. */
+  /** Opens a canvas of `size` × `size` pixels and returns the name of the renderer. */
   open(size) {
     scene = new Scene(canvas, size)
     return scene.renderer
   },
 
   measure(name, settings) {
-    // A picture that shows is put on the page after each frame, which takes time from the next one.
+    // Hidden, because compositing a visible canvas after each frame takes time from the next one.
     canvas.hidden = true
     return measureRow(scene, byName(name), settings, progress)
   },
 
-  /** Capped or not is the browser's matter. @param steps the best h by method @returns frames a second by method */
+  /** The browser decides whether vsync caps the rate. @param steps the best h by method @returns frames per second by method */
   async frameRates(name, steps, duration) {
     canvas.hidden = false
     const workload = byName(name)

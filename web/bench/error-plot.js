@@ -1,19 +1,19 @@
-/** How wrong the normals are against what they cost: points of series.js and a width in pixels → an SVG element. */
+/** The plot of normal error against cost: takes points of series.js and a width in pixels, and returns an SVG element. */
 import * as Plot from '@observablehq/plot'
-import { LEAST_ERROR, degrees, plain, times } from './figures.js'
+import { MIN_ERROR, degrees, plain, times } from './figures.js'
 import { placeBeside } from './labels.js'
-import { LINE, axisY, common, decimalTicks, least, most, widthOf } from './plot-parts.js'
+import { LINE, axisY, common, decimalTicks, maxOf, minOf, widthOf } from './plot-parts.js'
 
 const HEIGHT = 460
-/** The same for every row, so that rows compare. */
-const errors = { type: 'log', domain: [LEAST_ERROR / 2, 360] }
-const ticks = decimalTicks([LEAST_ERROR, 180])
+/** One scale for all rows, so that rows can be compared. */
+const errors = { type: 'log', domain: [MIN_ERROR / 2, 360] }
+const ticks = decimalTicks([MIN_ERROR, 180])
 
 const write = (value) =>
-  `${value > LEAST_ERROR ? '' : '≤ '}${value.toLocaleString('en', { maximumFractionDigits: 5 })}°`
+  `${value > MIN_ERROR ? '' : '≤ '}${value.toLocaleString('en', { maximumFractionDigits: 5 })}°`
 
-/** The points with `labelX`, `labelY` and `isFar`: where their names stand, in units of the scales. */
-function labelled(points, x, y) {
+/** Adds `labelX`, `labelY` and `isFar` to the points: the positions of their names, in units of the scales. */
+function placeLabels(points, x, y) {
   const [scaleX, scaleY] = [Plot.scale({ x }), Plot.scale({ y })]
   const places = placeBeside(
     points.map((point) => ({
@@ -35,7 +35,7 @@ function labelled(points, x, y) {
 /** @param points of `errorAgainstCost` */
 export function plotErrorAgainstCost(points, width) {
   const [left, right, top, bottom] = [90, 16, 34, HEIGHT - 46]
-  const [low, high] = [Math.min(0.95, least(points, 'x')), Math.max(1.25, most(points, 'x'))]
+  const [low, high] = [Math.min(0.95, minOf(points, 'x')), Math.max(1.25, maxOf(points, 'x'))]
   const margin = 0.08 * (high - low)
   const x = {
     type: 'linear',
@@ -43,10 +43,10 @@ export function plotErrorAgainstCost(points, width) {
     range: [left, width - right],
   }
   const y = { ...errors, range: [bottom, top] }
-  // Whose name must be right beside it goes first.
-  const ours = ({ method }) => method === 'warpjet'
-  const labels = labelled(
-    [...points].sort((a, b) => ours(b) - ours(a)),
+  // warpjet goes first, so that its name is right beside its dot.
+  const isOurs = ({ method }) => method === 'warpjet'
+  const labels = placeLabels(
+    [...points].sort((a, b) => isOurs(b) - isOurs(a)),
     x,
     y,
   )
@@ -75,13 +75,13 @@ export function plotErrorAgainstCost(points, width) {
         labels.filter(({ isFar }) => isFar),
         { x1, y1, x2, y2, stroke: 'method', strokeOpacity: 0.4 },
       ),
-      // Ours lies beneath and is larger: where another dot coincides with it, a rim still shows.
+      // Our dot is drawn first and larger: if another dot coincides with it, a rim stays visible.
       Plot.dot(labels, {
         x: 'x',
         y: 'y',
         fill: 'method',
         stroke: 'var(--back)',
-        r: (point) => (ours(point) ? 8 : 5.5),
+        r: (point) => (isOurs(point) ? 8 : 5.5),
       }),
       Plot.text(labels, {
         x: 'labelX',

@@ -1,13 +1,13 @@
-/** Where the eye must stand to have all of a warped mesh in the picture, by the row's offset as a plain function. */
+/** Finds the camera position that keeps a whole warped mesh in the picture, with the row's offset as a plain function. */
 import { sampleVertices } from './probe.js'
 
 const VERTICES = 100
-/** Milliseconds. */
+/** The times at which the mesh is sampled, in milliseconds. */
 const times = Array.from({ length: 60 }, (_, i) => 400 * i)
-/** Radii of the mesh, for the angle that Scene's camera sees. */
+/** In radii of the mesh, for the field of view of Scene's camera. */
 const DISTANCE = 2.9
 
-/** The box around the moved vertices. */
+/** Returns the bounding box of the warped vertices. */
 function boxAt(workload, points, millis) {
   const low = [Infinity, Infinity, Infinity]
   const high = low.map((value) => -value)
@@ -24,7 +24,7 @@ function boxAt(workload, points, millis) {
 const middleOf = ({ low, high }) => low.map((value, i) => (value + high[i]) / 2)
 
 /** @returns { distance, middleAt(millis) }, in units of the mesh */
-export function framing(workload, mesh) {
+export function frameMesh(workload, mesh) {
   const { positions } = sampleVertices(mesh, VERTICES)
   const points = Array.from({ length: positions.length / 3 }, (_, i) => [
     ...positions.subarray(3 * i, 3 * i + 3),

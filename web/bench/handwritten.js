@@ -1,12 +1,12 @@
 /**
- * Derivatives by hand, as somebody writes them who knows calculus and GLSL well and has an afternoon: statements that turn `position`
- * and `millis` into `vec3 offset` and the columns `vec3 dx, dy, dz` of its Jacobian.
+ * Derivatives by hand, as an expert of calculus and GLSL would write them in an afternoon: statements that compute, from `position`
+ * and `millis`, `vec3 offset` and the columns `vec3 dx, dy, dz` of its Jacobian.
  */
 
 const text = (number) => (Number.isInteger(number) ? `${number}.0` : String(number))
 const axes = ['x', 'y', 'z']
 
-/** The waves of tests/warps/stress.js: a line for the angle, one for the sum, one for the slope. */
+/** The waves of tests/warps/stress.js: per wave one line for the angle, one for the sum and one for the slope. */
 export const stackedSines = (waves) => `
   vec3 offset = vec3(0.0), dx = vec3(0.0), dy = vec3(0.0), dz = vec3(0.0);
   float angle;
@@ -28,7 +28,10 @@ export const airplaneTwist = `
   vec3 dx = rate * vec3(0.0, -warped.z, warped.y);
   vec3 dy = vec3(0.0, c - 1.0, s), dz = vec3(0.0, -s, c - 1.0);`
 
-/** Turns about the axis through (0, 0, -500) along x: the derivative of a turned point is the turned derivative, and a share of the angle's. */
+/**
+ * Rotates about the axis through (0, 0, -500) along x. The derivative of a rotated point is the rotated derivative of the point plus
+ * a term from the derivative of the angle.
+ */
 export const wobble = `
   float t = millis / 1000.0, x = position.x, y = position.y, z = position.z;
   float a = 2.0 * t + 0.03 * y, b = 1.3 * t + 0.025 * z, d = t - 0.04 * x, e = 1.7 * t + 0.02 * x;

@@ -1,8 +1,8 @@
-/** Where the words of a plot go so that none covers another. All lengths are pixels. */
+/** Places the labels of a plot so that none overlap. All lengths are pixels. */
 
 /**
- * Moves the places of labels on a line apart, as little as can be: the least squares under which neighbours keep `gap`
- * (isotonic regression, by pooling adjacent violators). @param wanted in any order @returns places in the same order
+ * Moves labels on a line apart by as little as possible: the least-squares solution in which neighbours keep `gap`
+ * (isotonic regression by pooling adjacent violators). @param wanted positions in any order @returns positions in the same order
  */
 export function spread(wanted, gap, [low, high]) {
   const order = wanted.map((_, i) => i).sort((a, b) => wanted[a] - wanted[b])
@@ -16,11 +16,11 @@ export function spread(wanted, gap, [low, high]) {
     pools.push(pool)
   })
 
-  const most = high - (wanted.length - 1) * gap
+  const max = high - (wanted.length - 1) * gap
   const means = pools.flatMap(({ sum, count }) => Array(count).fill(sum / count))
   const places = []
   order.forEach((index, i) => {
-    places[index] = Math.max(low, Math.min(most, means[i])) + i * gap
+    places[index] = Math.max(low, Math.min(max, means[i])) + i * gap
   })
   return places
 }
@@ -35,10 +35,10 @@ const around = (x, y, width, height) => ({
   bottom: y + height / 2,
 })
 
-/** Room around a dot, and between it and its label. */
+/** The space around a dot, and the gap between it and its label. */
 const DOT = 16
 const GAP = 11
-/** First beside the dot, then above and below it, then askew. */
+/** In order of preference: beside the dot, above or below it, then diagonal. */
 const directions = [
   [1, 0],
   [-1, 0],
@@ -52,10 +52,10 @@ const directions = [
 const distances = [0, 10, 20, 32, 46, 62, 80]
 
 /**
- * Each label goes to the nearest free place around its dot, in the order of the labels.
- * @param labels [{ x, y, width, height }], of the dot and of its text
+ * Puts each label, in order, at the nearest free place around its dot.
+ * @param labels [{ x, y, width, height }]: the dot's position and the text's size
  * @param frame { left, right, top, bottom }
- * @returns [{ x, y, isFar }], the middles of the texts; one that is far from its dot wants a line to it
+ * @returns [{ x, y, isFar }]: the centers of the texts; `isFar` labels need a line to their dot
  */
 export function placeBeside(labels, frame) {
   const taken = labels.map(({ x, y }) => around(x, y, DOT, DOT))

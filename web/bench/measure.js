@@ -1,4 +1,4 @@
-/** Measures a row: every method on the same mesh and offset, in turns, so that what drifts meets all of them alike. */
+/** Measures a row: every method on the same mesh and offset, interleaved, so that drift affects all of them equally. */
 import { measureErrors } from './accuracy.js'
 import { openClock } from './clock.js'
 import { watchMemory } from './memory.js'
@@ -6,7 +6,7 @@ import { generate, methods } from './methods.js'
 import { fragmentShader, newNumber, vertexShader } from './shaders.js'
 import { middle, ratio, shuffled, summary } from './statistics.js'
 
-/** Milliseconds from source text to the first finished frame, and the program. */
+/** Returns the program and the milliseconds from its source to the first finished frame. */
 function compileAndDraw(scene, { method, parts, h }) {
   const unique = newNumber()
   const vertex = vertexShader(parts, unique)
@@ -19,8 +19,9 @@ function compileAndDraw(scene, { method, parts, h }) {
   return { program, time: performance.now() - start }
 }
 
-/** Of what a method writes, without the shader around it, which all share. */
-const charactersOf = ({ parts: { declarations = '', body } }) => declarations.length + body.length
+/** Counts the characters that a method writes, without the surrounding shader, which all methods share. */
+const countCharacters = ({ parts: { declarations = '', body } }) =>
+  declarations.length + body.length
 
 async function trustedClock(scene, cell) {
   const { program } = compileAndDraw(scene, cell)
@@ -29,24 +30,24 @@ async function trustedClock(scene, cell) {
   return clock
 }
 
-/** Of generating the warp, in milliseconds, once it has been done before. */
+/** Returns the median time in milliseconds to generate the warp, after a warm-up run. */
 function generationTime(workload, options, runs) {
   generate(workload, options)
   return middle(Array.from({ length: runs }, () => generate(workload, options).generation))
 }
 
-const breath = () => new Promise((later) => setTimeout(later))
+const yieldToPage = () => new Promise((later) => setTimeout(later))
 
 /**
- * @param settings { rounds, frames, turn?, runs, samples, millis }: rounds of a row; frames of a method in a round, and
- * milliseconds after which it begins no further one; runs of the generator; vertices that are compared; the time of the
- * normals; names of methods
- * @param progress called with a short text
- * @returns { clock, vertices, triangles, memory: { heap, wasm }, results }, where `results` has for each method
+ * @param settings { rounds, frames, turn?, runs, samples, millis }: rounds per row; max frames per method and round; max
+ * milliseconds per method and round (default: no limit); runs of the generator; max number of compared vertices; the warp's
+ * time at which normals are compared and frames are drawn
+ * @param progress called with a short message
+ * @returns { clock, vertices, triangles, memory: { heap, wasm }, results }. `results` has per method
  * { method, frame, toPositions, toWarpjet, first, firstToPositions, firstToByHand, characters, charactersToByHand, generation,
- * error: { largest, median, h } }, of which `characters` are those of the method's own text. Times are
- * milliseconds, { median, low, high } with half of the values from low to high; `first` is from source text to the first
- * finished frame; ratios are taken within a round; errors are degrees; `generation` is null where nothing is generated.
+ * error: { largest, median, h } }. `characters` counts the method's own source. Times are milliseconds, { median, low, high }
+ * with half of the values between low and high; `first` is the time from source to the first finished frame; ratios are taken
+ * within a round; errors are degrees; `generation` is null if nothing is generated.
  */
 export async function measureRow(scene, workload, settings, progress = () => {}) {
   const memory = watchMemory()
@@ -68,7 +69,7 @@ export async function measureRow(scene, workload, settings, progress = () => {})
   const clock = await trustedClock(scene, cells.at(-1))
   for (let round = 0; round < settings.rounds; round++) {
     progress(`round ${round + 1} of ${settings.rounds}`)
-    // The same text compiled again can be 7% faster or slower, so each round has programs of its own.
+    // Each round compiles new programs, because recompiling the same source can change the frame time by 7%.
     for (const cell of shuffled(cells)) {
       const { program, time } = compileAndDraw(scene, cell)
       const times = []
@@ -81,7 +82,7 @@ export async function measureRow(scene, workload, settings, progress = () => {})
       cell.firsts.push(time)
       cell.frames.push(...times)
       cell.medians.push(middle(times))
-      await breath()
+      await yieldToPage()
     }
     memory.look()
   }
@@ -103,8 +104,8 @@ export async function measureRow(scene, workload, settings, progress = () => {})
       first: summary(cell.firsts),
       firstToPositions: ratio(cell.firsts, positions?.firsts),
       firstToByHand: ratio(cell.firsts, byHand?.firsts),
-      characters: charactersOf(cell),
-      charactersToByHand: byHand && charactersOf(cell) / charactersOf(byHand),
+      characters: countCharacters(cell),
+      charactersToByHand: byHand && countCharacters(cell) / countCharacters(byHand),
       generation: generationOf(cell),
       error: errors.get(cell.method.name),
     })),

@@ -1,6 +1,6 @@
-/** The peaks of the page's JavaScript heap and of WebAssembly's memory, in bytes, at the times somebody looks. */
+/** Records the peaks of the page's JavaScript heap and of WebAssembly memory, in bytes, at the moments `look` is called. */
 
-/** Every memory that a WebAssembly module of this page has exported. Must be loaded before such a module. */
+/** Every memory exported by a WebAssembly module of this page. Import this file before any such module. */
 const memories = new Set()
 
 const { Instance } = WebAssembly
@@ -12,7 +12,7 @@ WebAssembly.Instance = class extends Instance {
   }
 }
 
-/** @returns { look, peaks }; `peaks()` → { heap, wasm }, where heap is NaN in browsers that do not tell */
+/** @returns { look, peaks }; `peaks()` → { heap, wasm }, where heap is NaN in browsers that do not report it */
 export function watchMemory() {
   let heap = 0
   let wasm = 0

@@ -1,4 +1,4 @@
-/** The methods, each with its colour and its sentence. */
+/** Lists the methods, each with its colour and description. */
 import { make } from './dom.js'
 import { notes } from './method-notes.js'
 

@@ -1,7 +1,8 @@
 /**
- * The columns of the benchmark: every way to draw a warped mesh that a user has. Each turns a workload into the parts of a
- * program that differ: `declarations` for above main, `body`, which makes `vec3 moved, turned` of `position` and `normal`,
- * and whether the fragment stage finds the normal itself. `generation` is what the compiler took, in milliseconds.
+ * The columns of the benchmark: every way in which a user can draw a warped mesh. Each computes from a workload the parts of a
+ * program that differ: `declarations` above main; `body`, which computes `vec3 moved, turned` (the warped position and normal)
+ * from `position` and `normal`; and `flat`, true if the fragment stage computes the normal. `generation` is the time of the
+ * compiler in milliseconds.
  */
 import { compileWarp } from '../../dist/warpjet.js'
 
@@ -9,14 +10,14 @@ const unmoved = '  vec3 moved = position, turned = normal;'
 
 const names = { position: 'moved', normal: 'turned' }
 
-/** @returns the compiled warp and `generation`, in milliseconds */
+/** Returns the compiled warp and `generation`, in milliseconds. */
 export function generate(workload, options = {}) {
   const start = performance.now()
   const warp = compileWarp(workload.warp, { outputs: names, ...options })
   return { ...warp, generation: performance.now() - start }
 }
 
-/** The offset alone, as a function: what finite differences call several times. */
+/** Wraps the offset alone in a function, which finite differences call several times. */
 function offsetFunction(workload) {
   const { code, declarations, generation } = generate(workload, { normals: false })
   return {
@@ -30,7 +31,7 @@ ${code}
   }
 }
 
-/** Any two directions along the surface, at right angles to each other. */
+/** Two perpendicular directions tangent to the surface. */
 const tangents = `
   vec3 u = normalize(cross(abs(normal.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0), normal));
   vec3 v = cross(normal, u);`
@@ -46,7 +47,7 @@ const forward = `${tangents}
   vec3 dv = h * v + offsetAt(position + h * v) - offset;
   vec3 moved = position + offset, turned = normalize(cross(du, dv));`
 
-/** What the search for the best h tries, in units of the mesh. */
+/** The steps tried in the search for the best h, in units of the mesh. */
 const steps = Array.from({ length: 18 }, (_, i) => 10 ** (i / 3 - 3))
 
 const finiteDifferences = (body) => (workload) => ({ ...offsetFunction(workload), body })
@@ -56,7 +57,7 @@ function positionsOnly(workload) {
   return { declarations, body: `${code}\n  vec3 turned = normal;`, generation }
 }
 
-/** M = I + J turns tangents, and its cofactor matrix turns normals. */
+/** M = I + J transforms tangents, and its cofactor matrix transforms normals. */
 const byHand = (workload) => `${workload.handwritten}
   dx.x += 1.0;
   dy.y += 1.0;

@@ -1,8 +1,8 @@
-/** Three chains of 24 nested sines, x into y, y into z and z into x: few results, and every one of them hangs on the last. */
+/** Three chains of 24 nested sines, z into x, x into y and y into z: few outputs, and each sine depends on the previous one. */
 const LENGTH = 24
 const AMPLITUDE = 30
 
-/** What is inside the i-th sine of a chain is frequency · v + speed · seconds. */
+/** The argument of the i-th sine of a chain is frequency · v + speed · seconds. */
 const links = Array.from({ length: LENGTH }, (_, i) => ({
   frequency: i === 0 ? 0.03 : 1.8 + 0.01 * i,
   speed: 0.1 + 0.02 * i,
@@ -33,7 +33,7 @@ export const nestedSines = {
     return [AMPLITUDE * chain(0), AMPLITUDE * chain(1), AMPLITUDE * chain(2)]
   },
 
-  /** All three chains at once, and with them their slopes. */
+  /** Computes all three chains and their slopes together, as vec3. */
   handwritten: `
   float seconds = millis / 1000.0;
   vec3 v = position.${sources.map((source) => axes[source]).join('')}, slope = vec3(${text(AMPLITUDE)}), angle;

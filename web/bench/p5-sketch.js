@@ -1,9 +1,9 @@
 /**
- * The benchmark's first row as a sketch, with the warp and without it. Opened as p5-sketch.html?p5=/p5.js&size=1200&millis=1200,
- * the page gives `window.sketch`, a promise of { version, vertices, draw }: see p5.js, which frames it. `draw(isWarped)` ends when
+ * The benchmark's first row as a sketch, with and without the warp. Opened as p5-sketch.html?p5=/p5.js&size=1200&millis=1200, the
+ * page sets `window.sketch`, a promise of { version, vertices, draw }; p5.js opens it in an iframe. `draw(isWarped)` resolves when
  * the GPU is done.
  */
-import { usualEye } from './scene.js'
+import { defaultEye } from './scene.js'
 import { workloads } from './workloads.js'
 
 const [workload] = workloads
@@ -11,14 +11,14 @@ const [workload] = workloads
 const load = (src) =>
   new Promise((loaded, failed) => {
     const script = Object.assign(document.createElement('script'), { src, onload: loaded })
-    script.onerror = () => failed(new Error(`The benchmark's server has no ${src}.`))
+    script.onerror = () => failed(new Error(`Cannot load ${src} from the benchmark's server.`))
     document.head.append(script)
   })
 
 const triples = (values) =>
   Array.from({ length: values.length / 3 }, (_, i) => [...values.subarray(3 * i, 3 * i + 3)])
 
-/** @param move where a position goes */
+/** @param move maps a position to the drawn one */
 const geometry = (p5, name, { positions, normals, indices }, move) =>
   new p5.Geometry(1, 1, function () {
     const vector = (xyz) => new p5.Vector(...xyz)
@@ -29,7 +29,7 @@ const geometry = (p5, name, { positions, normals, indices }, move) =>
     this.faces = triples(indices)
   })
 
-/** Starts the sketch; resolves when its first frame is drawn. */
+/** Starts the sketch and resolves when its first frame is drawn. */
 function open(p5, size, millis) {
   const version = p5.VERSION ?? p5.prototype.VERSION
   let still, moved, warp
@@ -41,12 +41,12 @@ function open(p5, size, millis) {
       sketch.setup = () => {
         sketch.pixelDensity(1)
         sketch.createCanvas(size, size, sketch.WEBGL)
-        // As the benchmark's other canvases are.
+        // Match the benchmark's other canvases.
         sketch.setAttributes('antialias', false)
         sketch.noLoop()
         const mesh = workload.mesh()
         still = geometry(p5, 'still', mesh, (p) => p)
-        // p5 takes most of its time for pixels, so both pictures cover the same ones.
+        // p5 spends most of its time on pixels, so both pictures must cover the same ones.
         moved = geometry(p5, 'moved', mesh, (p) => {
           const offset = workload.offset(p, { millis })
           return p.map((value, i) => value + offset[i])
@@ -56,9 +56,9 @@ function open(p5, size, millis) {
 
       sketch.draw = () => {
         sketch.background('#141724')
-        // As in scene.js; p5 has the picture upside down.
+        // Match the camera of scene.js; p5's y axis points down.
         sketch.perspective(0.75, 1, 10, 2000)
-        sketch.camera(...usualEye, 0, 0, 0, 0, 1, 0)
+        sketch.camera(...defaultEye, 0, 0, 0, 0, 1, 0)
         sketch.ambientLight(100)
         sketch.directionalLight(sketch.color('#fff0dd'), -0.39, -0.62, -0.68)
         sketch.directionalLight(sketch.color('#4463d6'), 0.78, -0.17, 0.6)
@@ -66,7 +66,7 @@ function open(p5, size, millis) {
         sketch.fill('#ff8a5b')
         sketch.specularMaterial(90)
         sketch.shininess(40)
-        // The warp lasts until pop().
+        // The warp applies until pop().
         sketch.push()
         if (isWarped) warp()
         sketch.model(isWarped ? still : moved)

@@ -1,11 +1,11 @@
-/** What a warp costs in a sketch, by each p5 that it works with: the same sketch with it and without, in turns. */
-import { framesASecond } from './frame-rate.js'
+/** Measures the cost of a warp in a sketch for each supported p5: the same sketch with and without it, interleaved. */
+import { framesPerSecond } from './frame-rate.js'
 import { middle, ratio, shuffled, summary } from './statistics.js'
 
-/** Addresses at the benchmark's server. */
+/** Paths on the benchmark's server. */
 const libraries = ['/node_modules/p5-v1/lib/p5.min.js', '/node_modules/p5/lib/p5.min.js']
 
-/** A sketch in a frame of its own, since a page has one p5. */
+/** Opens a sketch in its own iframe, because a page can hold only one p5. */
 async function openSketch(p5, size, millis) {
   const frame = document.createElement('iframe')
   frame.src = `p5-sketch.html?${new URLSearchParams({ p5, size, millis })}`
@@ -16,7 +16,7 @@ async function openSketch(p5, size, millis) {
   return { frame, ...(await frame.contentWindow.sketch) }
 }
 
-/** Opens the sketches, hands them to `work`, each with the warp and without, and closes them. None shows but by its show(). */
+/** Opens the sketches, passes them to `work`, each with and without the warp, and closes them. All are hidden until their show(). */
 async function withSketches({ size, millis }, work) {
   const sketches = []
   const show = (shown) => {
@@ -41,7 +41,7 @@ async function withSketches({ size, millis }, work) {
 
 const nameOf = ({ version }, isWarped) => `p5 ${version}, ${isWarped ? 'warpjet' : 'no warp'}`
 
-/** Milliseconds from the call of p5's redraw() to the GPU's end of the frame; at least one. */
+/** Measures frames in milliseconds from the call of p5's redraw() until the GPU is done. Returns at least one time. */
 async function frameTimes({ draw }, { frames, turn = Infinity }) {
   const times = []
   const end = performance.now() + turn
@@ -54,16 +54,16 @@ async function frameTimes({ draw }, { frames, turn = Infinity }) {
 }
 
 /**
- * @param settings { size, millis, rounds, frames, turn? }: of the canvas, in pixels; the time of the warp; the others as in measure.js
- * @returns { clock, vertices, results: [{ method, frame, toNoWarp }] }: milliseconds, { median, low, high }, and what the frame
- * is to the one of the same sketch without the warp, within a round
+ * @param settings { size, millis, rounds, frames, turn? }: the canvas size in pixels; the time of the warp; the others as in measure.js
+ * @returns { clock, vertices, results: [{ method, frame, toNoWarp }] }: `frame` is { median, low, high } in milliseconds, `toNoWarp`
+ * the ratio to a frame of the same sketch without the warp, taken within a round
  */
 export async function measureP5(settings, progress = () => {}) {
   const cells = new Map()
   let vertices
   for (let round = 0; round < settings.rounds; round++) {
     progress(`round ${round + 1} of ${settings.rounds}`)
-    // Sketches of its own, since the same text compiled again can be faster or slower.
+    // Each round opens new sketches, because recompiling the same source can change the frame time.
     await withSketches(settings, async (sketches) => {
       for (const sketch of sketches) {
         const { method, plain } = sketch
@@ -90,14 +90,14 @@ export async function measureP5(settings, progress = () => {}) {
   }
 }
 
-/** @param settings { size, millis, duration } @returns frames a second by method */
+/** @param settings { size, millis, duration } @returns frames per second by method */
 export const p5FrameRates = (settings, progress = () => {}) =>
   withSketches(settings, async (sketches) => {
     const rates = {}
     for (const { method, show, draw } of sketches) {
       progress(method)
       show()
-      rates[method] = await framesASecond(draw, settings.duration)
+      rates[method] = await framesPerSecond(draw, settings.duration)
     }
     return rates
   })

@@ -1,5 +1,5 @@
-/** The benchmark by hand: a picture that moves, a panel, and what the chosen method costs on the chosen row. */
-// First, so that it sees the memory of warpjet's WebAssembly.
+/** The interactive benchmark: a moving picture, a panel, and the cost of the chosen method on the chosen row. */
+// Imported first, so that it sees the memory of warpjet's WebAssembly.
 import './memory.js'
 import './style.css'
 import { keepForOffline } from '../offline.js'
@@ -12,19 +12,19 @@ import { makePanel } from './panel.js'
 import { Picture } from './picture.js'
 import { makeReadOuts } from './read-outs.js'
 import { recordsOf } from './records.js'
-import { usualEye } from './scene.js'
+import { defaultEye } from './scene.js'
 import { makeTable } from './table.js'
 import { workloads } from './workloads.js'
 
-/** As the paper's; `?size=` asks for another. */
+/** The canvas size of the paper, in pixels; `?size=` overrides it. */
 const SIZE = 1200
-/** Milliseconds between two looks at the clock and at the normals, and before the first one. */
+/** Milliseconds between two measurements of frame time and normals, and before the first one. */
 const LOOK_EVERY = 1000
 const FIRST_LOOK = 250
-/** No more than this share of the time goes into looking. */
-const LOOKING = 0.1
+/** The max fraction of time spent on measuring. */
+const MAX_LOOK_SHARE = 0.1
 
-/** Moderate: some seconds for a row on a GPU, half a minute without one. `turn` is in milliseconds. */
+/** A row takes some seconds on a GPU, half a minute without one. `turn` is in milliseconds. */
 const moderate = { rounds: 5, frames: 8, turn: 300, runs: 10, samples: 400 }
 
 const find = (selector) => document.querySelector(selector)
@@ -42,19 +42,19 @@ const settings = {
 
 listMethods(find('.notes'))
 
-/** What the picture shows by now, as opposed to what `settings` ask for. */
+/** The row and method that the picture currently shows; `settings` holds the requested ones. */
 const shown = {}
-/** Milliseconds of the warp. */
+/** The warp's time in milliseconds. */
 let millis = 1200
-/** Something to do between two frames. */
-let wanted
+/** Work to do between two frames, if any. */
+let pendingWork
 let isMeasuring = false
 let stopped = false
 let isLost = false
 
 const nextFrame = () => new Promise(requestAnimationFrame)
 
-/** Says it over the picture, and waits until that can be read. */
+/** Shows a message over the picture and waits until it is visible. */
 async function say(text) {
   status.textContent = text
   await nextFrame()
@@ -69,7 +69,7 @@ async function loadRow(picture) {
   complain()
   await say('Making the mesh…')
   shown.row = settings.row
-  // Should this fail, there is nothing to compile for.
+  // If loading fails, nothing must be compiled.
   shown.method = settings.method
   const workload = workloads.find(({ name }) => name === shown.row)
   picture.load(workload)
@@ -117,7 +117,7 @@ async function measure(picture) {
   button.textContent = 'Stop measuring'
   try {
     await say('Measuring…')
-    picture.scene.lookFrom(usualEye)
+    picture.scene.lookFrom(defaultEye)
     const { mesh, workload } = picture
     const measured = await measureRow(
       picture.scene,
@@ -149,7 +149,7 @@ function showMeasured({ scene }, records, { clock }) {
   section.scrollIntoView({ block: 'nearest' })
 }
 
-/** Draws frame after frame, and does what the panel asks for in between: nothing ever runs beside anything else. */
+/** Draws frame after frame and does the panel's work in between, so that nothing runs concurrently. */
 async function run(picture) {
   let [before, start, frames, look] = [performance.now(), 0, 0, 0]
   const startCounting = (duration = FIRST_LOOK) => {
@@ -165,9 +165,9 @@ async function run(picture) {
       else if (shown.method !== settings.method) {
         await compile(picture)
         startCounting()
-      } else if (wanted && picture.program) {
-        const work = wanted
-        wanted = undefined
+      } else if (pendingWork && picture.program) {
+        const work = pendingWork
+        pendingWork = undefined
         await work(picture)
         startCounting()
       } else if (picture.program) {
@@ -176,13 +176,13 @@ async function run(picture) {
         picture.draw(uniforms())
         frames++
         if (now < look) continue
-        // Frames that still stand in the GPU's queue are not shown yet.
+        // Frames still in the GPU's queue are not visible yet.
         picture.scene.finish()
         showReadOuts({ rate: (1000 * frames) / (performance.now() - start) })
         const frame = await picture.frameTime(uniforms())
         const { largest, median } = picture.error(uniforms())
         showReadOuts({ frame, clock: picture.clock.kind, error: largest, median })
-        startCounting(LOOK_EVERY + (performance.now() - now) / LOOKING)
+        startCounting(LOOK_EVERY + (performance.now() - now) / MAX_LOOK_SHARE)
       }
     } catch (error) {
       status.textContent = ''
@@ -195,18 +195,16 @@ let panel
 try {
   const size = Number(new URLSearchParams(location.search).get('size')) || SIZE
   const picture = new Picture(find('canvas'), size)
-  panel = makePanel(find('.panel'), settings, () => (wanted = findStep))
+  panel = makePanel(find('.panel'), settings, () => (pendingWork = findStep))
   button.addEventListener('click', () => {
     if (isMeasuring) stopped = true
-    else wanted = measure
+    else pendingWork = measure
   })
   find('canvas').addEventListener('webglcontextlost', () => {
     isLost = true
-    complain(
-      new Error('The GPU has given up on this picture: reload the page, and choose a smaller row.'),
-    )
+    complain(new Error('The GPU lost this picture: reload the page and choose a smaller row.'))
   })
-  run(picture)
+  void run(picture)
 } catch (error) {
   const still = { src: '../posters/airplane-twist.webp', alt: 'The airplane at rest, twisted' }
   find('.hand').replaceWith(make('img', still))

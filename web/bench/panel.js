@@ -1,14 +1,14 @@
-/** The panel of the benchmark by hand: what is drawn, how, and how fast time passes. */
+/** The panel of the interactive benchmark: the row, the method, and the speed of time. */
 import GUI from 'lil-gui'
 import { methods } from './methods.js'
 import { workloads } from './workloads.js'
 import { plain } from './figures.js'
 
 /**
- * @param settings { row, method, exponent, moves, speed }, kept up to date: names, the step h as its decimal logarithm,
- * whether time passes, and how much faster than on a clock
+ * @param settings { row, method, exponent, moves, speed }, which the panel updates: names of row and method, the decimal
+ * logarithm of the step h, whether time passes, and its speed relative to a clock
  * @param findStep called by the button that finds the best step
- * @returns { refresh }, to call when somebody else has changed the settings
+ * @returns { refresh }: call it after changing the settings elsewhere
  */
 export function makePanel(container, settings, findStep) {
   const gui = new GUI({ container, title: 'The picture' })

@@ -1,15 +1,15 @@
-/** One row drawn by one method, and what that costs. */
+/** Draws one row by one method and measures its cost. */
 import { bestStep, errorsOf, exactNormals, pixelErrors } from './accuracy.js'
 import { openClock } from './clock.js'
-import { framing } from './framing.js'
+import { frameMesh } from './framing.js'
 import { orbit } from './orbit.js'
 import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe.js'
 import { Scene } from './scene.js'
 import { fragmentShader, vertexShader, newNumber } from './shaders.js'
 
-/** Vertices, or pixels, whose normals are compared: few enough to do it beside a picture that moves. */
+/** The number of vertices or pixels whose normals are compared: few enough to do so beside a moving picture. */
 const SAMPLES = 300
-/** Opening the clock takes tens of frames; where they are this slow, in milliseconds, the clock of the row before will do. */
+/** Opening a clock takes tens of frames. If a frame takes this many milliseconds, the previous row's clock is reused. */
 const SLOW = 250
 
 export class Picture {
@@ -18,28 +18,28 @@ export class Picture {
     this.direction = orbit(canvas)
   }
 
-  /** Makes the workload's mesh; nothing is drawn until `use`. */
+  /** Makes the workload's mesh. Call `use` before drawing. */
   load(workload) {
-    this.#forget()
+    this.#discardPrograms()
     this.workload = workload
     this.mesh = workload.mesh()
     this.scene.load(this.mesh)
     this.sample = sampleVertices(this.mesh, SAMPLES)
-    this.framing = framing(workload, this.mesh)
+    this.framing = frameMesh(workload, this.mesh)
     this.isClockOfRow = false
   }
 
   /**
    * Compiles the method for the row and draws a first frame.
-   * @returns { first, generation }, in milliseconds: from the text of the program to the end of that frame, and from the
-   * sketch to the text; `generation` is undefined for methods that generate nothing
+   * @returns { first, generation } in milliseconds: from the program's source to the end of that frame, and from the offset
+   * function to the source; `generation` is undefined for methods that generate nothing
    */
   async use(method, uniforms) {
-    this.#forget()
+    this.#discardPrograms()
     if (method.name === 'by hand' && !this.workload.handwritten)
-      throw new Error('Nobody has derived this row by hand: choose another method or row.')
+      throw new Error('This row has no derivatives by hand: choose another method or row.')
     const { scene } = this
-    // The first time, the compiler itself is still cold.
+    // Discard the first run, in which the compiler itself is cold.
     method.program(this.workload)
     const parts = method.program(this.workload)
     this.method = method
@@ -70,15 +70,15 @@ export class Picture {
     this.scene.draw(this.program, uniforms)
   }
 
-  /** Draws → milliseconds until the frame is complete. */
+  /** Draws a frame and returns the milliseconds until the GPU is done. */
   frameTime(uniforms) {
     this.#aim(uniforms)
-    // What was handed over before is not this frame's.
+    // Exclude work that was submitted earlier.
     this.scene.finish()
     return this.clock.time(() => this.scene.draw(this.program, uniforms))
   }
 
-  /** @returns { largest, median } of the normals' errors, in degrees */
+  /** Returns { largest, median } of the normals' errors, in degrees. */
   error(uniforms) {
     const { scene, workload, method, parts, probe, sample } = this
     const { millis } = uniforms
@@ -88,13 +88,13 @@ export class Picture {
     return errorsOf(places, exactNormals(workload, places, millis))
   }
 
-  /** The step of finite differences with the smallest largest error. */
+  /** Finds the step of finite differences whose largest error is smallest. */
   bestStep(millis) {
     const { scene, workload, method, probe, sample } = this
     return bestStep(scene, workload, { probe, sample, steps: method.steps, millis }).h
   }
 
-  /** The eye goes where the mesh goes. */
+  /** Makes the camera follow the mesh. */
   #aim({ millis }) {
     const { distance, middleAt } = this.framing
     const middle = this.method.name === 'no warp' ? [0, 0, 0] : middleAt(millis)
@@ -105,7 +105,7 @@ export class Picture {
     )
   }
 
-  #forget() {
+  #discardPrograms() {
     for (const program of [this.program, this.probe])
       if (program) this.scene.gl.deleteProgram(program)
     this.program = this.probe = this.method = undefined

@@ -1,9 +1,9 @@
-/** What the plots have in common: their colours, their letters, and the ticks of a logarithmic scale. */
+/** Shared by the plots: colours, fonts, and the ticks of a logarithmic scale. */
 import * as Plot from '@observablehq/plot'
 import { methodNames, notes } from './method-notes.js'
 
 const FONT = 13
-/** From one line of text to the next, in pixels. */
+/** The line height in pixels. */
 export const LINE = 16
 
 export const common = {
@@ -15,17 +15,17 @@ export const common = {
   },
 }
 
-/** In pixels, by the page's font. */
+/** Measures the width of a text in pixels, in the page's font. */
 export function widthOf(text) {
   const context = document.createElement('canvas').getContext('2d')
   context.font = `${FONT}px ${getComputedStyle(document.body).fontFamily}`
   return context.measureText(text).width
 }
 
-export const least = (points, key) => Math.min(...points.map((point) => point[key]))
-export const most = (points, key) => Math.max(...points.map((point) => point[key]))
+export const minOf = (points, key) => Math.min(...points.map((point) => point[key]))
+export const maxOf = (points, key) => Math.max(...points.map((point) => point[key]))
 
-/** 1, 2 and 5 of each power of ten, or the powers alone where there are many. */
+/** Returns 1, 2 and 5 times each power of ten in the range, or only the powers if there are many. */
 export function decimalTicks([low, high]) {
   const steps = high / low > 2000 ? [1] : [1, 2, 5]
   const powers = Array.from({ length: 16 }, (_, i) => 10 ** (i - 8))
@@ -34,7 +34,7 @@ export function decimalTicks([low, high]) {
     .filter((tick) => tick >= low && tick <= high)
 }
 
-/** An axis with exactly these ticks: on a logarithmic scale, Plot would leave the numbers of some away. */
+/** An axis with exactly these ticks: on a logarithmic scale, Plot would omit the numbers of some. */
 export const axisX = (ticks, write, label) => Plot.axisX(ticks, { text: write, label, tickSize: 4 })
 export const axisY = (ticks, write, label) => [
   Plot.gridY(ticks),

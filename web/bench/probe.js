@@ -1,7 +1,7 @@
-/** What normals a method really gives, read back from the GPU beside where they stand on the unmoved mesh. */
+/** Reads the normals that a method computes back from the GPU, with their places on the unwarped mesh. */
 import { probeShader, vertexShader } from './shaders.js'
 
-/** Every n-th vertex, so that there are at most `limit` → { positions, normals }. */
+/** Picks every n-th vertex, `limit` at most → { positions, normals }. */
 export function sampleVertices({ positions, normals }, limit) {
   const count = positions.length / 3
   const step = Math.ceil(count / limit)
@@ -14,11 +14,11 @@ export function sampleVertices({ positions, normals }, limit) {
 const triples = (values) =>
   Array.from({ length: values.length / 3 }, (_, i) => [...values.subarray(3 * i, 3 * i + 3)])
 
-/** A program that `probeVertices` can ask. */
+/** Compiles a program for `probeVertices`. */
 export const vertexProbe = (scene, parts) =>
   scene.program(vertexShader(parts), '#version 300 es\nvoid main() {}', ['surfaceNormal'])
 
-/** The normals that the vertex shader computes → [{ position, normal, found }]. */
+/** Reads the normals that the vertex shader computes → [{ position, normal, found }]. */
 export function probeVertices(scene, program, sample, uniforms) {
   const { gl } = scene
   const count = sample.positions.length / 3
@@ -62,8 +62,8 @@ export function probeVertices(scene, program, sample, uniforms) {
 }
 
 /**
- * The normals that pixels are lit by, for a method that finds them in the fragment stage → [{ position, normal, found }], at most
- * about `limit`, where `position` and `normal` are those of the unmoved mesh, interpolated.
+ * Reads the normals that light the pixels, for a method that computes them in the fragment stage → about `limit` or fewer
+ * [{ position, normal, found }], where `position` and `normal` are interpolated from the unwarped mesh.
  */
 export function probePixels(scene, parts, millis, limit) {
   const { gl } = scene

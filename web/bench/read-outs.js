@@ -1,13 +1,13 @@
-/** The numbers beside the picture. */
+/** Shows the numbers beside the picture. */
 import { make } from './dom.js'
 import { degrees, short, whole } from './figures.js'
 
-/** What is shown → [its label, how a value is written, its unit]. */
+/** Maps a value's name to [label, formatter, unit]. */
 const outputs = {
   rate: ['frames a second', short],
   frame: ['GPU-complete frame', short, ' ms'],
   first: ['compile + first draw', short, ' ms'],
-  generation: ['generation of the text', short, ' ms'],
+  generation: ['generation of the source', short, ' ms'],
   error: ['largest normal error', degrees, '°'],
   median: ['median normal error', degrees, '°'],
   vertices: ['vertices', whole],
@@ -16,7 +16,7 @@ const outputs = {
   clock: ['clock of the frame', String],
 }
 
-/** @returns show(values): writes those that are given, by the names above, and leaves the others */
+/** @returns show(values): updates the given values, keyed by the names above, and leaves the others unchanged */
 export function makeReadOuts(list) {
   const cells = {}
   for (const [name, [label]] of Object.entries(outputs)) {
@@ -26,8 +26,8 @@ export function makeReadOuts(list) {
   return function show(values) {
     for (const [name, value] of Object.entries(values)) {
       const [, write, unit = ''] = outputs[name]
-      const isThere = value !== undefined && !Number.isNaN(value)
-      cells[name].replaceChildren(write(value), make('span', { textContent: isThere ? unit : '' }))
+      const isKnown = value !== undefined && !Number.isNaN(value)
+      cells[name].replaceChildren(write(value), make('span', { textContent: isKnown ? unit : '' }))
     }
   }
 }

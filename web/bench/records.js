@@ -1,14 +1,14 @@
 /**
- * What was measured, as records: one for each method of a row, with the names of the columns of results.csv in camel case
- * (frame_ms is `frameMs`). A figure that does not exist is undefined.
+ * Measurements as records, one per method of a row. Keys are the column names of results.csv in camel case (frame_ms is
+ * `frameMs`). A figure that does not exist is undefined.
  */
 
 const texts = ['date', 'commit', 'chromium', 'renderer', 'clock', 'row', 'method']
 
-/** RFC 4180 → arrays of fields. */
-function fieldsOf(text) {
+/** Parses CSV (RFC 4180) into arrays of fields. */
+function parseFields(text) {
   const lines = [[]]
-  // A field, quoted or not, and what ends it.
+  // Match a field, quoted or not, and its terminator.
   for (const [, quoted, plain, end] of text.matchAll(
     /(?:"((?:[^"]|"")*)"|([^",\r\n]*))(,|\r?\n|$)/g,
   )) {
@@ -19,7 +19,7 @@ function fieldsOf(text) {
   return lines.filter((fields) => fields.length > 1)
 }
 
-/** frame_ms, a column, is frameMs of a record. */
+/** Converts a column name to a record's key: frame_ms → frameMs. */
 export const camelCase = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase())
 
 const valueOf = (name, field) => {
@@ -27,16 +27,16 @@ const valueOf = (name, field) => {
   return texts.includes(name) ? field : Number(field)
 }
 
-/** @param csv the text of results.csv, with its header line */
+/** @param csv the content of results.csv, with its header line */
 export function parseRecords(csv) {
-  const [header = [], ...lines] = fieldsOf(csv)
+  const [header = [], ...lines] = parseFields(csv)
   const names = header.map(camelCase)
   return lines.map((fields) =>
     Object.fromEntries(names.map((name, i) => [name, valueOf(name, fields[i])])),
   )
 }
 
-/** The records of each run, newest first → [{ date, commit, chromium, renderer, records }]. */
+/** Groups records by run, newest first → [{ date, commit, chromium, renderer, sizePx, records }]. */
 export function runsOf(records) {
   const runs = new Map()
   for (const record of records) {
@@ -49,7 +49,7 @@ export function runsOf(records) {
 
 const MEGABYTE = 2 ** 20
 
-/** Of what `measureRow` returns. */
+/** Converts the result of `measureRow` into records. */
 export const recordsOf = ({ name, nodes }, { clock, vertices, memory, results }) =>
   results.map(({ method, frame, first, generation, error, ...others }) => ({
     clock,
@@ -75,7 +75,7 @@ export const recordsOf = ({ name, nodes }, { clock, vertices, memory, results })
     wasmHeapMb: memory.wasm / MEGABYTE,
   }))
 
-/** The graphics card, or what takes its place, out of the name that a driver gives itself. */
+/** Extracts the name of the graphics card, or of its software replacement, from the driver's renderer string. */
 export function deviceOf(renderer = '') {
   if (/swiftshader/i.test(renderer)) return 'SwiftShader'
   const [, device = renderer] = /^ANGLE \([^,]*, (.*), [^,]*\)$/.exec(renderer) ?? []

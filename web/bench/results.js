@@ -1,4 +1,4 @@
-/** The page of results.csv: one run of the benchmark as plots and as a table. */
+/** The page of results.csv: shows one run of the benchmark as plots and as a table. */
 import text from './results.csv?raw'
 import './style.css'
 import { keepForOffline } from '../offline.js'
@@ -11,8 +11,8 @@ import { deviceOf, parseRecords, runsOf } from './records.js'
 import { costAgainstNodes, costAgainstVertices, errorAgainstCost, rowsOf } from './series.js'
 import { makeTable } from './table.js'
 
-/** What a visitor sees first of the last plot: there the methods lie far apart. */
-const TELLING_ROW = '3 chains of 24 nested sines'
+/** The row that the last plot shows first: its methods are far apart. */
+const DEFAULT_ROW = '3 chains of 24 nested sines'
 
 const find = (selector) => document.querySelector(selector)
 
@@ -20,7 +20,7 @@ const runs = runsOf(parseRecords(text))
 let run = runs[0]
 let row
 
-/** Redrawn whenever the width changes, so that letters stay as large as those of the page. */
+/** Redrawn whenever the width changes, so that letters keep the page's font size. */
 const plots = [
   ['.nodes', plotAgainstNodes, () => costAgainstNodes(run.records)],
   ['.vertices', plotAgainstVertices, () => costAgainstVertices(run.records)],
@@ -36,7 +36,7 @@ function drawPlots() {
         ? plot(data, place.clientWidth)
         : make('p', { textContent: 'This run has no figures for this plot.' }),
     )
-    // Plot names its groups, and says not what they are.
+    // Plot labels its groups but gives them no role.
     for (const group of place.querySelectorAll('g[aria-label]')) group.role = 'group'
   }
 }
@@ -52,7 +52,7 @@ function showRow(name) {
 const formatDate = (date, dateStyle) =>
   new Date(date).toLocaleString('en-GB', { dateStyle, timeStyle: 'short', timeZone: 'UTC' })
 
-/** A sentence on p5's own lines: there, the warp is a share of a whole sketch. */
+/** Describes p5's own rows, in which the warp is a part of a whole sketch. */
 function aboutP5(records) {
   const frameOf = (method) => records.find((record) => record.method === method)?.frameMs
   const versions = records
@@ -73,8 +73,8 @@ function showRun(date) {
   find('.run p').textContent = [
     `Drawn by ${device} on ${formatDate(date, 'long')} UTC, in Chromium ${chromium}, at commit ${commit}${sizePx ? `, ${sizePx} × ${sizePx} pixels` : ''}; frames timed by ${clocks}.`,
     device === 'SwiftShader' &&
-      'SwiftShader draws without a GPU: its milliseconds are long, while the quotients still tell.',
-    renderer !== device && `The driver calls itself ${renderer}.`,
+      'SwiftShader draws without a GPU: its milliseconds are long, but the ratios are still meaningful.',
+    renderer !== device && `The driver reports ${renderer}.`,
   ]
     .filter(Boolean)
     .join(' ')
@@ -88,7 +88,7 @@ function showRun(date) {
   )
   find('.wide').replaceChildren(makeTable(records))
   find('.p5-share').textContent = aboutP5(records)
-  showRow(rows.includes(row) ? row : rows.includes(TELLING_ROW) ? TELLING_ROW : rows[0])
+  showRow(rows.includes(row) ? row : rows.includes(DEFAULT_ROW) ? DEFAULT_ROW : rows[0])
 }
 
 if (run) {

@@ -1,8 +1,8 @@
-/** One mesh on one WebGL 2 canvas, and programs that draw it. */
+/** Draws one mesh on one WebGL 2 canvas with interchangeable programs. */
 import { mat4 } from 'gl-matrix'
 
-/** In units of the mesh; the whole of it stands in the picture. Rows are measured from here. */
-export const usualEye = [0, 120, 330]
+/** In units of the mesh, which is entirely in the picture from here. Rows are measured from this position. */
+export const defaultEye = [0, 120, 330]
 
 export class Scene {
   /** @param size width and height in pixels */
@@ -10,28 +10,28 @@ export class Scene {
     canvas.width = canvas.height = size
     this.gl = canvas.getContext('webgl2', { antialias: false })
     if (!this.gl)
-      throw new Error('The benchmark needs WebGL 2: open it in a browser that has it switched on.')
+      throw new Error('The benchmark needs WebGL 2: open it in a browser with WebGL 2 enabled.')
     this.gl.enable(this.gl.DEPTH_TEST)
-    // The page's own colour, so that the mesh floats in it.
+    // The page's background colour, so that the canvas has no visible edge.
     this.gl.clearColor(0x15 / 255, 0x18 / 255, 0x23 / 255, 1)
-    this.lookFrom(usualEye)
+    this.lookFrom(defaultEye)
   }
 
-  /** @param eye in units of the mesh, not straight above or below `middle` @param middle what it looks at */
+  /** @param eye in units of the mesh, not straight above or below `middle` @param middle the point the camera looks at */
   lookFrom(eye, middle = [0, 0, 0]) {
     this.eye = eye
     this.camera = mat4.lookAt([], eye, middle, [0, 1, 0])
     mat4.multiply(this.camera, mat4.perspective([], 0.75, 1, 10, 2000), this.camera)
   }
 
-  /** What draws, as the driver names it. */
+  /** The renderer's name, as the driver reports it. */
   get renderer() {
     const { gl } = this
     const names = gl.getExtension('WEBGL_debug_renderer_info')
     return gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)
   }
 
-  /** Takes the place of the mesh before. */
+  /** Replaces the previous mesh. */
   load({ positions, normals, indices }) {
     const { gl } = this
     for (const buffer of this.buffers ?? []) gl.deleteBuffer(buffer)
@@ -60,7 +60,7 @@ export class Scene {
     return buffer
   }
 
-  /** Compiles and links; `captured` are outputs that transform feedback shall keep. */
+  /** Compiles and links; `captured` names the outputs that transform feedback captures. */
   program(vertexSource, fragmentSource, captured = []) {
     const { gl } = this
     const program = gl.createProgram()
@@ -102,7 +102,7 @@ export class Scene {
     gl.drawElements(gl.TRIANGLES, this.count, gl.UNSIGNED_INT, 0)
   }
 
-  /** Returns when the GPU has done all that it was given: a pixel can only be read then. */
+  /** Returns when the GPU has finished all submitted work, by reading back a pixel. */
   finish() {
     const { gl } = this
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))

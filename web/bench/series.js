@@ -1,10 +1,10 @@
-/** What the plots show, out of the records of one run. A point without both of its figures is left out. */
-import { LEAST_ERROR } from './figures.js'
+/** Extracts the points of the plots from the records of one run. A point that lacks one of its figures is left out. */
+import { MIN_ERROR } from './figures.js'
 import { methodNames } from './method-notes.js'
 
 const number = (text) => Number(text.replaceAll(',', ''))
 
-/** Rows such as '14,000 × 150' → { vertices, nodes } as the name has them; undefined for other rows. */
+/** Parses the name of a row such as '14,000 × 150' → { vertices, nodes }; undefined for other rows. */
 function gridOf(row) {
   const [, vertices, nodes] = /^([\d,]+) × ([\d,]+)$/.exec(row) ?? []
   return vertices && { vertices: number(vertices), nodes: number(nodes) }
@@ -12,7 +12,7 @@ function gridOf(row) {
 
 const isDrawable = ({ x, y }) => Number.isFinite(x) && Number.isFinite(y)
 
-/** p5's own lines among the records have no place on the plots. */
+/** Leaves out p5's own records, which the plots do not show. */
 const byMethod = (records, point) =>
   methodNames.flatMap((method) =>
     records
@@ -30,14 +30,14 @@ const cost = (records, x) =>
     high: record.frameHighMs,
   }))
 
-/** The rows of 14,000 vertices → [{ method, x: nodes, y: milliseconds, low, high }], method by method. */
+/** The rows of 14,000 vertices → [{ method, x: nodes, y: milliseconds, low, high }], grouped by method. */
 export const costAgainstNodes = (records) =>
   cost(
     records.filter(({ row }) => gridOf(row)?.vertices === 14_000),
     'nodes',
   )
 
-/** The rows of 150 nodes → [{ method, x: vertices, y: milliseconds, low, high }], method by method. */
+/** The rows of 150 nodes → [{ method, x: vertices, y: milliseconds, low, high }], grouped by method. */
 export const costAgainstVertices = (records) =>
   cost(
     records.filter(({ row }) => gridOf(row)?.nodes === 150),
@@ -45,15 +45,15 @@ export const costAgainstVertices = (records) =>
   )
 
 /**
- * One row → [{ method, x, y, error }]: x is the frame relative to positions only, y the largest error in degrees, no less than
- * what a logarithmic scale begins with, and `error` that error as it was.
+ * One row → [{ method, x, y, error }]: `x` is the frame time relative to positions only, `error` the largest error in degrees,
+ * and `y` that error clamped to the start of the logarithmic scale.
  */
 export const errorAgainstCost = (records, row) =>
   byMethod(
     records.filter((record) => record.row === row),
     ({ toPositions, errorDegrees }) => ({
       x: toPositions,
-      y: Math.max(LEAST_ERROR, errorDegrees),
+      y: Math.max(MIN_ERROR, errorDegrees),
       error: errorDegrees,
     }),
   )

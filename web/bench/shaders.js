@@ -1,13 +1,13 @@
-/** Whole shaders around what a method gives. Every method shares all of this, so that frames differ by the method alone. */
+/** Complete shaders around a method's code. All methods share these, so that frames differ by the method alone. */
 
-let number = Math.floor(Math.random() * 2 ** 16)
+let lastNumber = Math.floor(Math.random() * 2 ** 16)
 
-/** For a text that was never compiled before, in this visit or, most likely, an earlier one. */
-export const newNumber = () => ++number
+/** Returns a number that makes a shader's source new, in this visit and most likely compared with earlier ones. */
+export const newNumber = () => ++lastNumber
 
 /**
  * @param parts `{ declarations?, body }`: see methods.js
- * @param unique of newNumber: a text that was never compiled before cannot come from a cache
+ * @param unique a number of `newNumber`: a source that was never compiled before cannot come from a cache
  */
 export const vertexShader = ({ declarations = '', body }, unique = 1) => `#version 300 es
 precision highp float;
@@ -27,10 +27,10 @@ ${body}
 }`
 
 const smooth = 'normalize(surfaceNormal)'
-/** Of the flat triangle, from how the point changes from pixel to pixel. */
+/** The normal of the flat triangle, from the screen-space derivatives of the point. */
 const flat = 'normalize(cross(dFdx(point), dFdy(point)))'
 
-/** Two lights and a highlight: about what p5 does for a pixel. @param unique as above; the picture stays the same */
+/** Two lights and a highlight: about p5's work per pixel. @param unique as above; it does not change the picture */
 export const fragmentShader = (isFlat, unique = 1) => `#version 300 es
 precision highp float;
 in vec3 point, surfaceNormal;
@@ -45,7 +45,7 @@ void main() {
   color = vec4(vec3(1.0, 0.54, 0.36) * light + 0.5 * highlight, 1.0);
 }`
 
-/** Writes what the oracle needs of a pixel instead of a colour. */
+/** Writes a pixel's normal, rest position and rest normal for the oracle instead of a colour. */
 export const probeShader = (isFlat) => `#version 300 es
 precision highp float;
 in vec3 restPosition, restNormal, point, surfaceNormal;

@@ -1,6 +1,6 @@
-/** What many times come to. A value that is not finite is one that could not be measured, and counts for nothing. */
+/** Statistics of measured times. A value that is not finite could not be measured and is ignored. */
 
-/** The value with `part` of all values below it, between two of them if need be. */
+/** Returns the quantile `part` (default: the median), interpolated linearly between two values. */
 export const middle = (values, part = 0.5) => {
   const sorted = values.filter(Number.isFinite).sort((a, b) => a - b)
   if (!sorted.length) return NaN
@@ -9,17 +9,18 @@ export const middle = (values, part = 0.5) => {
   return below + (place % 1) * (above - below)
 }
 
-/** Half of the values lie between `low` and `high`. */
+/** Half of the values are between `low` and `high`. */
 export const summary = (values) => ({
   median: middle(values),
   low: middle(values, 0.25),
   high: middle(values, 0.75),
 })
 
-/** Within each round, so that whatever slowed the round cancels. */
+/** Returns the median of the ratios within each round, so that whatever slowed a round cancels. */
 export const ratio = (values, others = []) =>
   middle(others.map((other, round) => values[round] / other))
 
+/** Returns a copy in random order (Fisher-Yates). */
 export const shuffled = (list) => {
   const result = [...list]
   for (let i = result.length - 1; i > 0; i--) {

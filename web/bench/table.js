@@ -1,10 +1,10 @@
-/** Records as a table: a group of lines for each row of the benchmark, a line for each method. */
+/** Shows records as a table: a group of lines per row of the benchmark, a line per method. */
 import { make } from './dom.js'
 import { degrees, plain, short, times, whole } from './figures.js'
 import { notes } from './method-notes.js'
 import { rowsOf } from './series.js'
 
-/** [heading of a group, its columns: [heading, the name in the record, how it is written]] */
+/** [heading of a group, ...its columns: [heading, key in the record, formatter]] */
 const groups = [
   [
     'frame, ms',
@@ -31,7 +31,7 @@ const groups = [
 ]
 
 export function makeTable(records) {
-  // A column that is empty everywhere was not measured.
+  // Leave out columns that were not measured for any record.
   const shown = groups
     .map(([heading, ...columns]) => [
       heading,
@@ -100,8 +100,8 @@ const aboutRow = ({ vertices, nodes, jsHeapMb, wasmHeapMb }) =>
   [
     vertices !== undefined && `${whole(vertices)} vertices`,
     nodes !== undefined && `${whole(nodes)} nodes`,
-    Number.isFinite(jsHeapMb) && `${whole(jsHeapMb)} MB of JavaScript`,
-    Number.isFinite(wasmHeapMb) && `${whole(wasmHeapMb)} MB of WebAssembly at most`,
+    Number.isFinite(jsHeapMb) && `max ${whole(jsHeapMb)} MB of JavaScript`,
+    Number.isFinite(wasmHeapMb) && `max ${whole(wasmHeapMb)} MB of WebAssembly`,
   ]
     .filter(Boolean)
     .join(' · ')

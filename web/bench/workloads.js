@@ -1,11 +1,11 @@
 /**
- * The rows of the benchmark. Each is a mesh and an offset, the offset three times over: as a sketch writes it, as a plain
- * function of numbers (the oracle), and, where that is feasible, as GLSL with its derivatives written by hand.
+ * The rows of the benchmark. Each is a mesh and an offset in three forms: an offset function, a plain function of numbers for
+ * the oracle, and, if that is feasible, GLSL with handwritten derivatives.
  *
  *   { name, nodes, mesh, warp, offset, handwritten }
  *
- * `nodes` are the method calls of the sketch, the paper's measure; `mesh()` makes the mesh; `handwritten` are statements that turn
- * `position` and `millis` into `vec3 offset` and the columns `vec3 dx, dy, dz` of its Jacobian.
+ * `nodes` counts the method calls of the offset function, the paper's measure; `mesh()` makes the mesh; `handwritten` are statements
+ * that compute, from `position` and `millis`, `vec3 offset` and the columns `vec3 dx, dy, dz` of its Jacobian.
  */
 import { gallery } from '../../tests/warps/gallery.js'
 import { stackedSines, stress } from '../../tests/warps/stress.js'
@@ -14,15 +14,15 @@ import * as handwritten from './handwritten.js'
 import { nestedSines } from './nested-sines.js'
 import { sphere } from './sphere.js'
 
-/** The nodes that the paper counts for a sine of the stack, `sum += amplitude * sin(frequency * x + speed * t)`. */
-const NODES_OF_A_SINE = 5
+/** The number of nodes that the paper counts per sine of the stack, `sum += amplitude * sin(frequency * x + speed * t)`. */
+const NODES_PER_SINE = 5
 const RADIUS = 100
-/** Enough that such short warps can be told apart from the pixels. */
+/** Enough vertices that the cost of short warps is visible beside that of the pixels. */
 const DENSE = 100_000
 
-const stacked = (vertices, sines) => {
+const makeStack = (vertices, sines) => {
   const { waves, ...workload } = stackedSines(sines)
-  const nodes = sines * NODES_OF_A_SINE
+  const nodes = sines * NODES_PER_SINE
   return {
     ...workload,
     name: `${vertices.toLocaleString('en')} × ${nodes.toLocaleString('en')}`,
@@ -32,8 +32,8 @@ const stacked = (vertices, sines) => {
   }
 }
 
-/** The models have p5's y, which points down. Half a turn about x leaves a twist about x what it is. */
-function upright({ positions, normals, indices }) {
+/** Rotates a model, whose y points down as in p5, by half a turn about x, which leaves a twist about x unchanged. */
+function turnUpright({ positions, normals, indices }) {
   const turn = (values) => values.map((value, i) => (i % 3 ? -value : value))
   return { positions: turn(positions), normals: turn(normals), indices }
 }
@@ -41,7 +41,7 @@ function upright({ positions, normals, indices }) {
 const airplaneTwist = {
   name: 'airplane twist',
   nodes: 15,
-  mesh: () => upright(airplane()),
+  mesh: () => turnUpright(airplane()),
   offset: gallery['airplane-twist'].offset,
   warp({ glsl, position, millis }) {
     const [x, y, z] = [position.x(), position.y(), position.z()]
@@ -69,12 +69,12 @@ const nested = {
 }
 
 export const workloads = [
-  stacked(14_000, 30),
-  stacked(500_000, 30),
-  stacked(14_000, 300),
-  stacked(14_000, 600),
+  makeStack(14_000, 30),
+  makeStack(500_000, 30),
+  makeStack(14_000, 300),
+  makeStack(14_000, 600),
   airplaneTwist,
   wobble,
   nested,
-  stacked(2_000_000, 30),
+  makeStack(2_000_000, 30),
 ]

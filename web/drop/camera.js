@@ -1,34 +1,35 @@
-/** The eye: dragging, two fingers, the wheel and keys turn it about the middle of the model and bring it nearer. */
+/** The camera: dragging, pinching, the wheel and keys orbit it about the model's center and zoom. */
 import { mat4, vec3 } from 'gl-matrix'
 
-const RADIANS_A_PIXEL = 0.008
-const RADIANS_A_KEY = 0.12
-/** From straight above, nothing says which way is up. */
-const STEEPEST = 1.5
-const FIELD = 0.6
-const usual = { longitude: 0.55, latitude: 0.22, distance: 4.6 }
+const RADIANS_PER_PIXEL = 0.008
+const RADIANS_PER_KEY = 0.12
+/** In radians, less than π/2: seen from straight above, the up direction is undefined. */
+const MAX_LATITUDE = 1.5
+/** The vertical field of view in radians. */
+const FIELD_OF_VIEW = 0.6
+const defaultView = { longitude: 0.55, latitude: 0.22, distance: 4.6 }
 
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value))
 
 /** @returns { view({ center, unit }, aspect), reset() } */
-export function makeCamera(canvas, changed) {
-  const at = { ...usual }
+export function makeCamera(canvas, onChange) {
+  const at = { ...defaultView }
   const pointers = new Map()
 
   function turn(dx, dy) {
     at.longitude -= dx
-    at.latitude = clamp(at.latitude + dy, -STEEPEST, STEEPEST)
-    changed()
+    at.latitude = clamp(at.latitude + dy, -MAX_LATITUDE, MAX_LATITUDE)
+    onChange()
   }
 
   function zoom(factor) {
     at.distance = clamp(at.distance * factor, 1.5, 20)
-    changed()
+    onChange()
   }
 
   function reset() {
-    Object.assign(at, usual)
-    changed()
+    Object.assign(at, defaultView)
+    onChange()
   }
 
   const spread = () => {
@@ -47,13 +48,13 @@ export function makeCamera(canvas, changed) {
     pointers.set(pointerId, { x, y })
     if (apart) zoom(apart / Math.max(spread(), 1))
     else if (pointers.size === 1)
-      turn(RADIANS_A_PIXEL * (x - before.x), RADIANS_A_PIXEL * (y - before.y))
+      turn(RADIANS_PER_PIXEL * (x - before.x), RADIANS_PER_PIXEL * (y - before.y))
   })
   for (const end of ['pointerup', 'pointercancel'])
     canvas.addEventListener(end, ({ pointerId }) => pointers.delete(pointerId))
   canvas.addEventListener('dblclick', reset)
 
-  // Who only scrolls past keeps scrolling.
+  // The wheel zooms only if the canvas has the focus or Ctrl is pressed, so that it can be scrolled past.
   canvas.addEventListener(
     'wheel',
     (event) => {
@@ -65,10 +66,10 @@ export function makeCamera(canvas, changed) {
   )
 
   const keys = {
-    ArrowLeft: () => turn(-RADIANS_A_KEY, 0),
-    ArrowRight: () => turn(RADIANS_A_KEY, 0),
-    ArrowUp: () => turn(0, RADIANS_A_KEY),
-    ArrowDown: () => turn(0, -RADIANS_A_KEY),
+    ArrowLeft: () => turn(-RADIANS_PER_KEY, 0),
+    ArrowRight: () => turn(RADIANS_PER_KEY, 0),
+    ArrowUp: () => turn(0, RADIANS_PER_KEY),
+    ArrowDown: () => turn(0, -RADIANS_PER_KEY),
     '+': () => zoom(0.9),
     '=': () => zoom(0.9),
     '-': () => zoom(1.1),
@@ -90,15 +91,15 @@ export function makeCamera(canvas, changed) {
         Math.sin(latitude),
         Math.cos(latitude) * Math.cos(longitude),
       ]
-      // All around the middle is seen in a tall picture too.
-      const field = 2 * Math.atan(Math.tan(FIELD / 2) / Math.min(aspect, 1))
+      // In a tall picture FIELD_OF_VIEW is the horizontal angle, so that the model still fits.
+      const field = 2 * Math.atan(Math.tan(FIELD_OF_VIEW / 2) / Math.min(aspect, 1))
       const eye = vec3.scale([], direction, distance)
       const look = mat4.lookAt(mat4.create(), eye, [0, 0, 0], [0, 1, 0])
       const matrix = mat4.perspective(mat4.create(), field, aspect, distance / 20, distance + 20)
       mat4.multiply(matrix, matrix, look)
       mat4.scale(matrix, matrix, [1 / unit, 1 / unit, 1 / unit])
       mat4.translate(matrix, matrix, vec3.negate([], center))
-      // The lights go with the eye, so that every side is seen in them.
+      // The lights follow the camera, so that every side is lit.
       const back = mat4.invert(mat4.create(), look)
       const light = (x, y, z) => {
         const [a, b, c] = vec3.normalize([], [x, y, z])

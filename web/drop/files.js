@@ -1,4 +1,4 @@
-/** Models as the page gets them: from the visitor's files, or from the gallery. */
+/** Loads models from the visitor's files or from the gallery. */
 import { loadMesh } from '../../dist/mesh.js'
 import { MeshoptDecoder } from 'meshoptimizer'
 import dracoWasm from 'draco3dgltf/draco_decoder_gltf.wasm?url'
@@ -6,25 +6,25 @@ import { airplane } from '../models/airplane.js'
 import { bunny } from '../models/bunny.js'
 import { toScreen } from '../models/mesh.js'
 
-const readable = /\.(glb|gltf|obj|stl)$/i
+const modelName = /\.(glb|gltf|obj|stl)$/i
 
 const advice = 'drop a .glb, a .gltf or .obj with its files, or an .stl'
 
 const decoders = {
   meshopt: MeshoptDecoder,
-  // Fetched when a model needs it.
+  // Fetched only when a model needs it.
   draco: async () => {
     const { default: draco } = await import('draco3dgltf')
     return draco.createDecoderModule({ locateFile: () => dracoWasm })
   },
 }
 
-/** The gallery's models are made for p5, whose y runs downwards; turned over, they are like a file. */
-function upright(mesh, baseColor) {
+/** Flips a model of the gallery, made for p5's downward y axis, to glTF's upward y. */
+function flipUpright(mesh, baseColor) {
   return { ...toScreen(mesh), uvs: undefined, material: { baseColor } }
 }
 
-/** Twelve triangles: it shows what subdivision is for. */
+/** A box of twelve triangles, too coarse for any warp without subdivision. */
 function box() {
   const positions = []
   const normals = []
@@ -58,15 +58,15 @@ function box() {
   }
 }
 
-/** By name, what makes the mesh. */
+/** Maps a sample's name to a function that makes its mesh. */
 export const samples = {
-  bunny: () => upright(bunny(), [0.85, 0.23, 0.1, 1]),
-  airplane: () => upright(airplane(), [0.09, 0.55, 0.44, 1]),
+  bunny: () => flipUpright(bunny(), [0.85, 0.23, 0.1, 1]),
+  airplane: () => flipUpright(airplane(), [0.09, 0.55, 0.44, 1]),
   box,
 }
 
-/** `100%.png` is the name of a file, but no escaped one. */
-function decoded(uri) {
+/** Decodes a URI; returns it unchanged if it is a plain file name such as `100%.png`. */
+function decodeName(uri) {
   try {
     return decodeURIComponent(uri)
   } catch {
@@ -74,25 +74,25 @@ function decoded(uri) {
   }
 }
 
-/** The model among the files, and the others for what it names → { name, mesh, picture } */
+/** Loads the model among the files; the other files are those it may refer to → { name, mesh, picture }. */
 export async function loadFiles(files) {
-  const model = files.find(({ name }) => readable.test(name))
+  const model = files.find(({ name }) => modelName.test(name))
   if (!model) {
     const names = files.map(({ name }) => `“${name}”`).join(', ')
     throw new Error(
       files.length === 1
-        ? `${names} is no model: ${advice}.`
-        : `None of these is a model: ${advice}.`,
+        ? `Expected a model, got ${names}: ${advice}.`
+        : `Expected a model, got only other files: ${advice}.`,
     )
   }
   const byName = new Map(files.map((file) => [file.name, file]))
   const nameOf = (uri) => uri.split('/').at(-1)
-  const resolve = (uri) => byName.get(nameOf(uri)) ?? byName.get(nameOf(decoded(uri)))
+  const resolve = (uri) => byName.get(nameOf(uri)) ?? byName.get(nameOf(decodeName(uri)))
   const mesh = await loadMesh(model, { resolve, decoders })
-  return { name: model.name.replace(readable, ''), mesh, picture: await decode(mesh) }
+  return { name: model.name.replace(modelName, ''), mesh, picture: await decode(mesh) }
 }
 
-/** What the GPU takes as its texture. A broken picture costs only itself. */
+/** Decodes the material's texture for the GPU. A broken image becomes a warning; the mesh is still shown. */
 async function decode(mesh) {
   const texture = mesh.material?.baseColorTexture
   if (!texture) return
@@ -100,7 +100,7 @@ async function decode(mesh) {
     const blob = new Blob([texture.bytes], { type: texture.mimeType })
     return await createImageBitmap(blob, { colorSpaceConversion: 'none' })
   } catch {
-    const warning = 'The picture of the material cannot be decoded, and is left out.'
+    const warning = 'The image of the material cannot be decoded and is left out.'
     mesh.warnings = [...(mesh.warnings ?? []), warning]
   }
 }

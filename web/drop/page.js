@@ -1,4 +1,4 @@
-/** The page for the visitor's own model: loads it, warps it, and gives it back. */
+/** The page for the visitor's own model: loads it, warps it, and exports it. */
 import './style.css'
 import { compileWarp } from '../../dist/warpjet.js'
 import { bakeWarp, exportGLB, subdivide } from '../../dist/mesh.js'
@@ -7,20 +7,20 @@ import { keepForOffline } from '../offline.js'
 import { makeCamera } from './camera.js'
 import { loadFiles, samples } from './files.js'
 import { View } from './view.js'
-import { fitted, sides, warps } from './warps.js'
+import { fitWarp, sides, warps } from './warps.js'
 
-/** Milliseconds for the time slider to go round once. */
+/** Milliseconds of one cycle of the time slider. */
 const ROUND = 6000
 /** Milliseconds between two counts of folded vertices while time passes. */
 const COUNT_EVERY = 400
-const MOST_TRIANGLES = 400_000
+const MAX_TRIANGLES = 400_000
 
 const find = (selector) => document.querySelector(selector)
 const status = find('.picture output')
 const [amount, time, tolerance] = ['#amount', '#time', '#tolerance'].map(find)
 const toggle = (name) => find(`[name=${name}]`)
 
-/** What is shown: { name, mesh, picture, center, unit, low, high }; `fine` is the mesh as it is drawn. */
+/** The visible model, { name, mesh, picture, center, unit, low, high }; `fine` is the drawn mesh, subdivided or not. */
 let model
 let fine
 /** { name, compiled } */
@@ -31,8 +31,8 @@ let needsFrame = true
 
 const nextFrame = () => new Promise(requestAnimationFrame)
 const alert = find('[role=alert]')
-/** Who has written no code is not told which function says it. */
-const complain = (error) =>
+/** Shows an error without the function name that begins it, since visitors of this page write no code. */
+const showError = (error) =>
   (alert.textContent = (error?.message ?? '').replace(/^\w+: (.)/, (_, first) =>
     first.toUpperCase(),
   ))
@@ -42,34 +42,34 @@ const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
 const rough = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
 const trianglesOf = ({ indices, positions }) => (indices?.length ?? positions.length / 3) / 3
 
-/** Works are done one after the other; each says what it does, and an error changes nothing but the message. */
-let works = Promise.resolve()
-let waiting = 0
-function during(text, work) {
-  countWorks(1)
-  works = works.then(async () => {
-    complain()
-    status.textContent = text
+/** Tasks run one after the other. Each shows a status message; an error changes only the error message. */
+let tasks = Promise.resolve()
+let pending = 0
+function enqueue(message, task) {
+  countTasks(1)
+  tasks = tasks.then(async () => {
+    showError()
+    status.textContent = message
     await nextFrame()
     await nextFrame()
     try {
-      await work()
+      await task()
     } catch (error) {
-      complain(error)
+      showError(error)
     }
     status.textContent = ''
     redraw()
-    countWorks(-1)
+    countTasks(-1)
   })
-  return works
+  return tasks
 }
 
-function countWorks(change) {
-  waiting += change
-  find('main').ariaBusy = String(waiting > 0)
+function countTasks(change) {
+  pending += change
+  find('main').ariaBusy = String(pending > 0)
 }
 
-/** Only those that the warp reads, which would not take others. */
+/** Returns only the uniforms that the warp reads, since it rejects others. */
 function uniforms({ compiled } = warp, { center, unit } = model) {
   const all = { center, unit, amount: Number(amount.value), time: Number(time.value) }
   return Object.fromEntries(compiled.uniforms.map(({ name }) => [name, all[name]]))
@@ -85,8 +85,8 @@ function boxOf({ positions }) {
   return { low, high }
 }
 
-/** Shows a model, and keeps the old one if that fails. */
-function place({ name, mesh, picture }) {
+/** Shows a model; if that fails, the previous one stays. */
+function showModel({ name, mesh, picture }) {
   const { low, high } = boxOf(mesh)
   const center = low.map((value, i) => (value + high[i]) / 2)
   const unit = Math.max(...high.map((value, i) => value - low[i])) / 2 || 1
@@ -99,11 +99,11 @@ function place({ name, mesh, picture }) {
     ...(mesh.warnings ?? []).map((textContent) => make('li', { textContent })),
   )
   if (!warp) return
-  describe()
+  showReadOuts()
   if (toggle('subdivide').checked) refine()
 }
 
-/** The mesh as it is drawn: finer where the warp needs it, or as it came. */
+/** Updates the drawn mesh: subdivided where the warp needs it, or as it was loaded. */
 function refine() {
   let next = model.mesh
   if (toggle('subdivide').checked)
@@ -111,36 +111,36 @@ function refine() {
       warp: warp.compiled,
       uniforms: uniforms(),
       tolerance: 2 * model.unit * 10 ** Number(tolerance.value),
-      maxTriangles: Math.max(MOST_TRIANGLES, trianglesOf(model.mesh)),
+      maxTriangles: Math.max(MAX_TRIANGLES, trianglesOf(model.mesh)),
     })
   if (next === fine) return
   view.show(next, model.picture)
   fine = next
-  // Of the subdivision: that it had to stop.
-  if (next !== model.mesh && next.warnings) complain({ message: next.warnings.join(' ') })
-  describe()
+  // The subdivision warns if it stopped at the max number of triangles.
+  if (next !== model.mesh && next.warnings) showError({ message: next.warnings.join(' ') })
+  showReadOuts()
 }
 
 const refineAgain = () =>
   toggle('subdivide').checked || fine !== model?.mesh
-    ? during('Subdividing…', () => model && refine())
+    ? enqueue('Subdividing…', () => model && refine())
     : undefined
 
-/** What stands beside the picture. */
-function describe() {
+/** Updates the read-outs beside the picture. */
+function showReadOuts() {
   const [before, after] = [model.mesh, fine].map((mesh) => whole.format(trianglesOf(mesh)))
   find('.triangles').textContent = fine === model.mesh ? before : `${before} → ${after}`
   countFolded()
 }
 
-/** When the folded vertices were last counted, and how long that took. */
-let counted = { at: -Infinity, took: 0 }
+/** The time of the last count of folded vertices, and its duration. */
+let lastCount = { at: -Infinity, took: 0 }
 
 function countFolded() {
   try {
     showCounts()
   } catch (error) {
-    complain(error)
+    showError(error)
   }
 }
 
@@ -159,7 +159,7 @@ function showCounts() {
   find('.size').textContent = lengths.every(Number.isFinite)
     ? `${lengths.map((side) => short.format(side)).join(' × ')}`
     : 'without bounds'
-  counted = { at: performance.now(), took: performance.now() - start }
+  lastCount = { at: performance.now(), took: performance.now() - start }
 }
 
 const bounds = () =>
@@ -168,29 +168,29 @@ const bounds = () =>
 const chosenOf = (name) => find(`[name=${name}]:checked`).value
 
 function chooseWarp() {
-  return during('Compiling…', () => {
+  return enqueue('Compiling…', () => {
     const chosen = warps.find(({ name }) => name === chosenOf('warp'))
-    const compiled = compileWarp(fitted(chosen, chosenOf('side')), { target: 'glsl300' })
+    const compiled = compileWarp(fitWarp(chosen, chosenOf('side')), { target: 'glsl300' })
     view.use(compiled)
     warp = { name: chosen.name, compiled }
     if (!model) return
     if (toggle('subdivide').checked) refine()
-    else describe()
+    else showReadOuts()
   })
 }
 
 const chooseFiles = (files) =>
   files.length &&
-  during('Reading the model…', async () => {
+  enqueue('Reading the model…', async () => {
     const loaded = await loadFiles([...files])
-    place(loaded)
+    showModel(loaded)
   })
 
 const chooseSample = (name) =>
-  during('Making the model…', () => place({ name, mesh: samples[name]() }))
+  enqueue('Making the model…', () => showModel({ name, mesh: samples[name]() }))
 
 const download = () =>
-  during('Writing the file…', () => {
+  enqueue('Writing the file…', () => {
     const bytes = exportGLB(bakeWarp(fine, warp.compiled, { uniforms: uniforms() }))
     const href = URL.createObjectURL(new Blob([bytes], { type: 'model/gltf-binary' }))
     make('a', { href, download: `${model.name}-${warp.name.toLowerCase()}.glb` }).click()
@@ -219,10 +219,10 @@ async function run() {
     needsFrame = false
     try {
       draw()
-      // A large model is counted more seldom.
-      if (now - counted.at > Math.max(COUNT_EVERY, 10 * counted.took)) countFolded()
+      // Counting takes at most 10% of the time, so a large model is counted less often.
+      if (now - lastCount.at > Math.max(COUNT_EVERY, 10 * lastCount.took)) countFolded()
     } catch (error) {
-      complain(error)
+      showError(error)
     }
   }
 }
@@ -239,7 +239,7 @@ function showTolerance() {
   find('.finer output').textContent = `${rough.format(100 * 10 ** Number(tolerance.value))}%`
 }
 
-function choices(place, name, values, first) {
+function addChoices(place, name, values, first) {
   for (const value of values) {
     const input = make('input', { type: 'radio', name, value, checked: value === first })
     input.addEventListener('change', chooseWarp)
@@ -249,8 +249,8 @@ function choices(place, name, values, first) {
 
 function listen() {
   const names = warps.map(({ name }) => name)
-  choices('.warps', 'warp', names, 'Twist')
-  choices('.axes', 'side', sides, 'y')
+  addChoices('.warps', 'warp', names, 'Twist')
+  addChoices('.axes', 'side', sides, 'y')
   for (const name of Object.keys(samples)) {
     const button = make('button', { type: 'button', className: 'button', textContent: name })
     button.addEventListener('click', () => chooseSample(name))
@@ -258,7 +258,7 @@ function listen() {
   }
   find('.choose input').addEventListener('change', ({ target }) => {
     chooseFiles([...target.files])
-    // The same file again is a change again.
+    // Reset, so that choosing the same file again fires another change event.
     target.value = ''
   })
   find('form').addEventListener('submit', (event) => event.preventDefault())
@@ -272,7 +272,7 @@ function listen() {
     })
     input.addEventListener('change', () => {
       if (model && warp) countFolded()
-      refineAgain()
+      void refineAgain()
     })
   }
   for (const name of ['normals', 'wires', 'box']) toggle(name).addEventListener('change', redraw)
@@ -304,17 +304,17 @@ try {
   camera = makeCamera(view.canvas, redraw)
   listen()
   find('canvas').addEventListener('webglcontextlost', () =>
-    complain(new Error('The GPU has given up on this picture: reload the page.')),
+    showError(new Error('The GPU lost this picture: reload the page.')),
   )
-  chooseWarp()
-  chooseSample('bunny').then(() =>
+  void chooseWarp()
+  void chooseSample('bunny').then(() =>
     setPlaying(!matchMedia('(prefers-reduced-motion: reduce)').matches),
   )
-  run()
+  void run()
 } catch (error) {
   const still = { src: '../posters/bunny.webp', alt: 'A bunny at rest, twisted and flattened' }
   find('.hand').replaceWith(make('img', still))
-  complain(error)
+  showError(error)
 }
 
 keepForOffline(new URL('../', location.href))

@@ -1,8 +1,8 @@
-/** The shaders of the picture: the warped model in three ways, and lines that stay where they are. */
+/** The shaders of the picture: the warped model (lit, as normals, as wireframe) and the unwarped lines of the bounding box. */
 
 const head = '#version 300 es\nprecision highp float;'
 
-/** `warp` is what `compileWarp` returns. */
+/** @param warp the result of `compileWarp` */
 export const modelVertex = (warp) => `${head}
 in vec3 position, normal;
 in vec2 uv;
@@ -10,7 +10,7 @@ in vec4 color;
 uniform mat4 matrix;
 uniform vec3 center;
 uniform float unit, amount, time;
-/** How much nearer than it is, so that lines on the surface are seen. */
+/** Moves the depth towards the viewer, so that lines on the surface are visible. */
 uniform float nearer;
 out vec3 vPosition, vNormal;
 out vec2 vUv;
@@ -26,7 +26,7 @@ ${warp.code}
   gl_Position.z -= nearer * gl_Position.w;
 }`
 
-/** Two lights and a sky, in linear colour. Seen from inside, a surface has the other side's normal. */
+/** Two lights and a sky, in linear colour. Back faces use the opposite normal. */
 export const litFragment = `${head}
 in vec3 vPosition, vNormal;
 in vec2 vUv;

@@ -1,12 +1,12 @@
-/** Draws a warped model with WebGL2: `show` a mesh, `use` a warp, `draw`. */
+/** Draws a warped model with WebGL 2: call `show` with a mesh, `use` with a warp, then `draw`. */
 import { boxVertex, lineFragment, litFragment, modelVertex } from './shaders.js'
 
 const BACK = [0x15 / 255, 0x18 / 255, 0x23 / 255, 1]
-/** Of the depth from -1 to 1. */
+/** The depth offset of the wireframe, in normalized device coordinates (-1 to 1). */
 const NEARER = 3e-4
 const attributes = { position: 3, normal: 3, uv: 2, color: 4 }
 const arrays = { position: 'positions', normal: 'normals', uv: 'uvs', color: 'colors' }
-/** Where glTF says nothing: white, and the picture's first corner. */
+/** glTF's defaults for missing attributes: white, and the texture's first corner. */
 const defaults = { uv: [0, 0, 0, 0], color: [1, 1, 1, 1] }
 
 // prettier-ignore
@@ -17,9 +17,7 @@ export class View {
   constructor(canvas) {
     const gl = canvas.getContext('webgl2', { antialias: true })
     if (!gl)
-      throw new Error(
-        'This page draws with WebGL2, which this browser does not have: open it in another one.',
-      )
+      throw new Error('This page needs WebGL 2, which this browser lacks: open it in another one.')
     this.gl = gl
     this.canvas = canvas
     this.boxProgram = this.link(boxVertex, lineFragment)
@@ -30,20 +28,23 @@ export class View {
     gl.clearColor(...BACK)
   }
 
-  /** Puts the mesh of `loadMesh` on the GPU; `picture` is what decodes to its texture, if there is one. */
+  /** Uploads a mesh of `loadMesh`. @param picture the decoded texture, if there is one */
   show(mesh, picture) {
     const { gl } = this
     const vertices = mesh.positions.length / 3
     const limit = 4 * gl.getParameter(gl.MAX_ELEMENT_INDEX)
-    if (vertices > limit) throw new Error(`This GPU draws ${limit} vertices at most.`)
+    if (vertices > limit)
+      throw new Error(
+        `The model is too large for this GPU: expected at most ${limit} vertices, got ${vertices}.`,
+      )
     const buffers = {}
     for (const [name, array] of Object.entries(arrays))
       if (mesh[array]) buffers[name] = this.buffer(gl.ARRAY_BUFFER, mesh[array])
     if (mesh.indices) buffers.indices = this.buffer(gl.ELEMENT_ARRAY_BUFFER, mesh.indices)
     const isFull = gl.getError() === gl.OUT_OF_MEMORY
-    // Only now: what was shown before stays if this does not fit.
+    // Discard the previous buffers only now: they stay if the new ones do not fit.
     this.discard(isFull ? buffers : this.buffers)
-    if (isFull) throw new Error('The GPU has not enough memory for so many triangles.')
+    if (isFull) throw new Error('The GPU has too little memory for this model.')
     this.buffers = buffers
     this.mesh = mesh
     this.baseColor = mesh.material?.baseColor ?? [1, 1, 1, 1]
@@ -68,17 +69,19 @@ export class View {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR)
   }
 
-  /** @param warp of `compileWarp`, with target glsl300 */
+  /** @param warp the result of `compileWarp` with target glsl300 */
   use(warp) {
-    const programs = [litFragment, lineFragment].map((text) => this.link(modelVertex(warp), text))
+    const programs = [litFragment, lineFragment].map((fragment) =>
+      this.link(modelVertex(warp), fragment),
+    )
     for (const program of this.programs ?? []) this.gl.deleteProgram(program)
     this.programs = programs
   }
 
   /**
-   * @param uniforms of the warp
-   * @param view of the camera
-   * @param options { normals, wires, box }: colours by normal, edges too, and a box { min, max }
+   * @param uniforms the warp's uniforms
+   * @param view the result of the camera's `view`
+   * @param options { normals, wires, box }: whether normals become colours, whether edges are drawn, and a box { min, max }, if any
    */
   draw(uniforms, view, { normals, wires, box }) {
     const { gl } = this
@@ -113,7 +116,7 @@ export class View {
     }
   }
 
-  /** As many pixels as the screen has for it. */
+  /** Resizes the canvas to the screen's resolution, twice the CSS pixels at most. */
   fit() {
     const { canvas, gl } = this
     const scale = Math.min(devicePixelRatio, 2)
@@ -159,13 +162,13 @@ export class View {
   link(vertex, fragment) {
     const { gl } = this
     const program = gl.createProgram()
-    const texts = [
+    const sources = [
       [gl.VERTEX_SHADER, vertex],
       [gl.FRAGMENT_SHADER, fragment],
     ]
-    for (const [type, text] of texts) {
+    for (const [type, source] of sources) {
       const shader = gl.createShader(type)
-      gl.shaderSource(shader, text)
+      gl.shaderSource(shader, source)
       gl.compileShader(shader)
       gl.attachShader(program, shader)
     }
@@ -176,7 +179,7 @@ export class View {
   }
 }
 
-/** Both ends of each triangle's three edges. */
+/** Returns the index pairs of each triangle's three edges. */
 function edgesOf({ positions, indices }) {
   const count = indices?.length ?? positions.length / 3
   const ends = new Uint32Array(2 * count)

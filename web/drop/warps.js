@@ -1,9 +1,9 @@
 /**
- * The warps of the page. Each is written for a model about 2 units high around the origin, y upwards; `amount` goes from 0 to
- * 1, `time` is an angle. `fitted` makes it an offset function for a model of any place and size.
+ * The warps of the page. Each is written for a model about 2 units high around the origin, with y upwards; `amount` is in [0, 1],
+ * `time` is an angle. `fitWarp` converts one into an offset function for a model of any position and size.
  */
 
-const turned = (glsl, { x, y, z }, angle) => {
+const rotateY = (glsl, { x, y, z }, angle) => {
   const [s, c] = [angle.sin(), angle.cos()]
   return glsl.vec3(x.mult(c).add(z.mult(s)), y, z.mult(c).sub(x.mult(s)))
 }
@@ -11,13 +11,13 @@ const turned = (glsl, { x, y, z }, angle) => {
 export const warps = [
   {
     name: 'Twist',
-    /** To where the vertex goes. */
-    to: (glsl, { p, amount, time }) => turned(glsl, p, p.y.mult(amount).mult(4).mult(time.cos())),
+    /** Returns the warped position. */
+    to: (glsl, { p, amount, time }) => rotateY(glsl, p, p.y.mult(amount).mult(4).mult(time.cos())),
   },
   {
     name: 'Bend',
     to(glsl, { p, amount, time }) {
-      // A hair more than 0, which would be a circle of infinite radius.
+      // Slightly more than 0, which would be a circle of infinite radius.
       const curvature = amount.mult(time.cos()).mult(2).add(0.002)
       const angle = p.y.mult(curvature)
       const half = angle.mult(0.5).sin()
@@ -40,7 +40,7 @@ export const warps = [
   {
     name: 'Wobble',
     to(glsl, { p, amount, time }) {
-      // Its foot stands still.
+      // The foot, at y = -1, does not move.
       const height = p.y.add(1).mult(amount).mult(0.4)
       return glsl.vec3(
         p.x.add(p.y.mult(1.5).add(time).sin().mult(height)),
@@ -60,7 +60,7 @@ export const warps = [
   {
     name: 'Ripple',
     to(glsl, { p, amount, time }) {
-      // Never 0, where a root has no slope.
+      // Never 0, where the square root has no derivative.
       const radius = p.x.mult(p.x).add(p.z.mult(p.z)).add(1e-4).sqrt()
       return glsl.vec3(
         p.x,
@@ -92,18 +92,18 @@ export const warps = [
   },
 ]
 
-/** Turned in a circle, so that nothing is mirrored: which side of the model is upwards for the warp, and the way back. */
+/** Swizzles that bring an axis of the model to the warp's y and back. They are cyclic, so nothing is mirrored. */
 const axes = {
   x: { from: 'zxy', back: 'yzx' },
   y: { from: 'xyz', back: 'xyz' },
   z: { from: 'yzx', back: 'zxy' },
 }
 
-/** Along which side of the model a warp goes. */
+/** The axes of the model along which a warp can act. */
 export const sides = Object.keys(axes)
 
-/** The offset function; its uniforms are `center`, `unit`, `amount` and `time`. */
-export const fitted =
+/** Returns the offset function, with uniforms `center`, `unit`, `amount` and `time`. */
+export const fitWarp =
   ({ to }, axis) =>
   ({ glsl, position }) => {
     const [center, unit] = [glsl.vec3Param('center'), glsl.param('unit')]

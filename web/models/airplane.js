@@ -1,7 +1,7 @@
 /**
  * A chubby twin-engined propeller airliner, nose along +x, 200 units long, upright in p5. Every
- * part is a closed loft; parts pass through each other and are not welded, which a warp does not
- * notice because it moves equal positions equally.
+ * part is a closed loft. Parts intersect without being welded; a warp moves equal positions
+ * equally, so no cracks open.
  */
 
 import { loft } from './loft.js'
@@ -11,7 +11,7 @@ const SPACING = 2.12
 const TURN = 2 * Math.PI
 
 /**
- * Half thickness of a NACA four-digit section at x in [0, 1], with the closing last coefficient.
+ * Half thickness of a NACA four-digit section at x in [0, 1], with the last coefficient that closes the trailing edge.
  */
 const naca = (x) =>
   5 * (0.2969 * Math.sqrt(x) + x * (-0.126 + x * (-0.3516 + x * (0.2843 - 0.1036 * x))))
@@ -46,7 +46,7 @@ function fuselageAt(x) {
   }
 }
 
-/** Angle 0 looks up, a quarter turn looks along +z. */
+/** A point of the hull; angle 0 points up, a quarter turn along +z. */
 function fuselagePoint(x, angle, out = 0) {
   const { halfHeight, halfWidth, centre } = fuselageAt(x)
   // The dent of the windscreen, between the nose and the roof.
@@ -63,8 +63,8 @@ const fuselage = () =>
   loft((s, t) => fuselagePoint(-100 * Math.cos(Math.PI * s), TURN * t), { spacing: SPACING })
 
 /**
- * A pillow on the fuselage, for window panes: middle (x, angle), half sizes along x and around, and
- * corners as round as exponent `p` says. Its outer half bulges by `height`, its inner half hides.
+ * A pillow on the fuselage, used as a window pane: center (x, angle), half sizes along x and around,
+ * and corners rounded by the exponent `p`. Its outer half bulges by `height`, its inner half is hidden.
  */
 function pane({ x, angle, length, width, height = 0.75, p = 3, slant = 0 }) {
   const section = (s, t) => {
@@ -106,8 +106,8 @@ function windows() {
 }
 
 /**
- * A pair of wings, from tip to tip in one piece through the fuselage. `tip` is the last part of the
- * half span that rounds off, `fairing` swells the root where it leaves the fuselage.
+ * A pair of wings, from tip to tip in one piece through the fuselage. `tip` is the fraction of the
+ * half span that is rounded off, `fairing` thickens the root where it leaves the fuselage.
  */
 function wings({ x, y, halfSpan, root, end, sweep, dihedral, thickness, camber, tip, fairing }) {
   const section = (s, t) => {
@@ -127,7 +127,7 @@ function wings({ x, y, halfSpan, root, end, sweep, dihedral, thickness, camber, 
   return loft(section, { spacing: SPACING, sharp: true })
 }
 
-/** The fin, from inside the fuselage upwards; its foot runs forward in a curve. */
+/** The fin, from inside the fuselage upwards; its foot curves forward. */
 function fin() {
   const [bottom, top] = [6, 48]
   const section = (s, t) => {
@@ -166,8 +166,8 @@ const COWL = profile([
   [-34, 0],
 ])
 
-/** A body turned about the x axis through (x, y, z). */
-const turned = (curve, [x, y, z], spacing = SPACING) =>
+/** A body of revolution about the x axis through (x, y, z). */
+const revolve = (curve, [x, y, z], spacing = SPACING) =>
   loft(
     (s, t) => {
       const [along, r] = curve(s)
@@ -207,7 +207,7 @@ function engines() {
   const result = []
   for (const side of [1, -1]) {
     const hub = [46, -4.5, 34 * side]
-    result.push(turned(COWL, [28, -4.5, 34 * side]), turned(spinner, hub, 1.2))
+    result.push(revolve(COWL, [28, -4.5, 34 * side]), revolve(spinner, hub, 1.2))
     for (let i = 0; i < 3; i++) result.push(blade(hub, (TURN * i) / 3 + 0.35))
   }
   return result

@@ -8,7 +8,8 @@ import { angleWeightedNormals, createMesh, fit, frontUVs, toScreen } from './mes
 import { interpolating, subdivide } from './subdivide.js'
 
 /**
- * Its 1,839 vertices as they are; one step of subdivision makes 7,350 of them, and a rounder back.
+ * Returns the original 1,839 vertices by default; one step of subdivision gives 7,350 vertices and a
+ * rounder back.
  */
 export function bunny(steps = 0) {
   let mesh = { points: data.positions, triangles: data.cells }

@@ -1,14 +1,14 @@
 /**
  * A right hand, fingers pointing up in p5 (-y), palm towards the viewer, 200 units tall. It is one
- * smooth field: palm and wrist are round cones melted together, the fingers are bowed tubes that
- * melt into the palm but hardly into each other. Lengths are about those of a grown-up's hand in
+ * smooth field: palm and wrist are round cones blended together, the fingers are bowed tubes that
+ * blend into the palm but hardly into each other. Lengths are about those of an adult's hand in
  * millimetres.
  */
 
 import { polygonize, roundCone, smoothMin } from './implicit.js'
 import { clamp, distance, fit, toScreen } from './mesh.js'
 
-// Within how many units two parts flow into each other.
+// Blending distances in units: two parts closer than this flow into each other.
 const MELT_FINGERS = 5
 const MELT_PALM = 9
 const MELT_BONES = 16
@@ -16,9 +16,9 @@ const MELT_THUMB = 18
 const MELT_CUT = 6
 
 /**
- * A finger as the field of a tube around the parabola from `from` to `to` that swings out by `bow`
- * half way. Its radius goes from `base` to `tip`, with the joints at the given fractions a little
- * thicker. The bow shears space instead of bending it: for bows this slight it looks the same, and
+ * Makes the field of a finger: a tube around the parabola from `from` to `to` that bows out by `bow`
+ * half way. Its radius goes from `base` to `tip`, slightly thicker at the joints, which are given as
+ * fractions. The bow shears space instead of bending it: for bows this slight it looks the same, and
  * the field stays smooth and costs two square roots.
  */
 function finger({ from, to, bow, base, tip, joints }) {
@@ -29,15 +29,15 @@ function finger({ from, to, bow, base, tip, joints }) {
     const py = y - from[1]
     const pz = z - from[2]
     const s = (px * dx + py * dy + pz * dz) / length
-    // The parabola runs on past the ends: stopping it there would crease the finger tip.
+    // The parabola continues past the ends: stopping it there would crease the finger tip.
     const u = clamp(s, -0.2, 1.2)
-    const swing = 4 * u * (1 - u)
+    const bulge = 4 * u * (1 - u)
     const on = clamp(s, 0, 1)
-    const qx = px - swing * bow[0] - on * length * dx
-    const qy = py - swing * bow[1] - on * length * dy
-    const qz = pz - swing * bow[2] - on * length * dz
+    const qx = px - bulge * bow[0] - on * length * dx
+    const qy = py - bulge * bow[1] - on * length * dy
+    const qz = pz - bulge * bow[2] - on * length * dz
     const far = Math.sqrt(qx * qx + qy * qy + qz * qz) - 1.1 * base
-    // Out here the value no longer reaches the surface, only its being large does.
+    // This far out the exact value no longer affects the surface; it only has to be large.
     if (far > 2 * MELT_PALM) return far
     let radius = tip + (base - tip) * (1 - on * on) ** 2
     for (const joint of joints) radius += 0.045 * base * Math.exp(-(((on - joint) / 0.075) ** 2))
@@ -69,7 +69,7 @@ const THUMB = finger({
   joints: [0.75],
 })
 
-/** The union of fields, melted where they come within `k` of each other. */
+/** The union of fields, blended where they are within `k` of each other. */
 function melt(parts, k) {
   return (x, y, z) => {
     let d = parts[0](x, y, z)

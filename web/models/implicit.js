@@ -1,11 +1,11 @@
 /**
- * Surfaces given as the zero set of a field. Enters: `field(x, y, z)`, negative inside, close to a
- * signed distance (its slope must not exceed 1 by much, for the skipping below). Leaves: a
+ * Polygonizes the zero set of a field. The input is `field(x, y, z)`, negative inside and close to a
+ * signed distance (its slope must not exceed 1 by much, for the skipping below). The output is a
  * mesh with vertices on the surface and normals along the field's gradient.
  *
  * Surface nets (Gibson 1998): one vertex in every grid cell that the surface crosses, one quad
- * across every crossed grid edge. Chosen over marching tetrahedra, because its triangles come out
- * well shaped and far fewer for the same grid.
+ * across every crossed grid edge. Chosen over marching tetrahedra, because its triangles are well
+ * shaped and far fewer for the same grid.
  */
 
 import { createMesh, distance, frontUVs, normalize } from './mesh.js'
@@ -37,7 +37,7 @@ export function smoothMin(a, b, k) {
   return Math.min(a, b) - (h * h * h * k) / 6
 }
 
-/** Field values on the grid; blocks that the surface cannot reach get the value of their middle. */
+/** Samples the field on the grid; a block that the surface cannot reach gets the value at its center. */
 function sample(field, { low, size, cell }) {
   const [nx, ny, nz] = size
   const values = new Float32Array(nx * ny * nz)
@@ -64,7 +64,7 @@ function sample(field, { low, size, cell }) {
   return values
 }
 
-/** The mean of the points where the surface cuts the cell's twelve edges, in cells; or null. */
+/** Returns the mean of the points where the surface crosses the cell's twelve edges, in cells, or null. */
 function cellVertex(values, corner, offsets) {
   let inner = 0
   for (let a = 0; a < 8; a++) if (values[corner + offsets[a]] < 0) inner++
@@ -101,7 +101,7 @@ function surfaceNet(values, { low, size, cell }) {
         if (!inside) continue
         vertexOf[corner] = points.length
         points.push([i, j, k].map((c, axis) => low[axis] + (c + inside[axis]) * cell))
-        // The cells around this corner's three edges were all visited by now.
+        // The other cells around this corner's three edges have all been visited.
         for (let axis = 0; axis < 3; axis++) {
           const inner = values[corner] < 0
           if (inner === values[corner + stride[axis]] < 0) continue
@@ -115,7 +115,7 @@ function surfaceNet(values, { low, size, cell }) {
   return { points, quads }
 }
 
-/** Two triangles a quad, across its shorter diagonal. */
+/** Splits each quad into two triangles along its shorter diagonal. */
 function split(quads, points) {
   return quads.flatMap(([a, b, c, d]) =>
     distance(points[a], points[c]) < distance(points[b], points[d])
@@ -130,7 +130,7 @@ function split(quads, points) {
   )
 }
 
-/** ∇f by four values at the corners of a tetrahedron. */
+/** Estimates ∇f from four values at the corners of a tetrahedron. */
 function gradient(field, [x, y, z], e = 0.05) {
   const a = field(x + e, y - e, z - e)
   const b = field(x - e, y - e, z + e)
@@ -147,7 +147,7 @@ function project(field, p) {
   return [p[0] - step * g[0], p[1] - step * g[1], p[2] - step * g[2]]
 }
 
-/** Each point goes to the mean of its neighbours, and back to the surface: even triangles. */
+/** Moves each point to the mean of its neighbours and back to the surface, which evens out the triangles. */
 function relax(field, points, quads) {
   const sums = points.map(() => [0, 0, 0, 0])
   for (const quad of quads) {
@@ -163,8 +163,8 @@ function relax(field, points, quads) {
 
 /**
  * @param field (x, y, z) -> number, negative inside
- * @param low, high corners of a box that holds the whole surface
- * @param cell  size of a grid cell, and about the distance between neighbouring vertices
+ * @param low, high corners of a box that contains the whole surface
+ * @param cell  size of a grid cell, which is about the distance between neighbouring vertices
  */
 export function polygonize(field, { low, high, cell }) {
   const size = low.map((x, k) => Math.ceil((high[k] - x) / cell) + 1)

@@ -1,6 +1,6 @@
 /**
- * The gallery's models by name. Each function makes a fresh mesh (see mesh.js), 200 units at its
- * longest.
+ * Maps a name to a model of the gallery. Each function makes a new mesh (see mesh.js) whose longest
+ * side is 200 units.
  */
 
 import { airplane } from './airplane.js'

@@ -1,26 +1,27 @@
 /**
- * A closed surface drawn through sections: fuselage, wing, spoon, propeller blade are all lofts.
- * Enters: a function `section(s, t) -> [x, y, z]`, where s in [0, 1] walks along the body and t in
- * [0, 1] runs once around it; at s = 0 and s = 1 the section has shrunk to a point. Leaves: a mesh
- * whose vertices lie about `spacing` apart everywhere.
+ * Lofts a closed surface through sections: fuselage, wing, spoon and propeller blade are all lofts.
+ * The input is a function `section(s, t) -> [x, y, z]`, where s in [0, 1] goes along the body and t in
+ * [0, 1] once around it; at s = 0 and s = 1 the section shrinks to a point. The output is a mesh
+ * whose vertices are about `spacing` apart everywhere.
  *
  * A plain grid in (s, t) would crowd its vertices where the body is slim and stretch its triangles
- * where it is wide, and a warp shows both. So each ring gets as many vertices as its own length
- * asks for, and neighbouring rings of different counts are stitched.
+ * where it is wide, and a warp makes both visible. So the number of vertices of each ring follows
+ * from its length, and neighbouring rings with different counts are stitched.
  */
 
 import { createMesh, cross, distance, dot, normalize, sub } from './mesh.js'
 
 const FINE_RINGS = 200
 const FINE_AROUND = 120
-// A vertex at least every so many radians of turn, so that edges stay round …
+// The max turn in radians between two vertices, so that edges stay round …
 const TURN = 0.42
-// … but never packed more than this times tighter than `spacing`: slivers look worse than facets.
-const MOST_DENSE = 2.2
+// … limited to this multiple of the density that `spacing` gives: slivers look worse than facets.
+const MAX_DENSITY = 2.2
 const STEP = 1e-4
 
 /**
- * How many vertices each piece of a polyline deserves, by its length and by the turn at its start.
+ * Weights each segment of a polyline by the number of vertices it should get, from its length and
+ * from the turn at its start.
  */
 function weights(points, spacing, closed) {
   const directions = points.slice(1).map((p, i) => normalize(sub(p, points[i])))
@@ -28,12 +29,12 @@ function weights(points, spacing, closed) {
     const length = distance(points[i], points[i + 1]) / spacing
     const before = i > 0 ? directions[i - 1] : closed ? directions.at(-1) : direction
     const turn = Math.acos(Math.min(1, Math.max(-1, dot(before, direction)))) / TURN
-    return Math.min(Math.hypot(length, turn), MOST_DENSE * length)
+    return Math.min(Math.hypot(length, turn), MAX_DENSITY * length)
   })
 }
 
-/** Parameters in [0, 1] that cut a line with these weights into `count` equal pieces. */
-function evenly(pieces, count) {
+/** Returns the parameters in [0, 1] that cut a line with these weights into `count` equal pieces. */
+function cutEvenly(pieces, count) {
   const total = pieces.reduce((sum, piece) => sum + piece, 0)
   const result = [0]
   let sum = 0
@@ -47,7 +48,7 @@ function evenly(pieces, count) {
   return [...result, 1]
 }
 
-/** Where to place rings: along the longest of the meridians, piece by piece. */
+/** Returns the s of each ring, spaced by the longest of the meridians, piece by piece. */
 function stations(section, spacing) {
   const longest = new Array(FINE_RINGS).fill(0)
   for (let k = 0; k < 16; k++) {
@@ -57,7 +58,7 @@ function stations(section, spacing) {
     })
   }
   const count = Math.round(longest.reduce((sum, weight) => sum + weight, 0))
-  return evenly(longest, Math.max(count, 4))
+  return cutEvenly(longest, Math.max(count, 4))
 }
 
 function around(section, s, spacing) {
@@ -65,7 +66,7 @@ function around(section, s, spacing) {
   const pieces = weights(line, spacing, true)
   const count = pieces.reduce((sum, piece) => sum + piece, 0)
   // Even counts keep a symmetric section symmetric.
-  return evenly(pieces, Math.max(2 * Math.round(count / 2), 6))
+  return cutEvenly(pieces, Math.max(2 * Math.round(count / 2), 6))
 }
 
 /** ∂/∂s × ∂/∂t by central differences; at a sharp seam the difference stays on its own side. */
@@ -78,7 +79,7 @@ function surfaceNormal(section, s, t, sharp) {
   return normalize(cross(alongS, alongT))
 }
 
-/** At a pole ∂/∂t vanishes; the mean of the normals just beside it is the normal there. */
+/** At a pole ∂/∂t vanishes, so its normal is the mean of the normals just beside it. */
 function poleNormal(section, s) {
   const beside = s === 0 ? 4 * STEP : 1 - 4 * STEP
   const sum = [0, 0, 0]
@@ -90,11 +91,11 @@ function poleNormal(section, s) {
 }
 
 /**
- * Triangles between two rings of vertex numbers: always across the shorter of the two diagonals.
+ * Adds triangles between two rings of vertex indices, always along the shorter of the two diagonals.
  */
 function stitch(a, b, points, triangles) {
   const [n, m] = [a.length - 1, b.length - 1]
-  // Greedy choices may not lead one ring ahead of the other by more than a step.
+  // Greedy choices must not let one ring get ahead of the other by more than a step.
   const lead = 1.01 / Math.max(Math.min(n, m), 1)
   for (let i = 0, j = 0; i < n || j < m;) {
     const ahead = (i + 1) / n - j / m
@@ -119,8 +120,8 @@ function signedVolume(points, triangles) {
 
 /**
  * @param section (s, t) -> point, closed in t, a single point at s = 0 and at s = 1
- * @param spacing wanted distance between neighbouring vertices, in model units
- * @param sharp   whether t = 0 is a crease (the trailing edge of a wing)
+ * @param spacing the desired distance between neighbouring vertices, in model units
+ * @param sharp   true if t = 0 is a crease (the trailing edge of a wing)
  */
 export function loft(section, { spacing, sharp = false }) {
   const points = []
@@ -135,7 +136,7 @@ export function loft(section, { spacing, sharp = false }) {
   const rings = at.map((s, i) => {
     const u = i / (at.length - 1)
     if (s === 0 || s === 1) return [add(section(s, 0), poleNormal(section, s), [u, 0.5])]
-    // The seam's two vertices are one point, with two texture coordinates.
+    // The two vertices of the seam have the same position and different texture coordinates.
     const ring = around(section, s, spacing)
     return ring.map((t) =>
       add(section(s, t === 1 ? 0 : t), surfaceNormal(section, s, t, sharp), [u, t]),
@@ -144,7 +145,7 @@ export function loft(section, { spacing, sharp = false }) {
   const triangles = []
   for (let i = 1; i < rings.length; i++) stitch(rings[i - 1], rings[i], points, triangles)
 
-  // Whether ∂/∂s × ∂/∂t points outwards depends on which way the section runs.
+  // ∂/∂s × ∂/∂t points outwards or inwards, depending on the direction of the section.
   if (signedVolume(points, triangles) < 0) {
     triangles.forEach((triangle) => triangle.reverse())
     normals.forEach((normal, i) => (normals[i] = normal.map((x) => -x)))

@@ -4,8 +4,8 @@
  *   { positions: Float32Array xyz…, normals: Float32Array xyz…,
  *     uvs: Float32Array uv…, indices: Uint32Array abc… }
  *
- * Models are built in the usual right-handed frame (x right, y up, z towards the viewer) and pass
- * through `toScreen` last, because p5's y axis points down. Nothing here knows p5 or WebGL.
+ * Models are built in a right-handed frame (x right, y up, z towards the viewer) and pass through
+ * `toScreen` last, because p5's y axis points down. Nothing here depends on p5 or WebGL.
  */
 
 export const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
@@ -29,7 +29,8 @@ export const smoothstep = (a, b, x) => {
 }
 
 /**
- * The curve through knots (lists of equal length), f in [0, 1] of the way from knot i to the next.
+ * Evaluates the Catmull-Rom curve through knots (lists of equal length) at the fraction f in [0, 1]
+ * between knot i and the next.
  */
 export function catmullRom(knots, i, f) {
   const [a, b, c, d] = [-1, 0, 1, 2].map((k) => knots[clamp(i + k, 0, knots.length - 1)])
@@ -39,7 +40,7 @@ export function catmullRom(knots, i, f) {
   })
 }
 
-/** Lists of `width` numbers each, one after the other in a typed array. */
+/** Packs lists of `width` numbers each into a typed array. */
 function pack(lists, width, type) {
   const result = new type(lists.length * width)
   for (let i = 0; i < lists.length; i++) {
@@ -48,7 +49,7 @@ function pack(lists, width, type) {
   return result
 }
 
-/** A mesh from lists of points; `normals` and `uvs` have one entry a point. */
+/** Makes a mesh from lists of points; `normals` and `uvs` have one entry per point. */
 export function createMesh({ points, normals, uvs, triangles }) {
   return {
     positions: pack(points, 3, Float32Array),
@@ -58,9 +59,9 @@ export function createMesh({ points, normals, uvs, triangles }) {
   }
 }
 
-/** One mesh of several; parts may cross each other, nothing is welded. */
+/** Merges several meshes into one. Parts may intersect; nothing is welded. */
 export function merge(meshes) {
-  const joined = (name, type) => {
+  const concatenate = (name, type) => {
     const result = new type(meshes.reduce((sum, mesh) => sum + mesh[name].length, 0))
     let at = 0
     for (const mesh of meshes) {
@@ -70,10 +71,10 @@ export function merge(meshes) {
     return result
   }
   const result = {
-    positions: joined('positions', Float32Array),
-    normals: joined('normals', Float32Array),
-    uvs: joined('uvs', Float32Array),
-    indices: joined('indices', Uint32Array),
+    positions: concatenate('positions', Float32Array),
+    normals: concatenate('normals', Float32Array),
+    uvs: concatenate('uvs', Float32Array),
+    indices: concatenate('indices', Uint32Array),
   }
   let vertex = 0
   let index = 0
@@ -85,8 +86,8 @@ export function merge(meshes) {
 }
 
 /**
- * Normal of each point: the sum of the triangles' normals weighted by the angle they have there
- * (Thürmer and Wüthrich 1998), which does not depend on how a flat piece was cut into triangles.
+ * Returns the normal of each point: the sum of its triangles' normals, each weighted by the triangle's
+ * angle there (Thürmer and Wüthrich 1998), which does not depend on the triangulation of flat parts.
  */
 export function angleWeightedNormals(points, triangles) {
   const sums = points.map(() => [0, 0, 0])
@@ -103,7 +104,7 @@ export function angleWeightedNormals(points, triangles) {
   return sums.map(normalize)
 }
 
-/** Texture coordinates seen from the front: seamless, and upright in p5. */
+/** Projects texture coordinates from the front: seamless, and upright in p5. */
 export function frontUVs(points) {
   const low = [0, 1].map((axis) => points.reduce((m, p) => Math.min(m, p[axis]), Infinity))
   const high = [0, 1].map((axis) => points.reduce((m, p) => Math.max(m, p[axis]), -Infinity))
@@ -113,7 +114,7 @@ export function frontUVs(points) {
   ])
 }
 
-/** Moves the middle of the bounding box to the origin and scales its longest side to `size`. */
+/** Moves the center of the bounding box to the origin and scales its longest side to `size`. */
 export function fit(mesh, size = 200) {
   const { positions } = mesh
   const low = [Infinity, Infinity, Infinity]
@@ -130,7 +131,7 @@ export function fit(mesh, size = 200) {
 }
 
 /**
- * y up → y down, so that the model stands upright in p5. This is a reflection, not a half turn:
+ * Flips y up to y down, so that the model is upright in p5. This is a reflection, not a half turn:
  * p5's screen frame is left-handed, and a half turn would show a mirrored model. A reflection turns
  * triangles inside out, so each one is also reversed, and (b - a) × (c - a) points outwards again.
  */

@@ -1,10 +1,10 @@
 /**
- * A mesh as Wavefront OBJ text, for p5's `loadModel` and every 3D program. Enters: a mesh (see
- * mesh.js). Leaves: `v`, `vt`, `vn` and `f` lines. Coordinates are written as they are, so y still
- * points down: p5 shows the file upright, other programs want it turned over.
+ * Writes a mesh (see mesh.js) as Wavefront OBJ with `v`, `vt`, `vn` and `f` lines, for p5's
+ * `loadModel` and every 3D program. Coordinates are written unchanged, so y points down: p5 shows
+ * the file upright, other programs need it flipped.
  */
 
-// Never an exponent and never a bare trailing point: p5 splits lines at `\b\s+`, and wants a digit
+// Writes no exponent and no bare trailing point: p5 splits lines at `\b\s+`, which needs a digit
 // last.
 const short = (x, decimals) => String(Number(x.toFixed(decimals)) + 0)
 
@@ -20,11 +20,11 @@ const lines = (word, values, width, decimals) => {
 /**
  * @param mesh { positions, normals, uvs?, indices }
  * @param name the object's name in the file
- * @returns the text of the file
+ * @returns the content of the file
  */
 export function toOBJ(mesh, name) {
   const { positions, normals, uvs, indices } = mesh
-  // OBJ counts from 1, and its v runs upwards where ours runs downwards.
+  // OBJ counts from 1, and its v points up where ours points down.
   const corner = (i) => (uvs ? `${i + 1}/${i + 1}/${i + 1}` : `${i + 1}//${i + 1}`)
   const faces = []
   for (let i = 0; i < indices.length; i += 3) {

@@ -1,7 +1,7 @@
 /**
- * A table spoon along x, 200 units long, bowl at +x and opening upwards in p5. It is one loft: a
- * thin lens whose middle line follows the bowl's hollow and the handle's swing. The vertices lie as
- * densely along the handle as in the bowl, so the handle can be bent round and round.
+ * A tablespoon along x, 200 units long, bowl at +x and opening upwards in p5. It is one loft: a
+ * thin lens whose middle line follows the bowl's hollow and the handle's curve. The vertices are as
+ * dense along the handle as in the bowl, so the handle can be bent round and round.
  */
 
 import { loft } from './loft.js'
@@ -32,7 +32,7 @@ function halfWidth(x) {
 }
 
 /** Height of the handle's middle line: up out of the bowl, over the neck, down to a lifted end. */
-function swing(x) {
+function handleHeight(x) {
   const along = clamp((BOWL.from + 10 - x) / (BOWL.from + 110), 0, 1)
   return 14 * smoothstep(0, 0.5, along) - 11 * smoothstep(0.2, 1, along) + 5 * along ** 6
 }
@@ -45,7 +45,7 @@ function height(x, w) {
   const hollow = BOWL.depth * deep * (1 - Math.abs(w) ** 2.3)
   // The tip of the bowl looks up a little; the handle is slightly vaulted, but flat at its end.
   const vault = 0.018 * halfWidth(x) ** 2 * (1 - w * w) * (1 - smoothstep(-80, -20, x))
-  return swing(x) - hollow + 1.5 * u * u + vault
+  return handleHeight(x) - hollow + 1.5 * u * u + vault
 }
 
 const thickness = (x) => mix(1.3, 2.5, Math.exp(-(((x - NECK) / 26) ** 2)))
@@ -56,14 +56,14 @@ function section(s, t) {
   const x = -100 * Math.cos(Math.PI * s)
   const w = Math.cos(TURN * t)
   const p = middle(x, w)
-  // Thickness is laid on across the middle surface, not vertically, or steep walls would be thin.
+  // Thickness is added along the normal of the middle surface; vertical thickness would thin steep walls.
   const e = 1e-3
   const [x0, x1] = [Math.max(x - e, -100), Math.min(x + e, 100)]
   const [w0, w1] = [Math.max(w - e, -1), Math.min(w + e, 1)]
   const along = sub(middle(x1, w), middle(x0, w))
   const across = sub(middle(x, w1), middle(x, w0))
   const n = normalize(cross(across, along))
-  // Blunter than an ellipse, so that the rim is round and not a blade.
+  // Blunter than an ellipse, so that the rim is round rather than sharp.
   const blunt = Math.sign(0.5 - t) * Math.abs(Math.sin(TURN * t)) ** 0.7
   const half = thickness(x) * blunt * Math.tanh(halfWidth(x) / 3)
   return p.map((value, axis) => value + n[axis] * half)

@@ -1,12 +1,12 @@
 /**
  * Welding and Loop's subdivision, on lists: `points` [[x, y, z], …] and `triangles` [[a, b, c], …].
- * One step makes four triangles of each and rounds the shape. Source: Loop 1987, with Warren's
+ * One step splits each triangle into four and rounds the shape. Source: Loop 1987, with Warren's
  * simpler weights and the cubic B-spline rule along open borders (Hoppe et al. 1994).
  */
 
 /**
- * Points at the same place become one where two triangles share an edge there. Mere touching is not
- * enough: the teapot's handle touches the body in one point, and would be pinched to it.
+ * Merges points at the same position if two triangles share an edge there. A single shared point is
+ * not enough: the teapot's handle touches the body in one point and would be pinched to it.
  */
 export function weld(points, triangles) {
   const same = points.map((_, i) => i)
@@ -27,26 +27,26 @@ export function weld(points, triangles) {
       same[root(last)] = root(otherLast)
     })
   }
-  const kept = points.map((_, i) => i).filter((i) => same[i] === i)
-  const numbers = new Map(kept.map((i, number) => [i, number]))
+  const roots = points.map((_, i) => i).filter((i) => same[i] === i)
+  const numbers = new Map(roots.map((i, number) => [i, number]))
   return {
-    points: kept.map((i) => points[i]),
+    points: roots.map((i) => points[i]),
     triangles: triangles.map((triangle) => triangle.map((i) => numbers.get(root(i)))),
   }
 }
 
-const weighted = (...terms) => {
+const weightedSum = (...terms) => {
   const sum = [0, 0, 0]
   for (const [weight, p] of terms) for (let k = 0; k < 3; k++) sum[k] += weight * p[k]
   return sum
 }
 
-/** Warren's weight of one of n neighbours; two of them are those along an open border. */
+/** Warren's weight of one of n neighbours; n = 2 is a point on an open border. */
 const beta = (n) => (n === 2 ? 1 / 8 : n === 3 ? 3 / 16 : 3 / (8 * n))
 
 const edgeKey = (a, b) => (a < b ? `${a},${b}` : `${b},${a}`)
 
-/** Every edge with its two ends and the one or two corners opposite to it. */
+/** Maps each edge to its two ends and the one or two corners opposite to it. */
 function edgesOf(triangles) {
   const edges = new Map()
   for (const triangle of triangles) {
@@ -60,7 +60,7 @@ function edgesOf(triangles) {
   return edges
 }
 
-/** For each point its neighbours, or only those along the border if it lies on an open one. */
+/** Returns the neighbours of each point; for a point on an open border, only those along the border. */
 function neighbours(points, edges) {
   const all = points.map(() => [])
   const border = points.map(() => [])
@@ -74,13 +74,13 @@ function neighbours(points, edges) {
 }
 
 /**
- * Each point moved towards its neighbours: `share(n)` of the way that one of n neighbours pulls.
+ * Moves each point towards its neighbours; `share(n)` is the weight of one of n neighbours.
  */
-const pulled = (points, around, share) =>
+const pullPoints = (points, around, share) =>
   points.map((p, i) => {
     const pull = share(around[i].length)
     const terms = around[i].map((j) => [pull, points[j]])
-    return weighted([1 - around[i].length * pull, p], ...terms)
+    return weightedSum([1 - around[i].length * pull, p], ...terms)
   })
 
 export function subdivide({ points, triangles }) {
@@ -93,13 +93,13 @@ export function subdivide({ points, triangles }) {
     middle.set(key, points.length + added.length)
     added.push(
       d
-        ? weighted([3 / 8, a], [3 / 8, b], [1 / 8, c], [1 / 8, d])
-        : weighted([1 / 2, a], [1 / 2, b]),
+        ? weightedSum([3 / 8, a], [3 / 8, b], [1 / 8, c], [1 / 8, d])
+        : weightedSum([1 / 2, a], [1 / 2, b]),
     )
   }
   const between = (a, b) => middle.get(edgeKey(a, b))
   return {
-    points: [...pulled(points, neighbours(points, edges), beta), ...added],
+    points: [...pullPoints(points, neighbours(points, edges), beta), ...added],
     triangles: triangles.flatMap(([a, b, c]) => {
       const [ab, bc, ca] = [between(a, b), between(b, c), between(c, a)]
       return [
@@ -113,18 +113,18 @@ export function subdivide({ points, triangles }) {
 }
 
 /**
- * The mesh whose endlessly subdivided surface passes through the given points, so that thin things
- * keep their thickness. A point p with n neighbours q ends up at (1 - nγ) p + γ Σ q, γ = 1 / (3 /
- * (8β) + n), and the points are moved by what is missing, three times (Jacobi's iteration): more
- * would gain little and begin to ripple.
+ * Returns the mesh whose limit surface passes through the given points, so that thin parts keep
+ * their thickness. A point p with n neighbours q has the limit (1 - nγ) p + γ Σ q, γ = 1 / (3 / (8β)
+ * + n). The points are moved by the remaining error three times (Jacobi iteration): more would gain
+ * little and begin to ripple.
  */
 export function interpolating({ points, triangles }) {
   const around = neighbours(points, edgesOf(triangles))
   const gamma = (n) => (n === 2 ? 1 / 6 : 1 / (3 / (8 * beta(n)) + n))
   let control = points
   for (let i = 0; i < 3; i++) {
-    const reached = pulled(control, around, gamma)
-    control = control.map((p, j) => weighted([1, p], [1, points[j]], [-1, reached[j]]))
+    const reached = pullPoints(control, around, gamma)
+    control = control.map((p, j) => weightedSum([1, p], [1, points[j]], [-1, reached[j]]))
   }
   return { points: control, triangles }
 }

@@ -1,8 +1,8 @@
 /**
  * The Utah teapot, from the npm package `teapot` (public domain), spout along +x, upright in p5.
  * The package has 992 triangles in patches that share no vertices: they are welded first, so that
- * subdivision and normals see one surface, and then subdivided to bend smoothly. It is a shell:
- * body, spout and lid stay open where they meet, as Newell built them.
+ * subdivision and normals apply to one surface, and then subdivided to bend smoothly. It is a shell:
+ * body, spout and lid stay open where they meet, as in Newell's original.
  */
 
 import data from 'teapot'

@@ -1,4 +1,4 @@
-/** The tab that checks the normals of a warp against differences, and shows where it turns the surface inside out. */
+/** The tab that compares a warp's normals with finite differences and shows where the surface is inside out. */
 import { make } from '../bench/dom.js'
 import { across, down, normalErrors, spherePoints } from './sphere.js'
 
@@ -9,12 +9,13 @@ const radii = {
 }
 const whole = new Intl.NumberFormat('en')
 const degrees = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
-/** The map's lightest color, in degrees. */
-const MOST = 1
+/** The error of the map's reddest color, in degrees. */
+const MAX_ERROR = 1
 
 /**
- * `uniforms()` has what the warp may read at this moment, `frame` evaluates the sketch's warps. → { title, fill(place, sketch) } for
- * output.js.
+ * @param uniforms returns the current values of all inputs that a warp may read, by name
+ * @param frame evaluates the sketch's warps
+ * @returns { title, fill(place, sketch) } for output.js
  */
 export function makeChecks(uniforms, frame) {
   let radius
@@ -39,7 +40,7 @@ export function makeChecks(uniforms, frame) {
     select.value = radius ?? checked[0].radius ?? 1
     select.addEventListener('change', () => {
       radius = select.value
-      fill(place, { warps })
+      void fill(place, { warps })
     })
     const label = make('label', { className: 'chooser' }, 'On a sphere of ', select)
     const points = spherePoints(Number(select.value))
@@ -55,16 +56,16 @@ export function makeChecks(uniforms, frame) {
 async function check({ index, maker, reads, surfaceVariation, declared = [] }, points, all, frame) {
   const title = make('h2', { textContent: maker })
   try {
-    // What the option declares has its value there.
+    // Uniforms of the option `uniforms` have their values in the frame.
     const read = reads.filter((name) => !declared.includes(name))
     const unknown = read.find((name) => !(name in all))
     if (unknown)
       throw new Error(
-        `The sketch sets “${unknown}” where it draws, which is not seen here: give it to createWarp, as in { uniforms: { ${unknown}: 1 } }.`,
+        `The sketch sets “${unknown}” only when it draws, so its value is unknown here: pass it to createWarp, as in { uniforms: { ${unknown}: 1 } }.`,
       )
     const uniforms = Object.fromEntries(read.map((name) => [name, all[name]]))
     const { positions, normals, uvs, colors } = points
-    // Without, the shader takes normal and uv for constant, and so does this.
+    // Without surface variation the shader treats normal and uv as constant, so the check does, too.
     const mesh = surfaceVariation === false ? { positions, normals, uvs, colors } : points
     const errors = normalErrors(await frame.evaluate(index, mesh, { uniforms }))
     const mask = await frame.foldedOf(index, mesh, { uniforms })
@@ -86,8 +87,8 @@ function report(errors, folded) {
     `${degrees.format((180 / Math.PI) * (known[Math.floor(share * (known.length - 1))] ?? 0))}°`
   const count = folded.reduce((sum, each) => sum + each, 0)
   const figures = {
-    'Normals beside differences, at most': at(1),
-    'Nine in ten at most': at(0.9),
+    'Max error of a normal': at(1),
+    '90th percentile': at(0.9),
     'Turned inside out': `${whole.format(count)} of ${whole.format(errors.length)} points`,
   }
   const list = make(
@@ -99,25 +100,25 @@ function report(errors, folded) {
   )
   return [
     list,
-    map(errors, folded),
+    drawMap(errors, folded),
     make('p', {
       className: 'none',
-      textContent: `The sphere unrolled: the redder, the more a normal leaves that of differences, ${MOST}° or more at the reddest; violet is inside out.`,
+      textContent: `The sphere unrolled. Red shows the angle between a normal and that of finite differences, ${MAX_ERROR}° or more at the reddest; violet is inside out.`,
     }),
   ]
 }
 
-const mixed = (a, b, amount) => a.map((value, i) => value + (b[i] - value) * amount)
+const mix = (a, b, amount) => a.map((value, i) => value + (b[i] - value) * amount)
 
-function map(errors, folded) {
+function drawMap(errors, folded) {
   const canvas = make('canvas', { className: 'map', width: across, height: down })
   canvas.role = 'img'
-  canvas.ariaLabel = 'Map of the errors and of what is inside out'
+  canvas.ariaLabel = 'Map of the errors and of the points inside out'
   const context = canvas.getContext('2d')
   const image = context.createImageData(across, down)
   for (const [i, error] of errors.entries()) {
-    const amount = Math.min(1, ((180 / Math.PI) * error) / MOST || 0)
-    const color = folded[i] ? [169, 156, 255] : mixed([45, 51, 71], [255, 90, 60], amount)
+    const amount = Math.min(1, ((180 / Math.PI) * error) / MAX_ERROR || 0)
+    const color = folded[i] ? [169, 156, 255] : mix([45, 51, 71], [255, 90, 60], amount)
     image.data.set([...color, 255], 4 * i)
   }
   context.putImageData(image, 0, 0)

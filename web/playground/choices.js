@@ -1,4 +1,4 @@
-/** What one chooses above the editor: an example, what the sketch runs in, and the scripts beside it. */
+/** The choices above the editor: an example, the host that runs the sketch, and additional scripts. */
 import { make } from '../bench/dom.js'
 import { converted } from './convert.js'
 import { exampleSketch, sections, starters } from './examples.js'
@@ -11,8 +11,8 @@ const isOffset = (host) => host === 'offset'
 const options = (entries) =>
   entries.map(([value, textContent]) => make('option', { value, textContent }))
 
-/** `complain` gets what is wrong with an example. → { show, begin(name), addModel(name) } */
-export function makeChoices(editor, complain) {
+/** @param onError called with an error if an example cannot be loaded @returns { show, begin(name), addModel(name) } */
+export function makeChoices(editor, onError) {
   const [example, host, model] = ['#example', '#host', '#model'].map((id) =>
     document.querySelector(id),
   )
@@ -47,14 +47,14 @@ export function makeChoices(editor, complain) {
   })
   document.querySelector('.choices fieldset').append(note)
 
-  /** An example of the gallery, or the first sketch. */
+  /** Opens an example of the gallery; default: the first sketch. */
   async function begin(name = '') {
     try {
       editor.set(name ? await exampleSketch(name) : first)
       example.value = name
     } catch (error) {
       if (!editor.sketch().text) editor.set(first)
-      complain(error)
+      onError(error)
     }
   }
   example.addEventListener('change', () => begin(example.value))
@@ -62,7 +62,7 @@ export function makeChoices(editor, complain) {
   host.addEventListener('change', () => {
     const { text, host: before } = editor.sketch()
     const now = host.value
-    // A sketch of p5 is none of three.js: it is left where it is, one undo away.
+    // A p5 sketch cannot be converted to three.js, so a starter replaces it; undo brings it back.
     if (isThree(now)) editor.set({ host: now, text: starters.three })
     else if (isOffset(now)) editor.set({ host: now, text: starter })
     else if (isOffset(before))
@@ -72,7 +72,7 @@ export function makeChoices(editor, complain) {
 
   return {
     begin,
-    /** A file that was dropped: the offset is tried on it. */
+    /** Adds a dropped file, and applies an offset function to it. */
     addModel(name) {
       listModels([name])
       if (isOffset(editor.sketch().host)) editor.set({ model: name })

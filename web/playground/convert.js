@@ -1,9 +1,9 @@
 /**
- * A sketch of p5 for another p5, in its own text, so that what one sees is what runs there: WEBGPU wants a canvas that is
- * awaited, and p5 1.11 waits for what `preload` loads and for nothing else.
+ * Converts a sketch between versions of p5 by changing its source, so that the visible code is the code that runs. WEBGPU needs an
+ * awaited canvas, and p5 1.11 waits only for files that `preload` loads.
  */
 
-/** `text` for `host`, one of hosts.js that runs p5. */
+/** Returns `text` converted for `host`, one of the p5 hosts in hosts.js. */
 export function converted(text, host) {
   const plain = host === 'p5-1' ? toPreload(text) : fromPreload(text)
   return host === 'p5-webgpu' ? toWebGPU(plain) : toWebGL(plain)
@@ -16,7 +16,7 @@ const toWebGPU = (text) =>
 
 const toWebGL = (text) => plainSetup(text.replaceAll(canvas('WEBGPU'), 'createCanvas($2, WEBGL)'))
 
-/** The function's lines, between its head and the brace that ends it at the beginning of a line. */
+/** Matches a function and captures its lines, from its head to the closing brace at the beginning of a line. */
 const body = (name) => new RegExp(`^(async )?function ${name}\\(\\) \\{\\n([^]*?)^\\}\\n?`, 'm')
 
 const asyncSetup = (text) =>
@@ -35,12 +35,12 @@ function toPreload(text) {
   const [, , lines] = body('setup').exec(text) ?? []
   const loads = [...(lines ?? '').matchAll(awaited)]
   if (!loads.length) return plainSetup(text)
-  // What setup declared for itself is a variable of both functions now.
+  // Variables that setup declares become global, since both functions use them now.
   const declared = loads.filter(([line]) => /^ *(const|let) /.test(line)).map(([, name]) => name)
-  const kept = text.replace(body('setup'), (whole) => whole.replaceAll(awaited, ''))
+  const rest = text.replace(body('setup'), (whole) => whole.replaceAll(awaited, ''))
   const preload = `function preload() {\n${loads.map(([, name, call]) => `  ${name} = ${call}\n`).join('')}}\n\n`
   const head = declared.length ? `let ${declared.join(', ')}\n` : ''
-  return plainSetup(kept.replace(/^(async )?function setup/m, (setup) => head + preload + setup))
+  return plainSetup(rest.replace(/^(async )?function setup/m, (setup) => head + preload + setup))
 }
 
 function fromPreload(text) {

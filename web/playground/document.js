@@ -1,16 +1,16 @@
-/** The page of a sketch as a file of its own. */
+/** Writes the page of a sketch as a standalone HTML file. */
 import { javascriptLanguage } from '@codemirror/lang-javascript'
 import { hosts, isThree, tagsOf } from './hosts.js'
 
-/** JSON inside a script tag. */
+/** Writes JSON for a script tag. */
 export const jsonInside = (value) => JSON.stringify(value).replaceAll('<', '\\u003C')
 
-/** An HTML parser takes this for the end of a script or, after a comment has begun, for another script in it. */
+/** Text that an HTML parser takes for the end of a script or, after the start of a comment, for a nested script. */
 const dangerous = /<(?=\/script|!--|script)/gi
 
 /**
- * JavaScript inside a script tag: nothing in it may end the tag, and it means the same. Outside of strings `<script` stays, as in
- * `a<scripts.length`: it is dangerous after `<!--` alone, which does not stay.
+ * Escapes JavaScript for a script tag: nothing in it can end the tag, and its meaning does not change. Outside of strings `<script`
+ * stays, as in `a<scripts.length`: it is dangerous only after `<!--`, which is escaped.
  */
 export function insideScript(text, { isModule = false } = {}) {
   const found = [...text.matchAll(dangerous)]
@@ -24,7 +24,7 @@ export function insideScript(text, { isModule = false } = {}) {
     if (kind === 'String' || kind === 'RegExp') sign = isEscaped(text, index) ? 'u003C' : '\\u003C'
     else if (kind === 'TemplateString') sign = "<${''}"
     else if (rest.startsWith('</')) sign = '< '
-    // In a classic script it begins a comment of one line.
+    // In a classic script `<!--` begins a single-line comment.
     else if (rest === '<!--') sign = isModule || kind ? '< ' : '//'
     result = result.slice(0, index) + sign + result.slice(index + 1)
   }
@@ -47,8 +47,8 @@ const isEscaped = (text, at) => /(?<!\\)(?:\\\\)*\\$/.test(text.slice(Math.max(0
 export const tag = (path) => `<script src="${path}"></script>`
 
 /**
- * `before` stands in front of the libraries, `after` behind them; `sketch` is the sketch's own tag. `tags` and `modules` have
- * the libraries in other words than by their paths in the examples, and `style` another look than the host's.
+ * `before` and `after` are HTML before and after the libraries, `sketch` is the sketch's own tag. `tags` and `modules` replace the
+ * libraries' default tags and import map, `style` replaces the host's style.
  */
 export function pageOf(
   setting,

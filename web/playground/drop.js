@@ -1,10 +1,10 @@
-/** Files that fall onto the page: the sketch may load them by their names. */
+/** Accepts files that are dropped onto the page; the sketch can load them by their names. */
 
-/** `take` gets each file. */
+/** @param take called with each file */
 export function takeFiles(take) {
   let depth = 0
   const drag = (change) => (event) => {
-    // Text that is dragged is the editor's.
+    // The editor handles dragged text.
     if (!event.dataTransfer?.types.includes('Files')) return
     event.preventDefault()
     depth = change === 0 ? 0 : depth + change
@@ -20,7 +20,7 @@ export function takeFiles(take) {
     (event) => {
       if (!event.dataTransfer?.types.includes('Files')) return
       drag(0)(event)
-      // The editor would take in a file's text.
+      // Otherwise the editor would insert the file's text.
       event.stopPropagation()
       for (const file of event.dataTransfer.files) take(file)
     },

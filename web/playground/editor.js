@@ -1,4 +1,4 @@
-/** The text of the sketch, and with it what it runs in: one history for both, so that undo brings back either. */
+/** The editor of the sketch's text and setting. Both share one history, so that undo restores either. */
 import { invertedEffects } from '@codemirror/commands'
 import { javascript } from '@codemirror/lang-javascript'
 import { lintGutter, setDiagnostics } from '@codemirror/lint'
@@ -8,7 +8,7 @@ import { basicSetup } from 'codemirror'
 import { lightLines, litLines } from './lit.js'
 import { theme } from './theme.js'
 
-/** { host, chosen, model }: see hosts.js, and offset.js for the model. */
+/** { host, chosen, model }: host and chosen scripts as in hosts.js, model as in offset.js. */
 const changeSetting = StateEffect.define()
 export const setting = StateField.define({
   create: () => ({ host: 'p5', chosen: [], model: 'sphere' }),
@@ -21,8 +21,8 @@ const undoable = invertedEffects.of(({ effects, startState }) =>
     .map(() => changeSetting.of(startState.field(setting))),
 )
 
-/** `changed` is called after each change of the text or the setting, `moved` with the line that the cursor has come to. */
-export function makeEditor(parent, { changed, moved, extensions = [] }) {
+/** @param onChange called after each change of the text or the setting @param onMove called with the cursor's new line */
+export function makeEditor(parent, { onChange, onMove, extensions = [] }) {
   const view = new EditorView({
     parent,
     state: EditorState.create({
@@ -38,9 +38,9 @@ export function makeEditor(parent, { changed, moved, extensions = [] }) {
         EditorView.contentAttributes.of({ 'aria-label': 'Sketch', tabindex: '0' }),
         EditorView.updateListener.of((update) => {
           const isSet = update.startState.field(setting) !== update.state.field(setting)
-          if (update.docChanged || isSet) changed()
+          if (update.docChanged || isSet) onChange()
           if (update.selectionSet || update.docChanged)
-            moved?.(update.state.doc.lineAt(update.state.selection.main.head).number)
+            onMove?.(update.state.doc.lineAt(update.state.selection.main.head).number)
         }),
         extensions,
       ],
@@ -52,7 +52,7 @@ export function makeEditor(parent, { changed, moved, extensions = [] }) {
   return {
     view,
     sketch,
-    /** Replaces what is given of { text, host, chosen, model }, as one step of the history. */
+    /** Replaces the given properties of { text, host, chosen, model } as one step of the history. */
     set({ text, ...rest }) {
       const before = sketch()
       const { host, chosen, model } = { ...before, ...rest }
@@ -68,7 +68,7 @@ export function makeEditor(parent, { changed, moved, extensions = [] }) {
         userEvent: 'input.set',
       })
     },
-    /** Marks the line of a mistake, or nothing. */
+    /** Marks the line of a mistake; without one, clears the mark. */
     mark(mistake) {
       const { doc } = view.state
       const marks = []
@@ -84,7 +84,7 @@ export function makeEditor(parent, { changed, moved, extensions = [] }) {
       }
       view.dispatch(setDiagnostics(view.state, marks))
     },
-    /** Lights lines by their numbers, or none. */
+    /** Highlights the lines with these numbers, and no others. */
     light: (numbers) => lightLines(view, numbers),
     goTo(number) {
       const { from } = view.state.doc.line(Math.min(number, view.state.doc.lines))

@@ -1,4 +1,4 @@
-/** What one may begin with: the gallery's examples as they are, and a short sketch for each host. */
+/** Sketches to begin with: the gallery's examples and a short sketch for each host. */
 import { sections } from '../catalogue.js'
 import { scripts } from './hosts.js'
 
@@ -9,11 +9,11 @@ const folder = new URL('../examples/', location.href)
 async function textOf(path) {
   const response = await fetch(new URL(path, folder))
   if (!response.ok || !/^[\w-]+\//.test(path))
-    throw new Error('There is no such example: choose one of the list.')
+    throw new Error('This example does not exist: choose one from the list.')
   return response.text()
 }
 
-/** → { text, host, chosen }, by the tags of the example's own page. */
+/** Loads an example → { text, host, chosen }, the latter two from the tags of its page. */
 export async function exampleSketch(name) {
   const [page, text] = await Promise.all(
     ['index.html', 'sketch.js'].map((file) => textOf(`${name}/${file}`)),

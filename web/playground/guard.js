@@ -1,36 +1,36 @@
 /**
- * Loops that end by themselves: while somebody writes `while (true)`, the page must not stand still with all that was written.
- * Each loop asks, once a round, whether it has gone on for too long; frame/start.js answers.
+ * Guards loops: while a user is typing `while (true)`, the page must not hang and lose the text. Each loop calls a function once
+ * per iteration that throws if the loop runs for too long; frame/start.js defines it.
  */
 import { javascriptLanguage } from '@codemirror/lang-javascript'
 
 const loops = new Set(['ForStatement', 'WhileStatement', 'DoStatement'])
 const functions = new Set(['ArrowFunction', 'FunctionExpression'])
 
-/** Of these the text is read, by warpjet's operators and p5.strands, which know of no such question. */
-const isHandedOver = (node) => functions.has(node.name) && node.parent?.name === 'ArgList'
+/** warpjet's operators and p5.strands parse the source of functions that are passed to them, and do not support the guard. */
+const isArgument = (node) => functions.has(node.name) && node.parent?.name === 'ArgList'
 
-function isRead(node) {
-  for (let above = node; above; above = above.parent) if (isHandedOver(above)) return true
+function mayBeParsed(node) {
+  for (let above = node; above; above = above.parent) if (isArgument(above)) return true
   return false
 }
 
-const question = 'playground.goOn();'
+const guardCall = 'playground.goOn();'
 
-/** The text with a question in each loop, in the same lines. Where all functions may be read, it is left alone. */
-export function guarded({ text, chosen = [] }) {
+/** Adds a guard to each loop without changing line numbers. With the operators any function may be parsed, so nothing changes. */
+export function guardLoops({ text, chosen = [] }) {
   if (chosen.includes('operators')) return text
   const inserts = []
   javascriptLanguage.parser.parse(text).iterate({
     enter({ name, node }) {
-      if (!loops.has(name) || isRead(node)) return
+      if (!loops.has(name) || mayBeParsed(node)) return
       const body = name === 'DoStatement' ? node.firstChild?.nextSibling : node.lastChild
       if (!body || body.type.isError) return
-      if (body.name === 'Block') inserts.push([body.from + 1, question])
-      else inserts.push([body.from, `{${question}`], [body.to, '}'])
+      if (body.name === 'Block') inserts.push([body.from + 1, guardCall])
+      else inserts.push([body.from, `{${guardCall}`], [body.to, '}'])
     },
   })
-  // From the end, so that places stay. What is inserted at one place keeps its order.
+  // From the end, so that positions stay valid. Insertions at the same position keep their order.
   return inserts
     .sort(([a], [b]) => b - a)
     .reduce((text, [at, insert]) => text.slice(0, at) + insert + text.slice(at), text)

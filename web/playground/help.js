@@ -1,4 +1,4 @@
-/** Completion and hover in the editor, from what the docs and our own declarations say. */
+/** Completion and hover in the editor, with texts from the docs and from our own declarations. */
 import { javascriptLanguage } from '@codemirror/lang-javascript'
 import { syntaxTree } from '@codemirror/language'
 import { hoverTooltip } from '@codemirror/view'
@@ -27,7 +27,7 @@ const words = Object.fromEntries(
 )
 const hostOf = (state) => (isThree(state.field(setting).host) ? 'three' : 'p5')
 
-/** The options, by name, of the function in whose braces a name that begins there stands; nothing elsewhere. */
+/** Returns the options, by name, if a name at `from` is a key in an object passed to one of our functions; otherwise undefined. */
 function optionsAround(state, from) {
   if (!/[{,]\s*$/.test(state.sliceDoc(Math.max(0, from - 200), from))) return
   let node = syntaxTree(state).resolveInner(from, -1)
@@ -41,7 +41,7 @@ function optionsAround(state, from) {
   return options?.size ? options : undefined
 }
 
-/** Components of a vector need no help; what follows a number or a call gets all methods. */
+/** Completes methods after a point, options in a function's braces, and inputs and functions elsewhere. */
 function complete(context) {
   const { state, pos } = context
   const member = context.matchBefore(/[\w$)\]]\.\w*$/)
@@ -54,7 +54,7 @@ function complete(context) {
   if (!word && !context.explicit) return null
   const from = word?.from ?? pos
   const around = optionsAround(state, from)
-  // Above the words of the language, which are no names of options.
+  // Rank options above JavaScript's keywords.
   const options = around
     ? optionsOf(around, 'property').map((each) => ({ ...each, boost: 50 }))
     : words[hostOf(state)]

@@ -1,4 +1,4 @@
-/** What a sketch may run in, and the scripts that it may ask for. Paths are those of the examples, from a folder two below the site. */
+/** The hosts that can run a sketch, and the optional scripts. Paths are relative to a folder two levels below the site, as in examples. */
 
 const p5Style = `body { background: #151823; display: grid; margin: 0; min-height: 100vh; place-items: center }
       canvas { display: block; height: auto !important; max-width: 100vw }`
@@ -11,7 +11,7 @@ export const threeStyle = (
 const p5 = '../../node_modules/p5/lib/p5.min.js'
 const cdn = 'https://cdn.jsdelivr.net/npm/'
 
-/** By its name in a link. `libraries` are script tags, `modules` an import map. */
+/** Maps a host's name, as in links, to its title and libraries. `libraries` are script tags, `modules` is an import map. */
 export const hosts = {
   p5: { title: 'p5 2, WebGL', libraries: [p5], style: p5Style },
   'p5-webgpu': {
@@ -39,10 +39,10 @@ export const hosts = {
   },
 }
 
-/** With an offset function as the whole text; offset.js writes the sketch around it. */
+/** For a text that is only an offset function; offset.js writes the sketch around it. */
 hosts.offset = { ...hosts.p5, title: 'Offset alone, on a model' }
 
-/** Beside the libraries of p5, each a tag of its own. The first is always there. */
+/** Script tags in addition to p5's libraries. The first is always included. */
 export const scripts = {
   p5: { file: '../../dist/p5.warpjet.min.js' },
   deformers: { title: 'Deformers', file: '../../dist/warpjet.deformers.min.js' },
@@ -52,13 +52,13 @@ export const scripts = {
 
 export const isThree = (host) => host === 'three'
 
-/** What is written beside the box for the script that a mistake says is missing; three.js has no boxes, but imports. */
+/** Returns the label of the checkbox for a script that an error message says is missing; three.js uses imports instead. */
 export function boxNamedIn(mistake, host) {
   const isNamed = ({ title, file }) => title && mistake.includes(file.split('/').at(-1))
   return isThree(host) ? undefined : Object.values(scripts).find(isNamed)?.title
 }
 
-/** The tags that a sketch needs → paths, in order. */
+/** Returns the paths of the script tags that a sketch needs, in order. */
 export const tagsOf = ({ host, chosen }) =>
   isThree(host)
     ? []
@@ -70,14 +70,14 @@ export const tagsOf = ({ host, chosen }) =>
           .map((name) => scripts[name].file),
       ]
 
-/** The same file where npm has put it, from its folder of packages. */
+/** Converts a path of the examples to one relative to node_modules. */
 export const inModules = (file) =>
   file
     .replace('../../dist/', '/warpjet/dist/')
     .replace('../../node_modules/p5-v1/', '/p5/')
     .replace('../../node_modules/', '/')
 
-/** The same file at a CDN; `versions` by package. */
+/** Converts a path of the examples to a CDN address. @param versions maps package → version */
 export const atCDN = (file, versions) =>
   file
     .replace('../../dist/', `${cdn}warpjet@${versions.warpjet}/dist/`)

@@ -1,7 +1,7 @@
-/** A sketch in a link: compressed, behind the #, which no server ever sees. */
+/** Stores a sketch in a link, compressed, after the #, which is never sent to a server. */
 const mark = '#sketch='
 
-/** Largest sketch with its settings, in bytes: a short link may unpack to a text that fills the memory. */
+/** Max size of a sketch with its settings, in bytes: a short link could otherwise decompress to a text that fills the memory. */
 const MAX_BYTES = 1_000_000
 
 async function through(bytes, stream) {
@@ -25,7 +25,7 @@ async function* readAll(stream) {
   }
 }
 
-/** → the fragment of a link, with its #. */
+/** Returns the fragment of a link, including the #. */
 export async function fragmentOf(sketch) {
   const bytes = new TextEncoder().encode(JSON.stringify(sketch))
   const packed = await through(bytes, new CompressionStream('deflate-raw'))
@@ -50,7 +50,7 @@ function keepValid({ text, host, chosen, model, values }) {
   }
 }
 
-/** Returns the sketch that `fragmentOf` was given; throws an error whose message is for the reader if the link is broken. */
+/** Inverts `fragmentOf`. If the link is broken, throws an error whose message is meant for the user. */
 export async function sketchOf(fragment) {
   let sketch
   try {

@@ -1,4 +1,4 @@
-/** Lines of the editor that are lit, because somebody points at what comes of them. */
+/** Highlights lines of the editor while the pointer is on the shader code generated from them. */
 import { StateEffect, StateField } from '@codemirror/state'
 import { Decoration, EditorView } from '@codemirror/view'
 

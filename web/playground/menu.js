@@ -1,8 +1,8 @@
-/** A button that opens a list of buttons; Escape and a press elsewhere close it. */
+/** A button that opens a list of buttons; Escape and a click elsewhere close it. */
 import { make } from '../bench/dom.js'
 
-/** `items` are works by title. `failed` gets what they throw, `done` a word to show. */
-export function makeMenu(place, title, items, { done, failed }) {
+/** @param items maps title → action @param onDone called with an action's message @param onError called with its error */
+export function makeMenu(place, title, items, { onDone, onError }) {
   const list = make('div', { className: 'list' })
   const menu = make(
     'details',
@@ -10,14 +10,14 @@ export function makeMenu(place, title, items, { done, failed }) {
     make('summary', { className: 'button', textContent: title }),
     list,
   )
-  for (const [text, work] of Object.entries(items)) {
+  for (const [text, action] of Object.entries(items)) {
     const button = make('button', { type: 'button', textContent: text })
     button.addEventListener('click', async () => {
       menu.open = false
       try {
-        done((await work()) ?? '')
+        onDone((await action()) ?? '')
       } catch (error) {
-        failed(error)
+        onError(error)
       }
     })
     list.append(button)
@@ -28,7 +28,7 @@ export function makeMenu(place, title, items, { done, failed }) {
     menu.querySelector('summary').focus()
   })
   addEventListener('pointerdown', ({ target }) => menu.contains(target) || (menu.open = false))
-  // A press into the sketch leaves this page.
+  // A click in the sketch's frame takes the focus away from this page.
   addEventListener('blur', () => (menu.open = false))
   place.append(menu)
 }

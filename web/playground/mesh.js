@@ -1,7 +1,7 @@
-/** The shape that a sketch draws with its warp, as a GLB file: moved by the warp, lit by its normals, with y upwards as glTF has it. */
+/** Exports the shape that a sketch draws with its warp as a GLB file: warped positions and normals, with y upwards as in glTF. */
 
-/** What p5 calls its matrix, as 16 numbers by columns; of directions the matrix that keeps them upright on a surface. */
-function mover(m) {
+/** Returns functions that transform points by a column-major 4×4 matrix and normals by its cofactor matrix. */
+function makeTransforms(m) {
   const point = ([x, y, z]) =>
     [0, 1, 2].map((i) => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i])
   const column = (i) => [m[4 * i], m[4 * i + 1], m[4 * i + 2]]
@@ -16,25 +16,27 @@ function mover(m) {
     cross(column(0), column(1)),
   ]
   const direction = (n) => {
-    const turned = [0, 1, 2].map((i) => cofactors.reduce((sum, each, j) => sum + each[i] * n[j], 0))
-    const length = Math.hypot(...turned)
-    return length ? turned.map((each) => each / length) : turned
+    const result = [0, 1, 2].map((i) => cofactors.reduce((sum, each, j) => sum + each[i] * n[j], 0))
+    const length = Math.hypot(...result)
+    return length ? result.map((each) => each / length) : result
   }
   return { point, direction }
 }
 
-function moved(array, move) {
+function mapTriples(array, change) {
   const result = new Float32Array(array.length)
   for (let i = 0; i < array.length; i += 3)
-    result.set(move([array[i], array[i + 1], array[i + 2]]), i)
+    result.set(change([array[i], array[i + 1], array[i + 2]]), i)
   return result
 }
 
-const upright = ([x, y, z]) => [x, -y, -z]
+const turnUpright = ([x, y, z]) => [x, -y, -z]
 
 /**
- * `made` is what the sketch has made, which `frame` evaluates; `uniforms` are the clock's, the mouse's and the canvas's, by name. → the
- * file's bytes
+ * @param made the stage's { warps }
+ * @param frame evaluates the warps and returns their shapes
+ * @param uniforms maps a name to the value of clock, mouse and canvas
+ * @returns the file's bytes
  */
 export async function glbOf(made, frame, uniforms) {
   const warps = made.warps
@@ -42,56 +44,56 @@ export async function glbOf(made, frame, uniforms) {
     .filter(({ hasShapes }) => hasShapes)
   if (warps.length > 1)
     throw new Error(
-      `The sketch has ${warps.length} warps: leave one, so that it is clear which shape to save.`,
+      `Expected one warp, got ${warps.length}: remove the others, so that it is clear which shape to save.`,
     )
   const [warp] = warps
   const shapes = warp ? await frame.shapesOf(warp.index) : []
   if (!shapes.length)
     throw new Error(
-      'There is no shape to save: the sketch must draw one with a warp of createWarp, or warp a mesh of three.js.',
+      'There is no shape to save: draw one with a warp of createWarp, or warp a mesh of three.js.',
     )
   if (warp.space === 'camera')
-    throw new Error(
-      'A warp in space: "camera" depends on where one looks from, and cannot be saved.',
-    )
+    throw new Error('A warp in space: "camera" depends on the camera and cannot be saved.')
   const read = warp.reads.filter((name) => Object.hasOwn(uniforms, name))
   const values = Object.fromEntries(read.map((name) => [name, uniforms[name]]))
   const { exportGLB } = await import('../../dist/mesh.js')
   const evaluate = (mesh) => frame.evaluate(warp.index, mesh, { uniforms: values })
   return exportGLB(
-    joined(await Promise.all(shapes.map((shape) => warped(warp.space, shape, evaluate)))),
+    merge(await Promise.all(shapes.map((shape) => warpShape(warp.space, shape, evaluate)))),
   )
 }
 
-/** A shape that the frame has kept, moved by the warp to where it stands. */
-async function warped(space, { matrix, isUpsideDown, indices, ...own }, evaluate) {
-  const { point, direction } = mover(matrix)
+/** Warps a recorded shape and transforms it into world space. */
+async function warpShape(space, { matrix, isUpsideDown, indices, ...own }, evaluate) {
+  const { point, direction } = makeTransforms(matrix)
   const isInWorld = space === 'world'
   const normals = own.normals && { normals: own.normals }
-  const given = isInWorld
+  const input = isInWorld
     ? {
-        positions: moved(own.positions, point),
-        ...(normals && { normals: moved(own.normals, direction) }),
+        positions: mapTriples(own.positions, point),
+        ...(normals && { normals: mapTriples(own.normals, direction) }),
       }
     : { positions: own.positions, ...normals }
   const uvs = own.uvs && { uvs: own.uvs }
-  const { positions, normals: turned } = await evaluate({ ...given, ...uvs })
-  const [toWorld, turn] = isInWorld ? [(p) => p, (n) => n] : [point, direction]
-  const end = isUpsideDown ? upright : (vector) => vector
+  const { positions, normals: warpedNormals } = await evaluate({ ...input, ...uvs })
+  const [toWorld, normalToWorld] = isInWorld ? [(p) => p, (n) => n] : [point, direction]
+  const flip = isUpsideDown ? turnUpright : (vector) => vector
   return {
-    positions: moved(positions, (p) => end(toWorld(p))),
-    ...(normals && { normals: moved(turned, (n) => end(turn(n))) }),
+    positions: mapTriples(positions, (p) => flip(toWorld(p))),
+    ...(normals && { normals: mapTriples(warpedNormals, (n) => flip(normalToWorld(n))) }),
     ...uvs,
     indices,
   }
 }
 
-/** One mesh of some; what not all of them have is left out. */
-function joined(meshes) {
+/** Merges meshes into one. Attributes that not all of them have are left out. */
+function merge(meshes) {
   const [first, ...others] = meshes
   if (!others.length) return first
   const join = (arrays) => Float32Array.from(arrays.flatMap((array) => [...array]))
-  const kept = ['positions', 'normals', 'uvs'].filter((name) => meshes.every((each) => each[name]))
+  const shared = ['positions', 'normals', 'uvs'].filter((name) =>
+    meshes.every((each) => each[name]),
+  )
   let before = 0
   const indices = meshes.flatMap(({ indices, positions }) => {
     const from = before
@@ -99,7 +101,7 @@ function joined(meshes) {
     return Array.from(indices, (index) => from + index)
   })
   return {
-    ...Object.fromEntries(kept.map((name) => [name, join(meshes.map((each) => each[name]))])),
+    ...Object.fromEntries(shared.map((name) => [name, join(meshes.map((each) => each[name]))])),
     indices: Uint32Array.from(indices),
   }
 }

@@ -1,5 +1,5 @@
 /**
- * Messages of a sketch's frame, checked: whoever wrote the sketch may have sent them. Each reader gives the message in its expected
+ * Validates messages from a sketch's frame, which a hostile sketch may have sent. Each reader returns the message in its expected
  * shape, or undefined.
  */
 const MAX_TEXT = 20_000
@@ -13,7 +13,7 @@ const isList = (value, isItem) =>
 const isName = (value) => isText(value, 200)
 const isPart = (value) => Number.isFinite(value)
 
-/** A place in the sketch: lines and columns begin with 1. */
+/** A line or column in the sketch, counted from 1. */
 const place = (value) => (Number.isSafeInteger(value) && value > 0 ? value : undefined)
 
 /** The page shows a uniform as a number, two to four of them, or a colour such as '#ff8040'. */
@@ -65,10 +65,9 @@ export function readMessage(data) {
   return read ? { kind, ...read } : undefined
 }
 
-const makeError = () =>
-  new Error('The sketch has sent something else than the page asked for: run it again.')
+const makeError = () => new Error('The sketch sent an unexpected answer: run it again.')
 
-/** An answer that is to be a file of that type. */
+/** Checks that an answer is a file, and gives it that type; undefined if there is none. */
 export function fileOf(value, type) {
   if (value === undefined || value === null) return undefined
   if (!(value instanceof Blob)) throw makeError()
@@ -78,20 +77,20 @@ export function fileOf(value, type) {
 const isFloats = (value) => value instanceof Float32Array
 const isFloatsOf = (length) => (value) => isFloats(value) && value.length === length
 
-/** An answer that is to be an evaluated mesh of as many positions and normals as `mesh`. */
+/** Checks that an answer is an evaluated mesh with as many positions and normals as `mesh`. */
 export function evaluatedOf(value, mesh) {
   const isAlike = isFloatsOf(mesh.positions.length)
   if (!isAlike(value?.positions) || (mesh.normals && !isAlike(value.normals))) throw makeError()
   return value
 }
 
-/** An answer that is to tell for each of `count` vertices whether it is folded. */
+/** Checks that an answer is a mask of `count` vertices, nonzero where one is folded. */
 export function maskOf(value, count) {
   if (!ArrayBuffer.isView(value?.mask) || value.mask.length !== count) throw makeError()
   return value.mask
 }
 
-/** An answer that is to be the shapes that a warp moves: [{ positions, normals, uvs, indices, matrix, isUpsideDown }]. */
+/** Checks that an answer is a list of shapes: [{ positions, normals, uvs, indices, matrix, isUpsideDown }]. */
 export function shapesOf(value) {
   const isShape = ({ positions, normals, uvs, indices, matrix } = {}) => {
     if (!isFloats(positions) || positions.length % 3) return false

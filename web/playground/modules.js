@@ -1,17 +1,17 @@
 /**
- * Modules for an import map whose addresses are data or blobs: what one imports of its neighbours by a relative path gets a name,
- * since data lies in no folder.
+ * Prepares modules for an import map whose addresses are data or blobs. Relative imports become names, since data has no folder to
+ * resolve them against.
  */
 const asked = /(\bfrom\s*|\bimport\s*\(?\s*)(["'])([^"'\n]+)\2/g
 
 /**
- * All that `text` imports, and what that imports. `modules` maps names, or beginnings of names with a slash, to paths; `read`
- * gives the text of a path → { name: { path, text } }.
+ * Collects all modules that `text` imports, directly or indirectly → { name: { path, text } }. `modules` maps names, or prefixes that
+ * end with a slash, to paths; `read` returns the text at a path.
  */
 export async function moduleTexts(text, modules, read) {
   const imports = {}
 
-  /** The path that is meant, from the module at `path`; nothing for what is no module's name. */
+  /** Resolves an import in the module at `path` to a path; undefined if it names no known module. */
   function resolve(name, path) {
     if (/^\.\.?\//.test(name)) return path && join(path, name)
     const key = Object.keys(modules).find((key) =>
@@ -19,7 +19,7 @@ export async function moduleTexts(text, modules, read) {
     )
     return key && modules[key] + name.slice(key.length)
   }
-  /** One name for each, or it would be there twice. */
+  /** Returns the one name of the module at `path`: with two, it would be loaded twice. */
   function nameOf(path) {
     for (const [key, place] of Object.entries(modules)) {
       if (place === path) return key
@@ -28,8 +28,8 @@ export async function moduleTexts(text, modules, read) {
     return `data/${path.replace(/^[./]+/, '')}`
   }
 
-  /** The text with names alone, once all that it imports is in the map. */
-  async function named(text, path) {
+  /** Adds all imports of `text` to `imports` and returns the text with its imports replaced by names. */
+  async function replaceImports(text, path) {
     const names = {}
     for (const [, , , name] of text.matchAll(asked)) {
       const found = resolve(name, path)
@@ -37,27 +37,27 @@ export async function moduleTexts(text, modules, read) {
       const known = nameOf(found)
       names[name] = path ? known : name
       if (names[name] in imports) continue
-      // Before it is read: modules may ask for each other.
+      // Set before reading, because modules can import each other.
       imports[names[name]] = {}
-      const text = await named(await read(found), found)
+      const text = await replaceImports(await read(found), found)
       Object.assign(imports[names[name]], { path: found, text })
     }
     return text.replaceAll(asked, (whole, head, quote, name) =>
       name in names ? head + quote + names[name] + quote : whole,
     )
   }
-  await named(text)
+  await replaceImports(text)
   return imports
 }
 
-/** Makes data: addresses of the modules → { name: address }. */
+/** Converts the modules that `text` imports to data: addresses → { name: address }. */
 export async function modulesAsData(text, modules, read) {
   const texts = await moduleTexts(text, modules, read)
   const dataOf = ({ text }) => `data:text/javascript;charset=utf-8,${encodeURIComponent(text)}`
   return Object.fromEntries(Object.entries(texts).map(([name, each]) => [name, dataOf(each)]))
 }
 
-/** `path` is relative, so that it cannot be a URL's. */
+/** Resolves `name` against a relative path, which the URL constructor cannot. */
 function join(path, name) {
   const parts = path.split('/').slice(0, -1)
   for (const part of name.split('/')) {

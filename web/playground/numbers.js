@@ -1,12 +1,12 @@
-/** Numbers in the text that can be dragged sideways, or changed by Alt and an arrow key. */
+/** Lets numbers in the text be changed by dragging sideways, or with Alt and an arrow key. */
 import { syntaxTree } from '@codemirror/language'
 import { Prec } from '@codemirror/state'
 import { Decoration, EditorView, ViewPlugin, keymap } from '@codemirror/view'
 
-/** Pixels of the pointer for one step, and before a press counts as dragging. */
-const PER_STEP = 4
+/** Pointer movement in pixels per step, which is also the min distance of a drag. */
+const PIXELS_PER_STEP = 4
 
-/** The plain number at a place of the text → { from, to, value, decimals, mayBeNegative }, or nothing. */
+/** Finds the plain number at a position of the text → { from, to, value, decimals, mayBeNegative }, or undefined. */
 export function numberAt(state, at) {
   let node
   for (const side of [1, -1]) {
@@ -24,25 +24,25 @@ export function numberAt(state, at) {
     to: node.to,
     value: isNegated ? -Number(text) : Number(text),
     decimals: fraction.length,
-    // Behind a minus that subtracts, a second one would be another operator.
+    // After a minus that subtracts, a second one would form the operator `--`.
     mayBeNegative: isNegated || before !== '-',
   }
 }
 
-/** The last digit; of large whole numbers the last but one, as nobody drags a thousand steps. */
+/** One unit of the last digit; for integers of three or more digits, of the second digit, so that a drag needs few steps. */
 const stepOf = ({ value, decimals }) =>
   decimals
     ? 10 ** -decimals
     : Math.max(1, 10 ** (Math.trunc(Math.abs(value)).toString().length - 2))
 
-export function moved(number, steps) {
+function stepNumber(number, steps) {
   const value = number.value + steps * stepOf(number)
   const bounded = number.mayBeNegative ? value : Math.max(0, value)
-  // Never -0.
+  // Avoid -0.
   return (bounded === 0 ? 0 : bounded).toFixed(number.decimals).replace(/^-(0(\.0*)?)$/, '$1')
 }
 
-/** One way of the pointer is one step of the history: what is composed joins what was before, whatever time has passed. */
+/** Writes a number. A whole drag is one step of the history: 'compose' events join the previous one, whatever time has passed. */
 function write(view, { from, to }, insert, isFirst) {
   view.dispatch({
     changes: { from, to, insert },
@@ -61,8 +61,8 @@ function drag(event, view) {
   let place
   let shown = view.state.sliceDoc(number.from, number.to)
   const move = ({ clientX }) => {
-    const steps = Math.trunc((clientX - event.clientX) / PER_STEP)
-    const text = moved(number, steps)
+    const steps = Math.trunc((clientX - event.clientX) / PIXELS_PER_STEP)
+    const text = stepNumber(number, steps)
     if ((!place && !steps) || text === shown) return
     place = write(view, place ?? number, text, !place)
     shown = text
@@ -99,7 +99,7 @@ function change(steps) {
     const { empty, head } = view.state.selection.main
     const number = empty && numberAt(view.state, head)
     if (!number) return false
-    write(view, number, moved(number, steps), true)
+    write(view, number, stepNumber(number, steps), true)
     return true
   }
 }
@@ -131,7 +131,7 @@ export const draggableNumbers = [
     }),
     { decorations: ({ marks }) => marks },
   ),
-  // A mouse that is pressed would begin a selection.
+  // Prevents the mouse from starting a selection.
   EditorView.domEventHandlers({
     pointerdown: drag,
     mousedown: () => document.body.classList.contains('drags-number'),

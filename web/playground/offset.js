@@ -1,21 +1,21 @@
-/** A sketch that is an offset function alone: a model to try it on, and the rest of a sketch of p5 around both. */
+/** Writes a p5 sketch around a text that is only an offset function, with a model to apply it to. */
 import { quote } from './strings.js'
 
-/** What p5 draws by itself; a unit is a pixel, as space: 'world' has it. */
+/** p5's own shapes. A unit is a pixel, as in space: 'world'. */
 const shapes = {
   sphere: 'sphere(150, 160, 120)',
   box: 'warpBox(200, 200, 200, 40)',
   plane: 'plane(400, 400, 120, 120)',
   torus: 'torus(120, 45, 120, 60)',
 }
-/** Those of the gallery, 200 units at their longest. */
+/** The gallery's models; the longest side is 200 units. */
 export const models = ['bunny', 'teapot', 'hand', 'airplane', 'spoon']
 
 export const builtIn = [...Object.keys(shapes), ...models.map((name) => `${name}.obj`)]
 
 export const isModelFile = (name) => /\.(?:obj|stl|glb|gltf)$/i.test(name)
 
-export const starter = `// Where each point goes, from where it is. A unit is a pixel.
+export const starter = `// Returns how far each point moves. A unit is a pixel.
 const uniforms = { height: 12 }
 
 function offset({ glsl, position, millis, uniforms }) {
@@ -27,13 +27,13 @@ function offset({ glsl, position, millis, uniforms }) {
 const loaderOf = (name) =>
   /\.(?:obj|stl)$/i.test(name) ? `loadModel(${quote(name)}, true)` : `loadWarpModel(${quote(name)})`
 
-/** The sketch as p5 runs it: its own lines first, so that they keep their numbers. */
+/** Returns the sketch that p5 runs. The user's lines come first, so that they keep their numbers. */
 export function whole({ text, host, model = 'sphere', ...rest }) {
   if (host !== 'offset') return { text, host, ...rest }
   const own = text.trimEnd()
   if (!/\boffset\b/.test(own))
     return {
-      text: `throw new Error('Write a function with the name offset, which returns how far a point goes.')`,
+      text: `throw new Error('Write a function with the name offset, which returns the offset of a point.')`,
       host: 'p5',
       ...rest,
     }

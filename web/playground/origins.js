@@ -1,13 +1,13 @@
-/** Which lines of the sketch each statement of a text is from, as comments of the frame say it. */
+/** Reads, from comments that the frame writes, which lines of the sketch each statement of shader code is from. */
 
-const told = /^\s*\/\/ From line (\d+)$/
+const originComment = /^\s*\/\/ From line (\d+)$/
 
-/** A text with such comments → [{ text, from }], a line each; `from` are lines of the sketch. */
+/** Splits code with such comments into lines → [{ text, from }], where `from` lists line numbers of the sketch. */
 export function withOrigins(code) {
   const lines = []
   let from = []
   for (const text of code.split('\n')) {
-    const [, line] = told.exec(text) ?? []
+    const [, line] = originComment.exec(text) ?? []
     if (line) {
       if (!from.includes(Number(line))) from.push(Number(line))
       continue
@@ -18,7 +18,7 @@ export function withOrigins(code) {
   return lines
 }
 
-/** The text without them. */
+/** Removes these comments. */
 export const plain = (code) =>
   withOrigins(code)
     .map(({ text }) => text)

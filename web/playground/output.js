@@ -1,19 +1,22 @@
-/** The tabs below: the text that comes of each warp, what it costs, and what the sketch has printed. */
+/** The tabs below the sketch: the shader code of each warp, its cost, and the sketch's console output. */
 import { make } from '../bench/dom.js'
 import { highlight } from '../highlighting.js'
 import { plain, withOrigins } from './origins.js'
 
 const targets = { glsl300: 'GLSL 3.00', glsl100: 'GLSL 1.00', wgsl: 'WGSL' }
-const MOST_LINES = 200
+const MAX_LINES = 200
 
 const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
 
 /**
- * `list` gets the tabs, `panel` what the chosen one shows. `more` has further tabs: { title, fill(place, sketch) }. `pointed` gets the lines
- * of the sketch that a statement under the pointer is from, and `picked` the first of them when it is pressed.
+ * @param list the element for the tabs
+ * @param panel the element for the selected tab's content
+ * @param more additional tabs, { title, fill(place, sketch) } by name
+ * @param onPoint called with the sketch's lines from which the statement under the pointer was generated
+ * @param onPick called with the first of these lines when the statement is clicked
  */
-export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
+export function makeOutput(list, panel, more = {}, { onPoint, onPick } = {}) {
   let sketch = { warps: [] }
   let printed = []
   const tabs = {
@@ -30,7 +33,7 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
         {
           title,
           fill: () => {
-            // One of its own each time: it may be filled later, when another tab is chosen.
+            // A new element each time, because it may be filled after another tab was selected.
             const place = make('div')
             panel.replaceChildren(place)
             fill(place, sketch)
@@ -55,7 +58,7 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
     return button
   })
   list.append(...buttons)
-  // As tabs are known to do: one stop of the Tab key, arrows from one to the next.
+  // The ARIA pattern of tabs: one stop of the Tab key, arrow keys between tabs.
   list.addEventListener('keydown', ({ key }) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[key]
     if (!step) return
@@ -78,7 +81,7 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
   }
   choose(chosen)
 
-  /** Fills it once per frame: a sketch may print faster than the browser updates the page. */
+  /** Fills the console once per frame at most: a sketch may print faster than the browser updates the page. */
   let isConsoleDue = false
   function fillConsoleSoon() {
     if (isConsoleDue) return
@@ -89,16 +92,16 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
     })
   }
 
-  // From the text to the sketch, and from the sketch to the text.
+  // Links from shader code to the sketch, and from the sketch to shader code.
   const fromOf = (target) => {
     const { from } = target.closest('[data-from]')?.dataset ?? {}
     return from ? from.split(' ').map(Number) : []
   }
-  panel.addEventListener('pointerover', ({ target }) => pointed?.(fromOf(target)))
-  panel.addEventListener('pointerleave', () => pointed?.([]))
+  panel.addEventListener('pointerover', ({ target }) => onPoint?.(fromOf(target)))
+  panel.addEventListener('pointerleave', () => onPoint?.([]))
   panel.addEventListener('click', ({ target }) => {
     const [first] = fromOf(target)
-    if (first && getSelection().isCollapsed) picked?.(first)
+    if (first && getSelection().isCollapsed) onPick?.(first)
   })
   let followed
   function light() {
@@ -108,13 +111,13 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
   new MutationObserver(light).observe(panel, { childList: true })
 
   return {
-    /** The line of the sketch that the cursor is on: what is from it is marked. */
+    /** Highlights the code generated from this line of the sketch, which has the cursor. */
     follow(line) {
       followed = line
       light()
       panel.querySelector('.lit')?.scrollIntoView({ block: 'nearest' })
     },
-    /** { warps, first }: of the sketch that is shown; without `first` the same sketch has made more. */
+    /** Shows the visible sketch's { warps, first }; without `first`, the same sketch has made more warps. */
     show({ warps, first }) {
       sketch = first === undefined ? { ...sketch, warps } : { warps, first }
       if (chosen !== 'console') tabs[chosen].fill()
@@ -124,9 +127,9 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
       const place = panel.querySelector('.rate')
       if (place) place.textContent = rateText(rate)
     },
-    /** No argument: empties it. */
+    /** Adds a line to the console; without an argument, clears it. */
     print(line) {
-      printed = line ? [...printed, line].slice(-MOST_LINES) : []
+      printed = line ? [...printed, line].slice(-MAX_LINES) : []
       buttons.at(-1).textContent = printed.length ? `Console (${printed.length})` : 'Console'
       if (chosen === 'console') fillConsoleSoon()
     },
@@ -137,7 +140,7 @@ const none = (text) => make('p', { className: 'none', textContent: text })
 
 function textIn(target, warps) {
   const texts = warps.map(({ maker, texts }) => `// ${maker}\n${whole(texts[target])}`)
-  if (!texts.length) return none('No text to show: the sketch has made none.')
+  if (!texts.length) return none('The sketch has made no shader code.')
   const code = make('code')
   code.innerHTML = withOrigins(texts.join('\n\n'))
     .map(

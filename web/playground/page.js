@@ -1,4 +1,4 @@
-/** The playground's page: a sketch beside its picture, and what comes of it below. */
+/** The playground's page: a sketch beside its picture, and the tabs with its output below. */
 import './style.css'
 import { make } from '../bench/dom.js'
 import { keepForOffline } from '../offline.js'
@@ -22,21 +22,21 @@ import { hasWebGL, showStill } from './still.js'
 import { makeTime } from './time.js'
 import { makeWarpsInFrame } from './warps-in-frame.js'
 
-/** Milliseconds without a key, after which the sketch is built again. */
+/** Milliseconds without a change after which the sketch is built again. */
 const PAUSE = 400
 const REPORT_EVERY = 500
 
 const find = (selector) => document.querySelector(selector)
 const state = find('.state')
-/** What was done is told for a moment, whatever is being done. */
-const told = { doing: '', done: '' }
-function tell(news) {
-  Object.assign(told, news)
-  state.textContent = told.done || told.doing
+/** The status: `done`, shown briefly after an action, takes precedence over `doing`. */
+const statusTexts = { doing: '', done: '' }
+function setStatus(texts) {
+  Object.assign(statusTexts, texts)
+  state.textContent = statusTexts.done || statusTexts.doing
 }
 const mistakePlace = find('.mistake')
 
-/** What a warp may read at this moment. */
+/** Returns the current values of the inputs that a warp may read. */
 const inputsNow = () => {
   const { innerWidth: width, innerHeight: height } = window
   const { millis } = stage.state()
@@ -49,27 +49,27 @@ const output = makeOutput(
   find('.tabs'),
   find('#panel'),
   { checks },
-  { pointed: (lines) => editor.light(lines), picked: (line) => editor.goTo(line) },
+  { onPoint: (lines) => editor.light(lines), onPick: (line) => editor.goTo(line) },
 )
 const time = makeTime(find('.time'), stage)
-const sliders = makeSliders(find('.sliders'), (values) => stage.tell('setValues', values))
+const sliders = makeSliders(find('.sliders'), (values) => stage.send('setValues', values))
 const editor = makeEditor(find('.editor'), {
-  changed,
-  moved: output.follow,
+  onChange: runSoon,
+  onMove: output.follow,
   extensions: [draggableNumbers, help],
 })
 const normals = find('#normals')
 const network = find('#network')
-const choices = makeChoices(editor, complain)
-/** By name, those that were dropped. */
+const choices = makeChoices(editor, showMistake)
+/** Maps name → dropped file. */
 const files = new Map()
-/** An address that the sketch was not let load from. */
+/** The first address that the policy kept the sketch from loading. */
 let blocked
 
-/** Follows the editor once nobody has changed anything for a while. */
+/** Runs the sketch after a pause without changes. */
 let timer
 let isPending = false
-function changed() {
+function runSoon() {
   choices.show()
   find('main').ariaBusy = 'true'
   isPending = true
@@ -85,20 +85,20 @@ function run() {
     find('main').ariaBusy = 'false'
     return keepInAddress(sketch)
   }
-  tell({ doing: 'Building…' })
+  setStatus({ doing: 'Building…' })
   output.print()
   blocked = undefined
-  stage.run(whole(sketch), {
+  void stage.run(whole(sketch), {
     clock: time.start(),
     files,
     view: normals.checked ? 'normals' : 'picture',
     values: sliders.moved(),
     mayLoad: network.checked,
   })
-  keepInAddress(sketch)
+  void keepInAddress(sketch)
 }
 
-/** So that a reload, or a copy of the address, has the sketch as it is. */
+/** Writes the sketch into the address, so that a reload or a copied address restores it. */
 async function keepInAddress(sketch) {
   history.replaceState(null, '', await fragmentOf({ ...sketch, values: sliders.moved() }))
 }
@@ -109,12 +109,12 @@ function listen(message) {
   if (message.kind === 'made') return show()
   if (!isPending) {
     find('main').ariaBusy = 'false'
-    tell({ doing: '' })
+    setStatus({ doing: '' })
   }
-  if (message.kind === 'error') return complain(message)
-  complain()
-  // A hand may have moved one while the sketch was on its way.
-  stage.tell('setValues', sliders.moved())
+  if (message.kind === 'error') return showMistake(message)
+  showMistake()
+  // Sliders may have moved while the sketch was being built.
+  stage.send('setValues', sliders.moved())
   show(message.milliseconds)
 }
 
@@ -128,11 +128,11 @@ function show(first) {
 function explainBlocked({ address }) {
   if (blocked || network.checked) return
   blocked = address
-  complain({ message: '' })
+  showMistake({ message: '' })
 }
 
-/** { message, line }, or nothing. */
-function complain(mistake = blocked && { message: '' }) {
+/** Shows { message, line }, or clears the message if there is none. */
+function showMistake(mistake = blocked && { message: '' }) {
   editor.mark(mistake)
   mistakePlace.replaceChildren()
   if (!mistake) return
@@ -150,7 +150,7 @@ function complain(mistake = blocked && { message: '' }) {
     )
 }
 
-/** Frames a second, as the frame counts them. */
+/** Shows frames per second from the frame's counter. */
 let counted = { frames: 0, at: 0 }
 setInterval(() => {
   const { frames } = stage.state()
@@ -160,22 +160,22 @@ setInterval(() => {
   counted = { frames, at }
 }, REPORT_EVERY)
 
-normals.addEventListener('change', changed)
-network.addEventListener('change', changed)
+normals.addEventListener('change', runSoon)
+network.addEventListener('change', runSoon)
 find('.sliders').addEventListener('change', () => keepInAddress(editor.sketch()))
 
 const copyLink = find('#copy-link')
 copyLink.addEventListener('click', async () => {
   await keepInAddress(editor.sketch())
-  // Only safe origins have a clipboard; elsewhere the address bar has the link.
+  // The clipboard exists only in secure contexts; elsewhere the address bar has the link.
   await navigator.clipboard?.writeText(location.href)
-  copyLink.textContent = navigator.clipboard ? 'Copied' : 'It is in the address bar'
+  copyLink.textContent = navigator.clipboard ? 'Copied' : 'Copy it from the address bar'
   setTimeout(() => (copyLink.textContent = 'Copy link'), 2000)
 })
 
-function say(done) {
-  tell({ done })
-  setTimeout(() => told.done === done && tell({ done: '' }), 3000)
+function showDone(done) {
+  setStatus({ done })
+  setTimeout(() => statusTexts.done === done && setStatus({ done: '' }), 3000)
 }
 makeMenu(
   find('.actions'),
@@ -188,11 +188,11 @@ makeMenu(
     },
     'Film of four seconds (WebM)': async () => {
       if (stage.isEmpty()) throw new Error('There is no picture to film yet.')
-      tell({ doing: 'Filming…' })
+      setStatus({ doing: 'Filming…' })
       try {
         download(fileOf(await stage.ask('film', 4), 'video/webm'), 'warp.webm')
       } finally {
-        tell({ doing: '' })
+        setStatus({ doing: '' })
       }
     },
     'Warped shape (GLB)': async () =>
@@ -214,27 +214,27 @@ makeMenu(
       ),
     'Copy a page and open the p5 editor': async () => {
       if (!navigator.clipboard)
-        throw new Error('This browser lets only pages of https and of localhost copy.')
+        throw new Error('This browser allows copying only on https and localhost pages.')
       await navigator.clipboard.writeText(pageWithTags(whole(editor.sketch())))
       open('https://editor.p5js.org/', '_blank', 'noopener')
       return 'Copied: paste it into index.html'
     },
   },
-  { done: say, failed: complain },
+  { onDone: showDone, onError: showMistake },
 )
 
 takeFiles((file) => {
   const { name } = file
   files.set(name, file)
   if (isModelFile(name)) choices.addModel(name)
-  say(`“${name}” is there for the sketch to load`)
-  changed()
+  showDone(`The sketch can load “${name}” now`)
+  runSoon()
 })
 
-/** #sketch=… holds a sketch, #example=… names one of the gallery. */
-async function follow() {
+/** Opens the sketch in #sketch=… or the gallery's example named by #example=…. */
+async function openFragment() {
   const { hash } = location
-  // The permission is for one sketch: the next link starts without it.
+  // The permission to load from other sites is for one sketch only.
   network.checked = false
   const [, name] = /^#example=([\w-]+)$/.exec(hash) ?? []
   if (name || !holdsSketch(hash)) return choices.begin(name)
@@ -248,11 +248,11 @@ async function follow() {
       chosen: chosen.filter((each) => Object.hasOwn(scripts, each)),
     })
   } catch (error) {
-    if (!editor.sketch().text) choices.begin()
-    complain(error)
+    if (!editor.sketch().text) void choices.begin()
+    showMistake(error)
   }
 }
-addEventListener('hashchange', follow)
-follow()
+addEventListener('hashchange', openFragment)
+void openFragment()
 
 keepForOffline(new URL('../', location.href))

@@ -1,5 +1,5 @@
 /** Assembles the scripts, modules and files that a sketch's frame runs, as blobs. */
-import { guarded } from './guard.js'
+import { guardLoops } from './guard.js'
 import { hosts, isThree, tagsOf } from './hosts.js'
 import { moduleTexts } from './modules.js'
 import { remember } from './remember.js'
@@ -23,7 +23,7 @@ const needsMesh = /\b(?:loadWarpModel|subdivide|addSurfaceVariation)\b/
 
 export const readText = remember(async (path) => {
   const response = await fetch(new URL(path, folder))
-  if (!response.ok) throw new Error(`${path} cannot be loaded: check the connection and reload.`)
+  if (!response.ok) throw new Error(`Cannot load ${path}: check the connection and reload.`)
   return response.text()
 })
 
@@ -38,7 +38,7 @@ const script = remember(async (path) => {
   return { href, blob: scriptBlob(await readText(path), href) }
 })
 
-/** Blobs by the names that the modules import each other by; the sketch's own imports are in `text`. */
+/** Makes a blob of each module that `text` imports, keyed by the name that other modules import it by. */
 const moduleBlobs = remember(async (_, text, modules) => {
   const texts = await moduleTexts(text, modules, readText)
   return Object.fromEntries(
@@ -58,14 +58,14 @@ async function importsOf({ host, text }) {
   return { [href]: blob }
 }
 
-/** `dropped` are files by name. → { scripts, imports, files, sketch } as boot.js takes them */
+/** @param dropped maps name → file @returns { scripts, imports, files, sketch } for boot.js */
 export async function partsOf(sketch, dropped) {
   const { host, text } = sketch
   const isModule = isThree(host)
   const paths = [
     ...frameScripts(['start', 'files']),
     ...tagsOf(sketch),
-    ...frameScripts(isModule ? ['clock', 'kept'] : ['clock', 'kept', 'warps']),
+    ...frameScripts(isModule ? ['clock', 'record'] : ['clock', 'record', 'warps']),
   ]
   const named = namesOfFiles(text).filter((name) => !dropped.has(name))
   const [scripts, imports, found] = await Promise.all([
@@ -77,6 +77,6 @@ export async function partsOf(sketch, dropped) {
     scripts,
     imports,
     files: Object.fromEntries([...dropped, ...found.filter(([, blob]) => blob)]),
-    sketch: { blob: new Blob([guarded(sketch)], { type: 'text/javascript' }), isModule },
+    sketch: { blob: new Blob([guardLoops(sketch)], { type: 'text/javascript' }), isModule },
   }
 }

@@ -1,6 +1,6 @@
 /**
- * For completion and hover: what the docs say of each operation and deformer, read from the pages that are made of the tables, and
- * what our declarations say of inputs, functions and options.
+ * Descriptions for completion and hover: of operations and deformers, read from the generated pages of the docs, and of inputs,
+ * functions and options, from our own declarations.
  */
 import types from 'virtual:own-types'
 import deformersPage from '../docs/deformers.md?raw'
@@ -9,7 +9,7 @@ import operationsPage from '../docs/operations.md?raw'
 import plotsPage from '../docs/plots.md?raw'
 import vectorsPage from '../docs/plots-vectors.md?raw'
 
-/** A cell of a table of Markdown as plain text. */
+/** Converts a Markdown table cell to plain text. */
 const plain = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
 const cellsOf = (row) =>
   row
@@ -17,7 +17,7 @@ const cellsOf = (row) =>
     .split(/(?<!\\)\|/)
     .map(plain)
 
-/** By name: { forms, meanings }. A name may stand in more than one row, as `atan` does. */
+/** Maps name → { forms, meanings }. A name can appear in several rows, as `atan` does. */
 const operations = new Map()
 
 function add(name, forms, meaning) {
@@ -51,21 +51,21 @@ for (const row of rowsOf(noisePage)) {
   add(name, forms, `Noise of ${of}: ${range}. Without jumps: ${smooth}.`)
 }
 
-/* What each computes. */
+/* The formula of each operation. */
 for (const row of rowsOf(noisePage)) {
   const [name, formula] = cellsOf(row)
   if (formula.startsWith('Σ')) add(name, [], `Value: ${formula}.`)
 }
 for (const [, name, formula] of plotsPage.matchAll(/^### (\w+)(?:(?!^###)[^])*?^(Value: .*)$/gm))
   add(name, [], plain(formula))
-// Of noise the page above is enough.
+// Noise is covered by its own page above.
 const [vectors] = vectorsPage.split('## Kinds of noise')
 for (const [, name, formula] of vectors.matchAll(
   /^### (\w+)(?:(?!^###)[^])*?^(`\1\([^]*?)\n\n<!--/gm,
 ))
   add(name, [], plain(formula.replaceAll('\n\n', ' ')))
 
-/** The first sentence under each heading. */
+/** Maps each deformer to the first paragraph under its heading. */
 const deformers = new Map(
   [...deformersPage.matchAll(/^## (\w+)\n\n([^\n]+)/gm)].map(([, name, text]) => [
     name,
@@ -73,27 +73,30 @@ const deformers = new Map(
   ]),
 )
 
-const known = ({ name, form, meaning, ...more }) => [
+const entryOf = ({ name, form, meaning, ...more }) => [
   name,
   { forms: [form], meanings: [meaning], ...more },
 ]
 
-/** What the declarations say that a host has: { inputs, functions }, each by name; functions have `options`, by name, too. */
+/** Collects a host's { inputs, functions } from the declarations, each by name; functions also have `options` by name. */
 function ownOf(host) {
-  const isThere = (each) => each.host === host || each.host === 'both'
+  const isOfHost = (each) => each.host === host || each.host === 'both'
   const functions = types.functions
-    .filter(isThere)
-    .map(({ options, ...each }) => known({ ...each, options: new Map(options.map(known)) }))
-  return { inputs: new Map(types.inputs.filter(isThere).map(known)), functions: new Map(functions) }
+    .filter(isOfHost)
+    .map(({ options, ...each }) => entryOf({ ...each, options: new Map(options.map(entryOf)) }))
+  return {
+    inputs: new Map(types.inputs.filter(isOfHost).map(entryOf)),
+    functions: new Map(functions),
+  }
 }
 export const own = { p5: ownOf('p5'), three: ownOf('three') }
 
-/** Those that a page with p5 has as members of `warpjet`. */
-export const ofLibrary = new Map(types.functions.filter(({ host }) => host === 'both').map(known))
+/** Functions that are members of the global `warpjet` on pages with p5. */
+export const ofLibrary = new Map(types.functions.filter(({ host }) => host === 'both').map(entryOf))
 
 export { operations, deformers }
 
-/** What a name means to a host, where nothing else tells what it is. */
+/** Looks up a name for a host. Methods and deformers take precedence for members, the host's functions and inputs otherwise. */
 export const meaningOf = (name, isMember, { inputs, functions }) =>
   (isMember && (operations.get(name) ?? deformers.get(name))) ||
   functions.get(name) ||

@@ -1,4 +1,4 @@
-/** An asynchronous function that works out each result once, by its first argument; what fails is tried again. */
+/** Memoizes an asynchronous function by its first argument. Failures are not remembered. */
 export function remember(make) {
   const made = new Map()
   return (key, ...rest) => {

@@ -1,15 +1,15 @@
-/** The page that a sketch runs in: one of an origin that no other page has, with a policy that keeps it from the network. */
+/** Makes the page that a sketch runs in: it has a unique opaque origin and a policy that keeps it from the network. */
 import bootText from './frame/boot.js?raw'
 import { hosts } from './hosts.js'
 import { folder } from './site-files.js'
 
-/** Whole, whatever the window leaves for it. */
+/** Fits the canvas into the frame. */
 const fit =
   'canvas.p5Canvas { height: auto !important; max-height: 100vh; max-width: 100vw; width: auto !important }'
 
 /**
- * `eval` is for p5.strands and warpjet's operators. Everything else comes from blobs that the frame has made, unless somebody has
- * ticked the box that lets sketches load from elsewhere.
+ * p5.strands and warpjet's operators need `eval`. Everything else is loaded from blobs made in the frame, unless the user has
+ * ticked the box that lets sketches load from other sites.
  */
 function policyOf({ mayLoad }) {
   const elsewhere = mayLoad ? ' https:' : ''
@@ -47,7 +47,7 @@ const sandboxedPage = (host, options) => `<!doctype html>
 </html>
 `
 
-/** A frame for a sketch, for the document `owner`. Scripts alone are allowed: no popups, no forms, no downloads, no dialogs. */
+/** Makes a frame for a sketch in the document `owner`. It allows scripts only: no popups, forms, downloads or dialogs. */
 export function makeSandbox(owner, host, options) {
   const frame = owner.createElement('iframe')
   frame.sandbox = 'allow-scripts'

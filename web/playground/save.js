@@ -1,4 +1,4 @@
-/** What one takes away: a page that stands alone, a page for the p5 editor, a picture. */
+/** Exports a sketch: a self-contained page, a page for the p5 editor, or an npm project. */
 import { devDependencies, version } from '../../package.json'
 import { insideScript, jsonInside, pageOf, tag } from './document.js'
 import { atCDN, hosts, inModules, isThree, tagsOf } from './hosts.js'
@@ -17,7 +17,7 @@ const versions = {
 const inline = (text) =>
   `<script>\n${insideScript(text.replace(/^\/\/# sourceMappingURL.*$/m, ''))}\n</script>`
 
-/** Finds the files that a sketch names → [[name, Blob]]. It may write the others itself. */
+/** Finds the files that a sketch names → [[name, Blob]]. Names without a file are skipped: the sketch may save to them. */
 async function filesOf({ text }, dropped) {
   const files = await Promise.all(
     namesOfFiles(text).map(async (name) => [name, dropped.get(name) ?? (await siteFile(name))]),
@@ -33,7 +33,7 @@ async function dataOf(blob) {
   return `data:${type};base64,${btoa(text)}`
 }
 
-/** A page with all that it needs in it, which opens from a disk. `dropped` is a Map of files by name. */
+/** Writes a self-contained page that opens from disk. @param dropped maps name → file */
 export async function pageAlone(sketch, dropped = new Map()) {
   const files = await Promise.all(
     (await filesOf(sketch, dropped)).map(async ([name, blob]) => [name, await dataOf(blob)]),
@@ -57,7 +57,7 @@ const packageOf = ({ host }) => ({
   name: 'warp',
   private: true,
   type: 'module',
-  // Scripts that are tags, as p5 wants them, are for no bundler.
+  // A p5 page uses classic script tags, which a bundler cannot build.
   scripts: isThree(host) ? { start: 'vite', build: 'vite build' } : { start: 'vite' },
   dependencies: isThree(host)
     ? { three: versions.three, warpjet: version }
@@ -65,21 +65,21 @@ const packageOf = ({ host }) => ({
   devDependencies: { vite: versions.vite },
 })
 
-/** For tags of scripts: Vite would make modules of them, which have no globals. */
-const configOfTags = `// The scripts that index.html names are served from there as they are.
+/** Serves script tags unchanged: Vite would convert them to modules, which define no globals. */
+const configOfTags = `// Serves the scripts of index.html from there unchanged.
 export default { publicDir: 'node_modules' }
 `
 
-/** Can a file of that name be in the sketch's own folder? */
+/** Returns true if a file of that name can be in the sketch's own folder. */
 const isPlain = (name) => !/[/\\:]/.test(name)
 
-/** A project of npm, packed: `npm i`, then `npm start`. `dropped` is a Map of files by name. */
+/** Writes a zip of an npm project: `npm i`, then `npm start`. @param dropped maps name → file */
 export async function project(sketch, dropped = new Map()) {
   const kind = isThree(sketch.host) ? 'type="module" ' : ''
   const page = pageOf(sketch, {
     title: 'Made with warpjet',
     tags: tagsOf(sketch).map((path) => tag(inModules(path))),
-    // Vite finds what the sketch imports.
+    // Vite resolves the sketch's imports.
     modules: {},
     sketch: `<script ${kind}src="sketch.js"></script>`,
   })
@@ -93,10 +93,10 @@ export async function project(sketch, dropped = new Map()) {
     (await filesOf(sketch, dropped))
       .filter(([name]) => isPlain(name))
       .map(async ([name, blob]) => {
-        // What lies in `public` is built, too.
+        // Vite's build copies the files in `public`.
         const place = isThree(sketch.host) ? `public/${name}` : name
         if (Object.hasOwn(own, place))
-          throw new Error(`The project has a ${name} of its own: give your file another name.`)
+          throw new Error(`The project already contains ${name}: give your file another name.`)
         return [place, new Uint8Array(await blob.arrayBuffer())]
       }),
   )
@@ -106,7 +106,7 @@ export async function project(sketch, dropped = new Map()) {
 /** Escapes text for an HTML comment. */
 const insideComment = (text) => text.replaceAll('--', '- -').replaceAll(/[<>]/g, '')
 
-/** A page whose scripts come from a CDN, for index.html of the p5 editor or anywhere else. */
+/** Writes a page that loads its scripts from a CDN, for index.html of the p5 editor or anywhere else. */
 export function pageWithTags(sketch) {
   const isModule = isThree(sketch.host)
   const { modules = {} } = hosts[sketch.host]

@@ -1,4 +1,4 @@
-/** Files of the site that a sketch may load: the gallery's models, its font, and a package's shader. Nothing else of the site's origin. */
+/** The only files of the site's origin that a sketch may load: the gallery's models, its font, and a package's shader. */
 import { models } from './offset.js'
 import { remember } from './remember.js'
 
@@ -13,7 +13,7 @@ const files = [
 ]
 const allowed = new Set(files.map((path) => root + path))
 
-/** The file of that name or address as a Blob, or undefined where there is none that a sketch may load. */
+/** Loads the file of that name or address as a Blob; undefined if a sketch may not load it or it does not exist. */
 export async function siteFile(name) {
   if (!URL.canParse(name, folder)) return undefined
   const address = new URL(name, folder).href
@@ -23,6 +23,6 @@ export async function siteFile(name) {
 const load = remember(async (address) => {
   const response = await fetch(address)
   const type = response.headers.get('content-type') ?? ''
-  // Some hosts answer with a page where there is no file.
+  // Some hosts answer with an HTML page if a file does not exist.
   return response.ok && !type.startsWith('text/html') ? response.blob() : undefined
 })

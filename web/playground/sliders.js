@@ -1,21 +1,21 @@
-/** What moves the uniforms of the sketch: a slider for a number, one for each part of a vector, and a field for a colour. */
+/** Controls for the sketch's uniforms: a slider for a number, one for each component of a vector, and a field for a colour. */
 import { make } from '../bench/dom.js'
 import { isValue } from './messages.js'
 
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false })
 
-/** From nothing to some times the number that the sketch has; around 0 where it has 0. */
+/** From 0 to four times the sketch's value; from -1 to 1 if that is 0. */
 const rangeOf = (value) => (value === 0 ? [-1, 1] : [0, 4 * value].sort((a, b) => a - b))
 
 const isColor = (value) => typeof value === 'string'
 const isAlike = (a, b) => typeof a === typeof b && a.length === b.length
 
-/** `changed` gets what hands have moved, as `moved()` does. */
-export function makeSliders(place, changed) {
-  /** By name: { source, value }, the sketch's value and the hand's. Another value in the sketch counts anew. */
+/** @param onChange called with the moved values, as `moved()` returns them */
+export function makeSliders(place, onChange) {
+  /** Maps name → { source, value }: the sketch's value and the user's. If the sketch's value changes, the user's is dropped. */
   let moved = {}
 
-  /** The very source where no hand has moved it. */
+  /** Returns the user's value, or `source` itself if the user has not moved the control. */
   const valueOf = (name, source) =>
     String(moved[name]?.source) === String(source) ? moved[name].value : source
 
@@ -37,7 +37,7 @@ export function makeSliders(place, changed) {
   function controlsFor({ name, value: source }) {
     const move = (value) => {
       moved[name] = { source, value }
-      changed(moved)
+      onChange(moved)
     }
     const now = () => valueOf(name, source)
     if (isColor(source)) {
@@ -54,11 +54,11 @@ export function makeSliders(place, changed) {
   }
 
   return {
-    /** [{ name, value }] of the sketch that is shown. */
+    /** Shows controls for the visible sketch's uniforms, [{ name, value }]. */
     show: (uniforms = []) => place.replaceChildren(...uniforms.flatMap(controlsFor)),
     /** Maps name → { source, value }. */
     moved: () => moved,
-    /** Such as a link has brought; anything else than values is left out. */
+    /** Sets the moved values, as read from a link; invalid ones are dropped. */
     set(values) {
       moved = Object.fromEntries(
         Object.entries(values ?? {}).filter(

@@ -1,11 +1,11 @@
-/** A sphere by its texture coordinates, with how its normal and they vary over it, for checks of a warp. */
+/** A sphere for checking a warp: positions, normals and texture coordinates, with the gradients of the latter two. */
 export const across = 96
 export const down = 48
 
-/** Radians between a point and its neighbours for differences. */
+/** The step of finite differences in radians. */
 const STEP = 2e-3
 
-const scaled = (vector, factor) => vector.map((value) => value * factor)
+const scale = (vector, factor) => vector.map((value) => value * factor)
 
 function place(radius, u, v) {
   const [longitude, latitude] = [2 * Math.PI * u, Math.PI * v]
@@ -17,19 +17,19 @@ function place(radius, u, v) {
     return unit.map((value, i) => (value - normal[axis] * normal[i]) / radius)
   }
   return {
-    positions: scaled(normal, radius),
+    positions: scale(normal, radius),
     normals: normal,
     uvs: [u, v],
     colors: [1, 1, 1, 1],
     normalXGradients: change(0),
     normalYGradients: change(1),
     normalZGradients: change(2),
-    uGradients: scaled([cosU, 0, -sinU], 1 / (2 * Math.PI * radius * sinV)),
-    vGradients: scaled([cosV * sinU, sinV, cosV * cosU], 1 / (Math.PI * radius)),
+    uGradients: scale([cosU, 0, -sinU], 1 / (2 * Math.PI * radius * sinV)),
+    vGradients: scale([cosV * sinU, sinV, cosV * cosU], 1 / (Math.PI * radius)),
   }
 }
 
-/** Five points for each: itself, two beside it along u, two along v. Without the poles, where u means nothing. */
+/** Makes five points per grid point: itself, two neighbours along u, two along v. Avoids the poles, where u is undefined. */
 export function spherePoints(radius) {
   const points = []
   const [du, dv] = [STEP / (2 * Math.PI), STEP / Math.PI]
@@ -56,15 +56,15 @@ const difference = (positions, a, b) =>
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x]
 
 /**
- * Of a warped sphere, the angles in radians between its normals and those of differences, one for each point of the grid; NaN
- * where one of both has none.
+ * Returns the angles in radians between a warped sphere's normals and those of finite differences, one per grid point; NaN if
+ * either is zero.
  */
 export function normalErrors({ positions, normals }) {
   const count = positions.length / 15
   return Float32Array.from({ length: count }, (_, k) => {
     const at = 5 * k
     const along = difference(positions, at + 2, at + 1)
-    // Downwards in v is upwards in space, so that this is outwards.
+    // v increases with p5's y, which points down, so the cross product points outwards.
     const expected = cross(along, difference(positions, at + 4, at + 3))
     const normal = [...normals.subarray(3 * at, 3 * at + 3)]
     const sine = Math.hypot(...cross(expected, normal))

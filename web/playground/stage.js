@@ -1,7 +1,7 @@
 /**
- * Runs sketches: a new one begins unseen behind the one that is shown, and replaces it once it has drawn. One that fails before is
- * removed, and the last good picture stays. Sketches may be anybody's: each runs in a sandbox, and the page sends and receives
- * nothing but messages.
+ * Runs sketches. A new one starts hidden behind the visible one and replaces it once it has drawn; if it fails before that, it is
+ * removed and the last good picture stays. Sketches are untrusted: each runs in a sandbox, and the page exchanges only messages
+ * with it.
  */
 import { make } from '../bench/dom.js'
 import { readMessage } from './messages.js'
@@ -10,14 +10,14 @@ import { makeSandbox } from './sandbox.js'
 import { root, siteFile } from './site-files.js'
 
 /**
- * `listen` gets the messages of frames, of the one that is seen or of the one that is coming. `run` takes as settings what the frame
- * reads at first: { clock, view, values, files, mayLoad }.
+ * `listen` is called with the messages of the visible and the coming frame. The settings of `run` are the frame's initial state:
+ * { clock, view, values, files, mayLoad }.
  */
 export function makeStage(place, listen) {
   const host = make('iframe', { src: './host.html', title: 'Stage' })
   const isReady = new Promise((resolve) => host.addEventListener('load', resolve, { once: true }))
   place.append(host)
-  /** { frame, port, state, questions } each. */
+  /** The visible and the coming frame: { frame, port, state, questions } each. */
   let shown, coming
   let latest
 
@@ -41,7 +41,7 @@ export function makeStage(place, listen) {
     const running = { frame, state: { frames: 0, millis: 0 }, questions: [] }
     coming = running
     const connect = ({ source, origin, data, ports: [port] }) => {
-      // The first message is of boot.js, before anything of the sketch runs, and no other window is its source.
+      // boot.js sends the first message before any code of the sketch runs; accept it only from this frame.
       if (source !== frame.contentWindow || origin !== 'null' || data !== 'ready' || !port) return
       removeEventListener('message', connect)
       running.port = port
@@ -56,13 +56,13 @@ export function makeStage(place, listen) {
   function receive(running, message) {
     if (!message || (running !== shown && running !== coming)) return
     if (message.kind === 'state') return (running.state = message)
-    if (message.kind === 'answer') return settle(running, message)
-    if (message.kind === 'wanted') return send(running, message)
+    if (message.kind === 'answer') return resolveQuestion(running, message)
+    if (message.kind === 'wanted') return sendFile(running, message)
     if (message.kind === 'made') running.made = message
-    // Once: a sketch that says so again has the page redo its tabs for nothing.
+    // Ignore repetitions, which would make the page rebuild its tabs.
     else if (message.kind === 'drawn' && running === shown) return
     else if (message.kind === 'drawn') show(running)
-    // It goes on only after the listener has looked at it.
+    // The coming sketch's warps are announced with its first picture.
     if (message.kind !== 'made' || running === shown) listen(message)
     if (message.kind === 'error' && running === coming) {
       coming = undefined
@@ -84,8 +84,8 @@ export function makeStage(place, listen) {
       shown.port.postMessage({ kind: 'ask', id, method, args })
     })
   }
-  /** Calls one without an answer, in the sketch that is coming, too. */
-  function tell(method, ...args) {
+  /** Calls one of the `answers` without waiting for its result, in the visible and the coming sketch. */
+  function send(method, ...args) {
     for (const { port } of [shown, coming].filter(Boolean))
       port?.postMessage({ kind: 'ask', method, args })
   }
@@ -93,22 +93,22 @@ export function makeStage(place, listen) {
   return {
     run,
     ask,
-    tell,
+    send,
     isEmpty: () => !shown,
-    /** { frames, millis } of the sketch that is seen, as it has last reported them. */
+    /** The last { frames, millis } that the visible sketch reported. */
     state: () => shown?.state ?? { frames: 0, millis: 0 },
-    /** { warps, uniforms } of the sketch that is seen. */
+    /** The visible sketch's { warps, uniforms }. */
     made: () => shown?.made ?? { warps: [], uniforms: [] },
   }
 }
 
-function settle({ questions }, { id, value, error }) {
+function resolveQuestion({ questions }, { id, value, error }) {
   const { resolve, reject } = questions[id] ?? {}
   if (error === undefined) resolve?.(value)
   else reject?.(new Error(error))
 }
 
-async function send({ port }, { id, address }) {
+async function sendFile({ port }, { id, address }) {
   const blob = await siteFile(address).catch(() => undefined)
   port.postMessage({ kind: 'ask', method: 'file', args: [id, blob] })
 }
@@ -117,7 +117,8 @@ function remove(running) {
   if (!running) return
   running.disconnect()
   running.port?.close()
-  for (const { reject } of running.questions) reject(new Error('The sketch has changed meanwhile.'))
-  // At once, so that its context is not one too many.
+  for (const { reject } of running.questions)
+    reject(new Error('The sketch has changed in the meantime.'))
+  // Remove the frame immediately, because browsers limit the number of WebGL contexts.
   running.frame.remove()
 }

@@ -1,9 +1,9 @@
-/** What stands in the picture's place where the browser has no WebGL: the example's own picture, and why. */
+/** Shows the example's poster and an explanation if the browser has no WebGL. */
 import { make } from '../bench/dom.js'
 
 export const hasWebGL = Boolean(document.createElement('canvas').getContext('webgl2'))
 
-/** `example` is the name of the one that is chosen, if one is. */
+/** @param example the name of the chosen example, if any */
 export const showStill = (place, example) =>
   place.replaceChildren(
     make('img', {
@@ -15,6 +15,6 @@ export const showStill = (place, example) =>
       className: 'empty',
       textContent: example
         ? 'This browser has no WebGL: here is a picture of the example.'
-        : 'This browser has no WebGL, and cannot draw what you write: open this page in another one.',
+        : 'This browser has no WebGL and cannot draw your sketch: open this page in another one.',
     }),
   )

@@ -1,4 +1,4 @@
-/** The strings in a sketch's text: which files it names, and how any text is written into one. */
+/** Finds the strings in a sketch and the files that they name, and writes string literals. */
 import { javascriptLanguage } from '@codemirror/lang-javascript'
 
 const escapes = { n: '\n', t: '\t', r: '\r', b: '\b', f: '\f', v: '\v', 0: '\0' }
@@ -13,7 +13,7 @@ const unescape = (text) =>
     },
   )
 
-/** The strings of a text, and its templates that have no parts → [{ from, to, value }], places with their quotes. */
+/** Finds string literals and templates without substitutions → [{ from, to, value }], positions including the quotes. */
 export function stringsIn(text) {
   const strings = []
   javascriptLanguage.parser.parse(text).iterate({
@@ -31,7 +31,7 @@ const isFileName = (name) =>
     name,
   )
 
-/** The files that a text names. Some of them it may write. */
+/** Returns the file names in a text, including those that it may only write. */
 export const namesOfFiles = (text) => [
   ...new Set(
     stringsIn(text)
@@ -40,7 +40,7 @@ export const namesOfFiles = (text) => [
   ),
 ]
 
-/** The text with `change(name)` in place of each file that it names. */
+/** Replaces each file name in the text by `change(name)`. */
 export function withFiles(text, change) {
   let result = text
   for (const { from, to, value } of stringsIn(text).reverse()) {

@@ -1,4 +1,4 @@
-/** The editor in the colours of the gallery. */
+/** The editor's theme, in the gallery's colours. */
 import { HighlightStyle, syntaxHighlighting } from '@codemirror/language'
 import { EditorView } from '@codemirror/view'
 import { tags } from '@lezer/highlight'

@@ -1,14 +1,14 @@
-/** The bar with the sketch's time: it goes on, stands still, and is set by hand. */
+/** The time bar, which plays, pauses and sets the sketch's time. */
 import { make } from '../bench/dom.js'
 
-/** Milliseconds that the bar has at first, and by which it grows. */
+/** The initial length of the bar in milliseconds, and the increment by which it grows. */
 const SPAN = 20_000
 const UPDATE_EVERY = 100
 const seconds = new Intl.NumberFormat('en', { minimumFractionDigits: 1, maximumFractionDigits: 1 })
 
-/** `stage` has the sketch that is shown, and its time. → { start }, what the next sketch begins with. */
+/** @param stage runs the visible sketch and reports its time @returns { start }, which returns the next sketch's initial clock */
 export function makeTime(place, stage) {
-  // Who wants no motion gets a moment at which most warps show.
+  // With reduced motion, the time is paused at a moment at which most warps are visible.
   let isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches
   let time = isPlaying ? 0 : 1000
 
@@ -26,9 +26,9 @@ export function makeTime(place, stage) {
   }
   function play(value) {
     isPlaying = value
-    stage.tell('play', value)
-    // The page knows the time a moment later than the sketch.
-    if (!value) stage.tell('setTime', time)
+    stage.send('play', value)
+    // The page's time lags slightly behind the sketch's, so set the sketch to the displayed time.
+    if (!value) stage.send('setTime', time)
     button.textContent = value ? 'Stop' : 'Play'
     show()
   }

@@ -1,4 +1,4 @@
-/** Evaluates the warps of the visible sketch, each by its index: they are in its frame, whose answers are checked. */
+/** Evaluates warps of the visible sketch, by index. They are in its frame, so the answers are validated. */
 import { evaluatedOf, maskOf, shapesOf } from './messages.js'
 
 export const makeWarpsInFrame = (stage) => ({

@@ -1,4 +1,4 @@
-/** A zip archive of a few files, as they are: what they weigh is pictures and scripts that are packed already, or little text. */
+/** Writes an uncompressed zip archive: large files are images or minified scripts, and the rest is small. */
 
 const table = Uint32Array.from({ length: 256 }, (_, i) => {
   let sum = i
@@ -12,7 +12,7 @@ function checksum(bytes) {
   return ~sum >>> 0
 }
 
-/** Numbers as [size, value], lowest byte first. */
+/** Encodes [size, value] pairs in little-endian order. */
 function words(...list) {
   const view = new DataView(new ArrayBuffer(list.reduce((sum, [size]) => sum + size, 0)))
   let at = 0
@@ -24,17 +24,17 @@ function words(...list) {
   return new Uint8Array(view.buffer)
 }
 
-/** The first day that an archive knows: what is in it says nothing of when it was made. */
+/** 1 January 1980, the first date of the format, so that an archive does not depend on when it was made. */
 const day = 33
 /** The flag of names in UTF-8. */
 const inUTF8 = 0x800
 
-/** Does every unpacker put a file of that name below its folder, on every system? */
+/** Returns true if every unpacker, on every system, puts a file of that name below its target folder. */
 const isInside = (name) =>
   /^[^\\:\0-\x1f]+$/.test(name) &&
   name.split('/').every((part) => part !== '' && part !== '.' && part !== '..')
 
-/** { name: text or bytes } → its bytes, in parts for a Blob. */
+/** @param files maps name → text or bytes @returns the archive's bytes, in parts for a Blob */
 export function zip(files) {
   for (const name of Object.keys(files))
     if (!isInside(name)) throw new Error(`“${name}” cannot be packed: give the file another name.`)

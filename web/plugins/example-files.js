@@ -1,7 +1,7 @@
 /**
- * Vite plugin: gives the examples what they load, at the paths that they name. In development each file is answered
- * as it is asked for, in a build each is written once. The examples themselves go out as they are in the repository, so that what
- * the gallery shows is what a user copies; their pages get a policy.
+ * Vite plugin: serves the files that the examples load, at the paths that they name. In development each file is generated on
+ * request, in a build each is written once. The sketches are served unchanged, so that the gallery shows exactly what a user copies;
+ * their pages get a policy.
  */
 import { readFile, readdir } from 'node:fs/promises'
 import { extname } from 'node:path'
@@ -18,7 +18,7 @@ const libraries = [
   'dist/warpjet.deformers.min.js',
   'dist/warpjet.glsl.min.js',
   'dist/warpjet.operators.min.js',
-  // What the script fetches from beside it, for the sketches that make it do so.
+  // p5.warpjet imports this from its own folder if a sketch needs meshes.
   'dist/mesh.min.js',
   'node_modules/p5/lib/p5.min.js',
   'node_modules/p5/lib/p5.webgpu.min.js',
@@ -33,21 +33,21 @@ const libraries = [
   ].map((name) => `node_modules/three/examples/jsm/${name}`),
   'node_modules/glsl-noise/simplex/3d.glsl',
 ]
-/** Examples of three.js take modules, which their pages map names to. */
+/** The modules in the import maps of three.js examples. */
 const modules = ['three', 'warpjet', 'mesh', 'deformers', 'glsl'].map((name) => `dist/${name}.js`)
 const isShared = (path) => /^dist\/shared\/[\w-]+\.js$/.test(path)
 const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
 }
 const recorders = ['recorder.js', 'three-recorder.js']
-/** In the frame of the playground; warpjet takes no file in a folder `dist` for the sketch, when it says where a mistake is. */
+/** Scripts of the playground's frame. They are served from a folder `dist`, which warpjet skips when it looks for the sketch's line. */
 const frameScripts = Object.fromEntries(
-  ['start', 'files', 'clock', 'kept', 'warps', 'warpjet', 'three'].map((name) => [
+  ['start', 'files', 'clock', 'record', 'warps', 'warpjet', 'three'].map((name) => [
     `playground/dist/${name}.js`,
     `web/playground/frame/${name}.js`,
   ]),
 )
-/** Beside a sketch, or of any sketch in the playground. */
+/** Paths of files beside a sketch, or of files for any sketch in the playground. */
 const loadable = /^(?:examples\/([\w-]+)|playground\/files)\/([\w.-]*)$/
 
 const types = {
@@ -65,23 +65,23 @@ function obj(name) {
   return objs.get(name)
 }
 
-/** Runs the sketch, or what the page around the frame has in its place. */
-const started = (kind) =>
+/** Returns a tag that runs the sketch, or the changed sketch that the page around the frame has set. */
+const sketchTag = (kind) =>
   `<script>document.write('<script${kind} src="' + (window.frameElement?.sketch ?? 'sketch.js') + '"></' + 'script>')</script>`
 
-/** The example's page with the recorder in it: what the gallery frames. */
+/** Returns the example's page with the recorder, which the gallery shows in a frame. */
 const framedPage = (html) =>
   html
     .replace(
       '<script src="sketch.js"></script>',
-      `<script src="../../recorder.js"></script>\n    ${started('')}`,
+      `<script src="../../recorder.js"></script>\n    ${sketchTag('')}`,
     )
     .replace(
       '<script type="module" src="sketch.js"></script>',
-      `<script src="../../three-recorder.js"></script>\n    ${started(' type="module"')}`,
+      `<script src="../../three-recorder.js"></script>\n    ${sketchTag(' type="module"')}`,
     )
 
-/** The content of the file at `path` below the gallery; undefined where there is none. */
+/** Returns the content of the file at `path` of the site; undefined if there is none. */
 async function contentOf(path) {
   if (libraries.includes(path) || modules.includes(path) || isShared(path)) return read(path)
   if (recorders.includes(path)) return read(`web/${path}`)
@@ -99,7 +99,7 @@ async function contentOf(path) {
   return read(`examples/${example}/${file}`)
 }
 
-/** Everything that a built gallery needs: for each example its pages, its sketch, and what the sketch loads. */
+/** Returns the paths of all files of a built gallery: libraries, and each example's pages, sketch, and files that the sketch loads. */
 async function allPaths() {
   const paths = [...libraries, ...modules, ...(await importsOf(modules))]
   paths.push(...recorders, ...Object.keys(frameScripts))

@@ -1,13 +1,13 @@
-/** The modules that modules of dist import, now or when they are asked to. */
+/** Finds the modules that modules of dist import, statically or dynamically. */
 import { readFile } from 'node:fs/promises'
 import { join } from 'node:path/posix'
 
 const root = new URL('../../', import.meta.url)
 
-/** Relative specifiers, as a bundler writes them. */
+/** Matches relative specifiers as a bundler writes them. */
 const specifiers = /(?:\bfrom|\bimport)\s*\(?\s*["'](\.[^"']+)["']/g
 
-/** Returns the paths of all that the files import, and of what that imports, in the order in which it is found. */
+/** Returns the paths of all modules that the files import, directly or indirectly, in the order of discovery. */
 export async function importsOf(files) {
   const found = new Set(files)
   for (const file of found) {

@@ -1,20 +1,20 @@
 /**
- * Vite plugin: the service worker of a built site, which makes its pages and sketches work without a network once any of its pages was seen.
- * Every build has a name of its own, by what is in it, and takes the place of the one before as a whole.
+ * Vite plugin: the service worker of a built site, which makes all pages and sketches work offline after a visit to any page. Each
+ * build's cache is named by a hash of its content and replaces the previous one as a whole.
  */
 import { createHash } from 'node:crypto'
 
 /**
- * Written into sw.js. It takes over once it has kept `files` and, unless one saves data, `models`, which are large; `same` has the
- * file that holds what one says, too.
+ * The code of sw.js. It takes over after caching `files` and, unless the visitor saves data, `models`, which are large; `same` maps
+ * a duplicate to the file with the same content.
  */
 function worker({ name, files, models, same }) {
   const scope = self.registration.scope
 
   const known = new Set([...files, ...models, ...Object.keys(same)])
 
-  /** Some servers lead from x.html to x. What they led to may be kept, but no page may be answered by what says that it was led. */
-  async function plain(response) {
+  /** Copies a response without its `redirected` flag, since a navigation rejects it. Some servers redirect x.html to x. */
+  async function withoutRedirect(response) {
     if (!response.redirected) return response
     const { status, statusText, headers } = response
     return new Response(await response.blob(), { status, statusText, headers })
@@ -22,14 +22,14 @@ function worker({ name, files, models, same }) {
 
   async function fetchInto(cache, file) {
     const response = await fetch(scope + file, { cache: 'no-cache', priority: 'low' })
-    if (response.ok) await cache.put(scope + file, await plain(response))
+    if (response.ok) await cache.put(scope + file, await withoutRedirect(response))
   }
 
-  /** What could not be kept is kept when it is first asked for. */
-  async function keep(files) {
+  /** Caches the files. One that fails is cached at its first request. */
+  async function cacheAll(files) {
     const cache = await caches.open(name)
     const left = [...files]
-    // A few at a time, so that what somebody asks for meanwhile need not wait.
+    // A few at a time, so that the visitor's own requests need not wait.
     const take = async () => {
       for (let file = left.shift(); file; file = left.shift())
         if (!(await cache.match(scope + file))) await fetchInto(cache, file).catch(() => {})
@@ -42,7 +42,7 @@ function worker({ name, files, models, same }) {
     url.search = url.hash = ''
     const path = url.href.slice(scope.length)
     const file = [path, `${path}.html`, `${path}index.html`].find((file) => known.has(file)) ?? path
-    // What such a page names is beside its folder otherwise.
+    // Without the slash, the page's relative addresses would be resolved against the parent folder.
     if (known.has(`${path}/index.html`)) {
       const folder = new URL(request.url)
       folder.pathname += '/'
@@ -50,11 +50,11 @@ function worker({ name, files, models, same }) {
     }
     const address = scope + (same[file] ?? file)
     const cache = await caches.open(name)
-    const kept = await cache.match(address)
-    if (kept) return kept
+    const cached = await cache.match(address)
+    if (cached) return cached
     const response = await fetch(request)
     if (request.method === 'GET' && response.status === 200)
-      plain(response.clone())
+      withoutRedirect(response.clone())
         .then((copy) => cache.put(address, copy))
         .catch(() => {})
     return response
@@ -62,7 +62,7 @@ function worker({ name, files, models, same }) {
 
   self.addEventListener('install', (event) => {
     self.skipWaiting()
-    event.waitUntil(keep(navigator.connection?.saveData ? files : [...files, ...models]))
+    event.waitUntil(cacheAll(navigator.connection?.saveData ? files : [...files, ...models]))
   })
   self.addEventListener('activate', (event) => {
     const others = async () =>
@@ -75,7 +75,7 @@ function worker({ name, files, models, same }) {
   })
   self.addEventListener('fetch', (event) => {
     const { method, url } = event.request
-    // p5 asks for the head of a font before it loads it.
+    // p5 requests a font by HEAD before it loads it.
     const isRead = method === 'GET' || method === 'HEAD'
     if (isRead && url.startsWith(scope)) event.respondWith(answer(event.request))
   })
@@ -93,7 +93,7 @@ export const offline = () => ({
       const isModel = (file) => file.endsWith('.obj')
       for (const file of all) hash.update(file).update(contentOf(file))
       const name = `warpjet-${hash.digest('hex').slice(0, 12)}`
-      // Many sketches load the same model.
+      // Many sketches load the same model: cache it once.
       const firsts = new Map()
       const same = {}
       for (const file of all.filter(isModel)) {

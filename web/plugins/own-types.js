@@ -1,16 +1,16 @@
 /**
- * Vite plugin: what our own declarations say, for completion and hover in the playground: the inputs of an offset function, the
- * functions of each host, and their options, each with its type and its comment.
+ * Vite plugin: extracts our own declarations for completion and hover in the playground: the inputs of an offset function, the
+ * functions of each host, and their options, each with its type and comment.
  */
 import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 
 const path = (file) => fileURLToPath(new URL(`../../js-bindings/${file}`, import.meta.url))
 
-/** Entries whose functions sketches call, by host. */
+/** Maps a host to the entry whose functions its sketches call. */
 const entries = { p5: 'globals.ts', three: 'three.ts', both: 'warpjet.ts' }
 
-/** Where the options of a function are declared, by its file and its name. */
+/** Maps a function, by file and name, to the declarations of its options. */
 const optionsOf = {
   'globals.ts createWarp': [['p5/settings.ts', 'CreateWarpOptions']],
   'globals.ts loadWarpModel': [['p5/geometry/model.ts', 'LoadModelOptions']],
@@ -22,9 +22,9 @@ const optionsOf = {
   ],
 }
 
-/** → { inputs: [member], functions: [{ name, host, form, meaning, options: [member] }] }; a member is { name, form, meaning, host }. */
+/** @returns { inputs: [member], functions: [{ name, host, form, meaning, options: [member] }] }; a member is { name, form, meaning, host } */
 export async function ownTypes() {
-  // The newest TypeScript cannot be asked for a tree from JavaScript.
+  // The project's TypeScript 7 has no JavaScript API for syntax trees, so this uses TypeScript 5.
   const { default: ts } = await import('typescript')
   const trees = new Map()
 
@@ -36,8 +36,8 @@ export async function ownTypes() {
     return trees.get(file)
   }
 
-  /** All declarations of a kind in the file, at whatever depth. */
-  function found(file, is) {
+  /** Finds all declarations of a kind in the file, at any depth. */
+  function findAll(file, is) {
     const nodes = []
     const look = (node) => {
       if (is(node)) nodes.push(node)
@@ -46,7 +46,7 @@ export async function ownTypes() {
     look(treeOf(file))
     return nodes
   }
-  const named = (file, is, name) => found(file, is).find((node) => node.name?.text === name)
+  const findNamed = (file, is, name) => findAll(file, is).find((node) => node.name?.text === name)
 
   const meaningOf = (node) =>
     ts
@@ -57,11 +57,11 @@ export async function ownTypes() {
       .replaceAll('`', '')
 
   const membersOf = ([file, name]) =>
-    named(file, ts.isInterfaceDeclaration, name).members.map((member) => {
+    findNamed(file, ts.isInterfaceDeclaration, name).members.map((member) => {
       const name = member.name.getText()
       const type = member.type.getText()
-      // The words that a type stands for tell more than its name, and a type of types tells nothing.
-      const alias = named(file, ts.isTypeAliasDeclaration, type)
+      // Show an alias's definition, which says more than its name, and omit generic types, which say nothing.
+      const alias = findNamed(file, ts.isTypeAliasDeclaration, type)
       const shown = (alias?.type.getText() ?? type).replaceAll(/\s+/g, ' ')
       return {
         name,
@@ -70,9 +70,9 @@ export async function ownTypes() {
       }
     })
 
-  /** The functions of an entry: those that it declares, and those of its neighbours that it hands on. */
+  /** Finds the functions of an entry: those that it declares and those that it re-exports. */
   function functionsOf(host, entry) {
-    const handedOn = found(entry, ts.isExportDeclaration)
+    const reexported = findAll(entry, ts.isExportDeclaration)
       .filter(({ isTypeOnly, exportClause }) => !isTypeOnly && exportClause?.elements)
       .flatMap(({ moduleSpecifier, exportClause: { elements } }) =>
         elements
@@ -80,10 +80,10 @@ export async function ownTypes() {
           .map(({ name }) => [moduleSpecifier.text.slice(2).replace(/js$/, 'ts'), name.text]),
       )
       .filter(([file]) => !file.startsWith('generated/'))
-      .map(([file, name]) => [file, named(file, ts.isFunctionDeclaration, name)])
+      .map(([file, name]) => [file, findNamed(file, ts.isFunctionDeclaration, name)])
     return [
-      ...found(entry, ts.isFunctionDeclaration).map((node) => [entry, node]),
-      ...handedOn.filter(([, node]) => node),
+      ...findAll(entry, ts.isFunctionDeclaration).map((node) => [entry, node]),
+      ...reexported.filter(([, node]) => node),
     ].map(([file, node]) => {
       const name = node.name.text
       const parameters = node.parameters.map(
@@ -100,7 +100,7 @@ export async function ownTypes() {
     })
   }
 
-  const ofP5 = named('three/settings.ts', ts.isTypeAliasDeclaration, 'OfP5').type.types.map(
+  const ofP5 = findNamed('three/settings.ts', ts.isTypeAliasDeclaration, 'OfP5').type.types.map(
     ({ literal }) => literal.text,
   )
   return {

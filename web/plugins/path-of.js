@@ -1,4 +1,4 @@
-/** The path that a request is for, without the slash before it. One that cannot be decoded, such as `/100%`, stays as it is. */
+/** Returns a request's path without its leading slash. One that cannot be decoded, such as `/100%`, stays unchanged. */
 export function pathOf({ url }) {
   const path = url.split('?')[0].slice(1)
   try {

@@ -1,4 +1,4 @@
-/** Vite's client tells the console that it is connected; the gallery's console is to stay empty. */
+/** Vite plugin: silences the messages of Vite's client, so that the site's console stays empty. */
 export const quietClient = () => ({
   name: 'quiet-client',
   apply: 'serve',

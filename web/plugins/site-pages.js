@@ -1,6 +1,6 @@
 /**
- * Vite plugin: the pages of web/site, made in development as they are asked for, written once in a build; with them their
- * style, font and pictures, and the text of the first page's warp, which is made before and needs no compiler there.
+ * Vite plugin: serves the pages of web/site with their style, font and pictures; in development they are generated on request, in a
+ * build they are written once. It also compiles the first page's warp, so that the page does not need the compiler.
  */
 import { readFile, readdir } from 'node:fs/promises'
 import { extname } from 'node:path'
@@ -10,7 +10,7 @@ import { pathOf } from './path-of.js'
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
 
-const plainFiles = {
+const staticFiles = {
   'site/site.css': 'web/site/site.css',
   'playground/host.html': 'web/playground/frame/host.html',
   'site/hero.webp': 'web/site/hero.webp',
@@ -28,33 +28,33 @@ const types = {
   '.woff2': 'font/woff2',
 }
 
-/** Vite packs what a plugin imports by a name that it can read, and all of warpjet is no part of a setting. */
+/** Imports by a computed address: Vite would bundle a literal import, and with it all of warpjet, into its config. */
 const load = (path) => import(new URL(path, root).href)
 
 const sitePages = async () => (await load('web/site/pages.js')).sitePages()
 
-/** Where the file at that path of the site lies in the repository, for those that are handed on as they are. */
+/** Returns the repository path of a file that the site serves unchanged; undefined for others. */
 function sourceOf(path) {
-  if (path in plainFiles) return plainFiles[path]
+  if (path in staticFiles) return staticFiles[path]
   const folder = Object.keys(folders).find((name) => path.startsWith(name))
   return folder && folders[folder].test(path) && !path.includes('..') ? `web/${path}` : undefined
 }
 
-/** The site's sheet has its colours in it, so that they are no request of their own. */
+/** Returns a file's content. The style sheet includes the palette, which saves a request. */
 async function contentOf(path) {
   const own = await read(sourceOf(path))
   return path === 'site/site.css' ? Buffer.concat([await read('web/site/palette.css'), own]) : own
 }
 
-async function handedOn() {
-  const found = Object.keys(plainFiles)
+async function unchangedPaths() {
+  const found = Object.keys(staticFiles)
   for (const [folder, matches] of Object.entries(folders))
     for (const file of await readdir(new URL(`web/${folder}`, root)))
       if (matches.test(file)) found.push(folder + file)
   return found
 }
 
-async function heroText() {
+async function compileHero() {
   const { compileWarp } = await load('dist/warpjet.js')
   const { hero, names, uniforms } = await load('web/site/hero-warp.js')
   const { code, declarations } = compileWarp(hero, { names, uniforms, surfaceVariation: false })
@@ -69,7 +69,7 @@ export function sitePagesPlugin() {
     name: 'site-pages',
 
     resolveId: (id) => (id === heroModule ? `\0${heroModule}` : undefined),
-    load: (id) => (id === `\0${heroModule}` ? heroText() : undefined),
+    load: (id) => (id === `\0${heroModule}` ? compileHero() : undefined),
 
     configureServer(server) {
       const forget = (file) => {
@@ -100,11 +100,11 @@ export function sitePagesPlugin() {
     },
 
     async generateBundle() {
-      // GitHub would leave out the folder node_modules otherwise.
+      // Without this, GitHub Pages would leave out the folder node_modules.
       this.emitFile({ type: 'asset', fileName: '.nojekyll', source: '' })
       for (const [fileName, source] of await sitePages())
         this.emitFile({ type: 'asset', fileName, source })
-      for (const fileName of await handedOn())
+      for (const fileName of await unchangedPaths())
         this.emitFile({ type: 'asset', fileName, source: await contentOf(fileName) })
     },
   }

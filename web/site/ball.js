@@ -1,8 +1,8 @@
-/** The body that the first page warps. */
+/** The ball that the first page warps. */
 
 /**
- * Corners and triangles of a ball of radius 1: a cube's faces, which have no crowded poles, pushed out. `detail` is even; the first
- * `coarse` numbers of `triangles` make a ball of every second corner, the others one of all.
+ * Builds points and triangles of a ball of radius 1 from the faces of a cube, which has no crowded poles. `detail` must be even. The
+ * first `coarse` numbers of `triangles` form a ball from every second point, the others one from all points.
  */
 export function ball(detail) {
   const side = detail + 1
@@ -27,7 +27,7 @@ export function ball(detail) {
   }
   let corner = 0
   for (const step of [2, 1]) {
-    // The diagonals alternate: ridges that cross them would be saws otherwise.
+    // The diagonals alternate, because ridges that cross parallel diagonals look jagged.
     const quads = [
       [0, side, 1, 1, side, side + 1],
       [0, side, side + 1, 0, side + 1, 1],

@@ -1,4 +1,4 @@
-/** A button that copies. Only safe origins have a clipboard; elsewhere it says so. */
+/** Makes a button copy a text. The clipboard exists only in secure contexts; elsewhere the button asks to copy by hand. */
 export function copyButton(button, textOf) {
   const label = button.textContent
   button.addEventListener('click', async () => {
@@ -6,7 +6,7 @@ export function copyButton(button, textOf) {
       () => true,
       () => false,
     )
-    button.textContent = isDone ? 'Copied' : 'Select it, and copy by hand'
+    button.textContent = isDone ? 'Copied' : 'Select and copy by hand'
     setTimeout(() => (button.textContent = label), 1500)
   })
 }

@@ -1,4 +1,4 @@
-/** A page of the docs: the ways to the others at its side, and the next one below. */
+/** Lays out a page of the docs, with links to all pages at the side and to the previous and next one below. */
 import { plain } from './html.js'
 import { frame } from './layout.js'
 import { groups, pages } from './navigation.js'
@@ -21,11 +21,11 @@ function beside(file) {
     page
       ? `<a rel="${rel}" href="${page.file}.html"><small>${word}</small>${page.title}</a>`
       : '<span></span>'
-  return `<nav class="beside" aria-label="Before and after">${link(before, 'prev', 'Before')}${link(after, 'next', 'Next')}</nav>`
+  return `<nav class="beside" aria-label="Previous and next">${link(before, 'prev', 'Previous')}${link(after, 'next', 'Next')}</nav>`
 }
 
-/** What to say of a page in a list of found pages: how its text begins. */
-const beginning = (html) => {
+/** Returns the beginning of a page's text, which search engines show as its description. */
+const descriptionOf = (html) => {
   const [, first = ''] = /<p>([^]*?)<\/p>/.exec(html) ?? []
   return plain(first).slice(0, 160)
 }
@@ -33,7 +33,13 @@ const beginning = (html) => {
 export function docsPage({ file, url, html }) {
   const title = plain(/<h1[^>]*>([^]*?)<\/h1>/.exec(html)?.[1] ?? file)
   return frame(
-    { url, title: `${title} · warpjet`, description: beginning(html), kind: 'docs', here: 'Docs' },
+    {
+      url,
+      title: `${title} · warpjet`,
+      description: descriptionOf(html),
+      kind: 'docs',
+      here: 'Docs',
+    },
     `<div class="columns">
       <details class="contents" open>
         <summary>All pages</summary>
@@ -47,9 +53,9 @@ export function docsPage({ file, url, html }) {
   )
 }
 
-/** The first page of the docs is made of the list itself. */
+/** The index page of the docs: the list of all pages. */
 export const overview = () => `<h1>Docs</h1>
-<p>New here? <a href="${pages[0].file}.html">The first warp</a> takes two minutes. Every piece of code that says “Run” opens in the playground, where it can be changed.</p>
+<p>New here? <a href="${pages[0].file}.html">The first warp</a> takes two minutes. Every piece of code with a “Run” link opens in the playground, where you can change it.</p>
 <div class="overview">${groups
   .map(
     ({ title, pages }) =>

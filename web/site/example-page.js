@@ -1,9 +1,9 @@
-/** The page of one example: it runs beside its sketch, with what it takes to run it elsewhere. */
+/** Lays out the page of one example: the running sketch beside its source, with a button that copies a complete page. */
 import { readFileSync } from 'node:fs'
 import hljs from 'highlight.js'
 import { sections } from '../catalogue.js'
 import { sliders } from '../sliders.js'
-import { escaped } from './html.js'
+import { escapeHtml } from './html.js'
 import { frame } from './layout.js'
 
 export const examples = sections.flatMap(({ title: section, source, examples }) =>
@@ -13,7 +13,7 @@ export const examples = sections.flatMap(({ title: section, source, examples }) 
 const read = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
 const { devDependencies, version } = JSON.parse(read('package.json'))
 
-/** The tags of the example's own page, as they are anywhere else. */
+/** Returns the script tags of the example's own page with CDN addresses. */
 function tagsOf(name) {
   const page = read(`examples/${name}/index.html`)
   const scripts = /[^]*?(<script[^]*<\/script>)\s*<\/head>/.exec(page)[1].replaceAll(/^ {4}/gm, '')
@@ -26,20 +26,20 @@ function tagsOf(name) {
     )
 }
 
-/** A page to paste somewhere: its script tags, then its sketch. */
-function copied(name, sketch) {
+/** Returns the HTML to copy: the script tags, then the sketch. */
+function htmlToCopy(name, sketch) {
   const tags = tagsOf(name)
   const kind = tags.includes('importmap') ? ' type="module"' : ''
   return `${tags}\n<script${kind}>\n${sketch.trimEnd()}\n</script>\n`
 }
 
-/** What a sketch loads from its own folder. */
+/** Returns the files that a sketch loads from its own folder. */
 const filesOf = (sketch) => [
   ...new Set([...sketch.matchAll(/'([\w-]+\.(?:obj|woff))'/g)].map(([, file]) => file)),
 ]
 
 const control = ({ label, from, to, value }, index) =>
-  `<label for="slider-${index}">${escaped(label)}</label>
+  `<label for="slider-${index}">${escapeHtml(label)}</label>
 <input type="range" id="slider-${index}" min="${from}" max="${to}" step="any" value="${value}" /><output>${value}</output>`
 
 export function examplePage({ name, url, figure, title, text, section, source }) {
@@ -47,7 +47,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
   const index = examples.findIndex((example) => example.name === name)
   const at = (step) => examples[(index + step + examples.length) % examples.length]
   const link = (step, rel, word) =>
-    `<a rel="${rel}" href="../${at(step).name}/"><small>${word}</small>${escaped(at(step).title)}</a>`
+    `<a rel="${rel}" href="../${at(step).name}/"><small>${word}</small>${escapeHtml(at(step).title)}</a>`
   return frame(
     {
       url,
@@ -58,17 +58,17 @@ export function examplePage({ name, url, figure, title, text, section, source })
       script: 'example',
       preload: `posters/${name}.webp`,
     },
-    `<main id="main" tabindex="-1" data-name="${name}" data-title="${escaped(title)}">
+    `<main id="main" tabindex="-1" data-name="${name}" data-title="${escapeHtml(title)}">
       <p class="back"><a href="../../#gallery">All examples</a></p>
       <header>
-        <p class="figure">${escaped(figure)}</p>
-        <h1>${escaped(title)}</h1>
-        <p class="text">${escaped(text)}</p>
-        <p class="source">${escaped(section)}. ${escaped(source)}.</p>
+        <p class="figure">${escapeHtml(figure)}</p>
+        <h1>${escapeHtml(title)}</h1>
+        <p class="text">${escapeHtml(text)}</p>
+        <p class="source">${escapeHtml(section)}. ${escapeHtml(source)}.</p>
       </header>
       <div class="pair">
         <div class="show">
-          <div class="stage"><img src="../../posters/${name}.webp" width="480" height="360" alt="${escaped(title)}" /></div>
+          <div class="stage"><img src="../../posters/${name}.webp" width="480" height="360" alt="${escapeHtml(title)}" /></div>
           <div class="under"><output class="rate"></output><button type="button" class="pause" aria-pressed="false">Pause</button></div>
           <div class="sliders">${sliders(name, sketch).map(control).join('\n')}</div>
           <p class="ways">
@@ -91,8 +91,8 @@ export function examplePage({ name, url, figure, title, text, section, source })
           <pre tabindex="0" aria-label="Sketch"><code>${hljs.highlight(sketch, { language: 'javascript' }).value}</code></pre>
         </div>
       </div>
-      <script type="application/json" id="sketch">${JSON.stringify({ sketch, page: copied(name, sketch), sliders: sliders(name, sketch) }).replaceAll('<', '\\u003c')}</script>
-      <nav class="beside" aria-label="Before and after">${link(-1, 'prev', 'Before')}${link(1, 'next', 'Next')}</nav>
+      <script type="application/json" id="sketch">${JSON.stringify({ sketch, page: htmlToCopy(name, sketch), sliders: sliders(name, sketch) }).replaceAll('<', '\\u003c')}</script>
+      <nav class="beside" aria-label="Previous and next">${link(-1, 'prev', 'Previous')}${link(1, 'next', 'Next')}</nav>
     </main>`,
   )
 }

@@ -1,4 +1,4 @@
-/** The page of an example: runs it while it is seen, shows its two texts, and runs it anew as the sliders say. */
+/** The page of an example: runs it while it is visible, shows its source and shader code, and reruns it when a slider moves. */
 import { highlight } from '../highlighting.js'
 import { makeStage } from '../stage.js'
 import { copyButton } from './copy.js'
@@ -8,11 +8,11 @@ const find = (selector) => document.querySelector(selector)
 const main = find('main')
 const { sketch, page, sliders } = JSON.parse(find('#sketch').textContent)
 
-/* The two texts. That of the shader comes later, from the running sketch. */
+/* Source and shader code. The running sketch provides the latter. */
 
 const code = find('.block code')
 const tabs = [...document.querySelectorAll('.tabs [value]')]
-const texts = { sketch: code.innerHTML, glsl: 'Made when the sketch starts.' }
+const texts = { sketch: code.innerHTML, glsl: 'Available when the sketch has started.' }
 let shown = 'sketch'
 
 function show(tab) {
@@ -26,7 +26,9 @@ for (const button of tabs)
     show(button.value)
     code.parentElement.scrollTo(0, 0)
   })
-copyButton(find('.tabs .copy'), () => page.replace(sketch.trimEnd(), () => changed().trimEnd()))
+copyButton(find('.tabs .copy'), () =>
+  page.replace(sketch.trimEnd(), () => currentSketch().trimEnd()),
+)
 
 let shader
 function setShader(text) {
@@ -41,8 +43,8 @@ function setShader(text) {
 const inputs = [...document.querySelectorAll('.sliders input')]
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false })
 
-/** The sketch with the sliders' numbers in it. */
-function changed() {
+/** Returns the sketch with the sliders' numbers. */
+function currentSketch() {
   let text = sketch
   const moved = sliders
     .map((slider, index) => ({ ...slider, now: inputs[index] }))
@@ -60,9 +62,9 @@ for (const input of inputs)
     input.nextElementSibling.textContent = short.format(input.value)
     clearTimeout(timer)
     timer = setTimeout(() => {
-      texts.sketch = highlight(changed(), 'javascript')
+      texts.sketch = highlight(currentSketch(), 'javascript')
       if (shown === 'sketch') show('sketch')
-      stage.setSketch(changed())
+      stage.setSketch(currentSketch())
     }, 250)
   })
 

@@ -1,13 +1,13 @@
 /**
- * Some hosts give x/index.html at the address x, without a slash. What such a page names lies in its folder, and would be looked for
- * beside that: the page gives itself the slash, before it names anything. As HTML, for the head of a page that is an index.html.
+ * Some hosts serve x/index.html at the address x, without a slash, so that relative addresses would be resolved against the parent
+ * folder. This script, for the head of an index.html, adds the slash before any such address is used.
  */
 export const folderAddress = `<script>
       if (!/(?:\\/|\\.html)$/.test(location.pathname))
         history.replaceState(null, '', location.pathname + '/' + location.search + location.hash)
     </script>`
 
-/** Vite plugin: the same for pages that are files of HTML. */
+/** Vite plugin: adds the script to pages that are HTML files. */
 export const folderAddresses = () => ({
   name: 'folder-addresses',
   transformIndexHtml: {

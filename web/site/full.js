@@ -1,4 +1,4 @@
-/** The full page of an example: it runs as large as it can be. */
+/** The full page of an example: runs it as large as the window. */
 import { makeStage } from '../stage.js'
 import { pauseButton } from './pause.js'
 

@@ -1,6 +1,6 @@
-/** The warp of the first page. Its text is made when the site is built, so that nothing of warpjet has to load there. */
+/** The warp of the first page. It is compiled when the site is built, so that the page does not load warpjet. */
 
-/** Ridges of noise that drift, and a swell under the pointer. */
+/** Drifting ridges of noise, and a swell under the pointer. */
 export function hero({ glsl, position, uniforms, millis }) {
   const drift = glsl.vec3(0, millis.div(9000), 0)
   const bent = position.add(position.mult(1.3).add(drift).simplex().mult(0.35))

@@ -1,4 +1,4 @@
-/** Draws the first page's ball with its warp in plain WebGL 2. The picture below it stays where that is missing. */
+/** Draws the first page's warped ball in plain WebGL 2. Without WebGL 2 the picture below it stays visible. */
 import text from 'virtual:hero-text'
 import { ball } from './ball.js'
 import { rest, sleep } from './pace.js'
@@ -36,8 +36,8 @@ void main() {
   color = vec4(base * light + shine * 0.5 + rim * vec3(0.12, 0.2, 0.42), 1.0);
 }`
 
-/** → the program, once it is linked: nobody waits for the driver, who does it beside the page where he can. */
-async function programOf(gl) {
+/** Compiles and links the program without blocking the page, if the driver can compile in parallel. */
+async function linkProgram(gl) {
   const parallel = gl.getExtension('KHR_parallel_shader_compile')
   const program = gl.createProgram()
   for (const [kind, source] of [
@@ -51,15 +51,15 @@ async function programOf(gl) {
   }
   gl.bindAttribLocation(program, 0, 'aPosition')
   gl.linkProgram(program)
-  const isThere = () =>
+  const isComplete = () =>
     !parallel ||
     gl.isContextLost() ||
     gl.getProgramParameter(program, parallel.COMPLETION_STATUS_KHR)
-  while (!isThere()) await sleep(10)
+  while (!isComplete()) await sleep(10)
   return gl.getProgramParameter(program, gl.LINK_STATUS) ? program : undefined
 }
 
-/** Where the pointer meets the ball, or the point of its outline that is nearest. */
+/** Returns the point of the ball under the pointer, or the nearest point of its outline. */
 function onBall(x, y) {
   const length = Math.hypot(x, y)
   if (length >= 1) return [x / length, y / length, 0]
@@ -71,9 +71,9 @@ export async function startHero(place) {
   canvas.setAttribute('aria-hidden', 'true')
   const gl = canvas.getContext('webgl2', { antialias: true, alpha: true })
   if (!gl) return
-  // A browser takes its time for each of these steps, and answers between them.
+  // Each of these steps can take long, so let the browser respond between them.
   await sleep(0)
-  const program = await programOf(gl)
+  const program = await linkProgram(gl)
   if (!program) return
   await sleep(0)
   const { points, triangles, coarse } = ball(102)
@@ -93,9 +93,9 @@ export async function startHero(place) {
     pointer: at('pointer'),
   }
 
-  const wanted = { at: [0.35, 0.4, 0.85], strength: 0.22 }
-  const now = { at: [...wanted.at], strength: wanted.strength }
-  // Where there is no GPU, frames of every second corner are to be had in a quarter of the time.
+  const target = { at: [0.35, 0.4, 0.85], strength: 0.22 }
+  const now = { at: [...target.at], strength: target.strength }
+  // Start with the coarse ball, whose frames take a quarter of the time without a GPU.
   let isFine = false
   let last = performance.now()
   function draw(time) {
@@ -103,12 +103,12 @@ export async function startHero(place) {
     const density = Math.min(devicePixelRatio, 2)
     const [width, height] = [clientWidth, clientHeight].map((size) => Math.round(size * density))
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height })
-    // As fast to the eye however many frames there are.
-    const passed = performance.now() - last
-    last += passed
-    const towards = (from, to, slowness) => to + (from - to) * Math.exp(-passed / slowness)
-    now.at = now.at.map((from, i) => towards(from, wanted.at[i], 130))
-    now.strength = towards(now.strength, wanted.strength, 200)
+    // Exponential smoothing by elapsed time, so that the speed does not depend on the frame rate.
+    const elapsed = performance.now() - last
+    last += elapsed
+    const towards = (from, to, slowness) => to + (from - to) * Math.exp(-elapsed / slowness)
+    now.at = now.at.map((from, i) => towards(from, target.at[i], 130))
+    now.strength = towards(now.strength, target.strength, 200)
     gl.viewport(0, 0, width, height)
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     gl.uniform1f(uniform.millis, time)
@@ -126,7 +126,7 @@ export async function startHero(place) {
   }
 
   place.append(canvas)
-  // Whoever wants less motion gets the one picture.
+  // With reduced motion, draw a single picture.
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
     isFine = true
     draw(2000)
@@ -136,10 +136,10 @@ export async function startHero(place) {
 
   addEventListener('pointermove', ({ clientX, clientY }) => {
     const { left, top, width, height } = place.getBoundingClientRect()
-    // A ball of radius 1 takes about so much of the place's height.
+    // The ball's radius in pixels, about 0.38 of the height.
     const unit = height * 0.38
-    wanted.at = onBall((clientX - left - width / 2) / unit, (top + height / 2 - clientY) / unit)
-    wanted.strength = 0.36
+    target.at = onBall((clientX - left - width / 2) / unit, (top + height / 2 - clientY) / unit)
+    target.strength = 0.36
   })
   let isSeen = false
   let isRunning = false
@@ -152,7 +152,7 @@ export async function startHero(place) {
       draw(await new Promise(requestAnimationFrame))
       const isLight = await rest(gl)
       heavyFrames = isLight ? 0 : heavyFrames + 1
-      // Where the fine ball turns out to be heavy, and not for a moment only, it is not tried again.
+      // After ten slow frames in a row, return to the coarse ball for good.
       if (isFine && heavyFrames === 10) mayBeFine = isFine = false
       else if (isLight) isFine = mayBeFine
     }
@@ -160,6 +160,6 @@ export async function startHero(place) {
   }
   new IntersectionObserver(([{ isIntersecting }]) => {
     isSeen = isIntersecting
-    run()
+    void run()
   }).observe(place)
 }

@@ -1,6 +1,6 @@
-/** The first page: a warp that follows the pointer, how to get it, and everything that there is to see. */
+/** Lays out the first page: a warp that follows the pointer, how to install warpjet, and the gallery. */
 import { sections } from '../catalogue.js'
-import { escaped } from './html.js'
+import { escapeHtml } from './html.js'
 import { frame } from './layout.js'
 
 export const scriptTag =
@@ -9,9 +9,9 @@ export const scriptTag =
 const tile = (section) => (example) => {
   const { name, title, figure, text } = example
   const words = `${title} ${figure} ${section.title} ${text}`.toLowerCase()
-  return `<li data-section="${escaped(section.title)}" data-words="${escaped(words)}"><a href="gallery/${name}/">
+  return `<li data-section="${escapeHtml(section.title)}" data-words="${escapeHtml(words)}"><a href="gallery/${name}/">
 <img src="posters/${name}.webp" width="480" height="360" loading="lazy" decoding="async" alt="" />
-<span><b>${escaped(title)}</b> <i>${escaped(figure)}</i></span></a></li>`
+<span><b>${escapeHtml(title)}</b> <i>${escapeHtml(figure)}</i></span></a></li>`
 }
 
 export const homePage = () =>
@@ -20,7 +20,7 @@ export const homePage = () =>
       url: 'index.html',
       title: 'warpjet: warp any mesh, with lighting that stays right',
       description:
-        'Write where each point should go. warpjet differentiates the function, compiles it to a vertex shader, and every mesh that it bends is lit as if it had been modelled that way.',
+        'Write where each point should go. warpjet differentiates the function and compiles it to a vertex shader, and every mesh that it bends is lit as if it had been modelled that way.',
       kind: 'home',
       here: 'Gallery',
       script: 'home',
@@ -30,10 +30,10 @@ export const homePage = () =>
       <section class="hero">
         <div>
           <h1>warpjet</h1>
-          <p class="lead">Write where each point should go. warpjet differentiates the function, compiles it to a
+          <p class="lead">Write where each point should go. warpjet differentiates the function and compiles it to a
             vertex shader, and every mesh that it bends is lit as if it had been modelled that way.</p>
           <p>For p5.js, three.js, Babylon.js and any program on WebGL or WebGPU.</p>
-          <div class="install"><code tabindex="0">${escaped(scriptTag)}</code><button type="button" class="copy">Copy</button></div>
+          <div class="install"><code tabindex="0">${escapeHtml(scriptTag)}</code><button type="button" class="copy">Copy</button></div>
           <p class="ways">
             <a class="button" href="docs/tutorial-1-first-warp.html">Your first warp</a>
             <a class="button quiet" href="playground/">Playground</a>
@@ -49,7 +49,7 @@ export const homePage = () =>
         <form class="filter" role="search" aria-label="Filter the gallery">
           <label>Show <input type="search" id="words" placeholder="twist, noise, cloth…" autocomplete="off" /></label>
           <label>of <select id="section"><option value="">everything</option>${sections
-            .map(({ title }) => `<option>${escaped(title)}</option>`)
+            .map(({ title }) => `<option>${escapeHtml(title)}</option>`)
             .join('')}</select></label>
           <output aria-live="polite"></output>
         </form>
@@ -60,7 +60,7 @@ ${sections.flatMap((section) => section.examples.map(tile(section))).join('\n')}
     </main>
     <footer>
       <p>The method is Dave Pagurek van Mossel’s <i>Vertex Shader Domain Warping with Automatic Differentiation</i> (2024).
-      What it costs beside every other way: <a href="bench/results.html">measured</a>, and
+      Its cost compared with every other way: <a href="bench/results.html">measured</a>, and
       <a href="bench/">live on your machine</a>. MIT licence.</p>
     </footer>`,
   )

@@ -1,4 +1,4 @@
-/** The first page: its warp once the page stands, and the gallery's filter. */
+/** The first page: starts its warp once the page has loaded, and filters the gallery. */
 import { copyButton } from './copy.js'
 
 const find = (selector) => document.querySelector(selector)
@@ -19,10 +19,10 @@ function filter() {
 }
 find('.filter').addEventListener('input', filter)
 find('.filter').addEventListener('submit', (event) => event.preventDefault())
-// A browser that comes back remembers what stood there.
+// A browser may restore the fields' values when the visitor returns.
 filter()
 
-// Pictures first, and whoever has begun to use the page.
+// Start only when idle: pictures and the visitor's input go first.
 const start = async () => (await import('./hero.js')).startHero(find('.hero .picture'))
 const soon = () =>
   window.requestIdleCallback

@@ -1,9 +1,9 @@
-/** Text and HTML. */
+/** Converts between text and HTML. */
 const entities = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }
 
-export const escaped = (text) => String(text).replaceAll(/[&<>"]/g, (sign) => entities[sign])
+export const escapeHtml = (text) => String(text).replaceAll(/[&<>"]/g, (sign) => entities[sign])
 
-/** What stands between tags, as one reads it: those within a line part no words. */
+/** Returns the text of HTML. Inline tags do not separate words, other tags do. */
 export const plain = (html) =>
   html
     .replaceAll(/<\/?(?:a|b|code|em|i|span|strong)\b[^>]*>/g, '')

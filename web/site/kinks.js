@@ -1,18 +1,18 @@
 /**
- * Where a function or its derivative jumps, poles included: found by bisection between neighbouring places whose results differ.
- * Always the half with the larger difference is kept; on a slope the difference shrinks to nothing, at a jump it stays.
+ * Finds the jumps of a function or its derivative, including poles, by bisection between neighbouring places whose results differ.
+ * The half with the larger difference is kept each time: on a slope the difference shrinks to 0, at a jump it stays.
  */
 const halvings = 40
 
-/** Less is none. */
-const smallestJump = 1e-3
+/** In radians, see sizeOf. Smaller differences do not count as jumps. */
+const minJump = 1e-3
 
-/** Of angles, which are bounded where values grow to a pole. */
+/** Returns the max difference of the values' arctangents, which stay bounded near a pole. */
 const sizeOf = (a, b) =>
   Math.max(...a.map((value, i) => Math.abs(Math.atan(value) - Math.atan(b[i]))))
 
-/** The place of the jump from `a` to `b`, or nothing where the way between is a slope. */
-function jumpBetween(at, a, b) {
+/** Finds the place of a jump between `a` and `b`; undefined if there is only a slope. */
+function findJump(at, a, b) {
   let [left, right] = [a, b].map((x) => ({ x, results: at(x) }))
   for (let i = 0; i < halvings; i++) {
     const x = (left.x + right.x) / 2
@@ -20,19 +20,19 @@ function jumpBetween(at, a, b) {
     if (sizeOf(left.results, middle.results) >= sizeOf(middle.results, right.results))
       right = middle
     else left = middle
-    if (!(sizeOf(left.results, right.results) > smallestJump)) return undefined
+    if (!(sizeOf(left.results, right.results) > minJump)) return undefined
   }
-  // Of zero, halves come near only.
+  // Rounded, because bisection only approaches 0.
   return Number(right.x.toFixed(9))
 }
 
-/** `at(x)` → [value, derivative]; `places` in order → the places of all jumps between them. */
+/** @param at maps x to [value, derivative] @param places in ascending order @returns the places of all jumps between them */
 export function kinksOf(at, places) {
   const span = places.at(-1) - places[0]
   const kinks = []
   for (const [i, b] of places.entries()) {
-    if (!i || !(sizeOf(at(places[i - 1]), at(b)) > smallestJump)) continue
-    const x = jumpBetween(at, places[i - 1], b)
+    if (!i || !(sizeOf(at(places[i - 1]), at(b)) > minJump)) continue
+    const x = findJump(at, places[i - 1], b)
     const isNew = x !== undefined && !kinks.some((kink) => Math.abs(kink - x) < 1e-6 * span)
     if (isNew) kinks.push(x)
   }

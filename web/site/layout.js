@@ -1,10 +1,10 @@
-/** The frame of every page of the site: head, bar, search, and what the page says. */
+/** The layout shared by all pages of the site: head, bar, search and content. */
 import { folderAddress } from './folder-address.js'
-import { escaped } from './html.js'
+import { escapeHtml } from './html.js'
 import { places } from './navigation.js'
 import { withPolicy } from './policy.js'
 
-/** `url` is where the page stands, from the first page; → what leads from there to the first page. */
+/** @param url a page's address relative to the first page @returns the first page's address relative to that page */
 export const rootOf = (url) => '../'.repeat(url.split('/').length - 1) || './'
 
 const link =
@@ -13,8 +13,8 @@ const link =
     `<a href="${root}${href}"${title === here ? ' aria-current="true"' : ''}>${title}</a>`
 
 /**
- * A whole page as HTML. `here` names the place of the bar that it belongs to, `kind` its look, `script` the module of web/site
- * that it runs beside site.js, `preload` a picture that one sees first.
+ * Returns a whole page as HTML. `here` is the title of its entry in the bar, `kind` its body class, `script` the module of web/site
+ * that it runs in addition to site.js, `preload` an image that is visible first.
  */
 export function frame({ url, title, description, kind, here, script, preload }, content) {
   const root = rootOf(url)
@@ -26,8 +26,8 @@ export function frame({ url, title, description, kind, here, script, preload }, 
     ${url.endsWith('index.html') ? folderAddress : ''}
     <meta name="viewport" content="width=device-width, initial-scale=1" />
     <meta name="color-scheme" content="dark light" />
-    <meta name="description" content="${escaped(description)}" />
-    <title>${escaped(title)}</title>
+    <meta name="description" content="${escapeHtml(description)}" />
+    <title>${escapeHtml(title)}</title>
     <link rel="icon" href="data:," />
     <link rel="stylesheet" href="${root}site/site.css" />
     ${preload ? `<link rel="preload" as="image" href="${root}${preload}" fetchpriority="high" />` : ''}

@@ -1,10 +1,10 @@
-/** The Markdown of the docs as HTML: headings that can be linked to, coloured code, and “Run” where it runs. */
+/** Renders the Markdown of the docs as HTML: headings with ids, highlighted code, and a “Run” link at code that runs. */
 import hljs from 'highlight.js'
 import markdownIt from 'markdown-it'
-import { escaped } from './html.js'
+import { escapeHtml } from './html.js'
 import { plotOf } from './plot.js'
 import { linkTo, runnable } from './runnable.js'
-import { layTables } from './tables.js'
+import { markTables } from './tables.js'
 
 export const slug = (text) =>
   text
@@ -22,14 +22,14 @@ const languages = {
   sh: 'bash',
 }
 
-function coloured(text, language) {
+function highlightCode(text, language) {
   const known = hljs.getLanguage(languages[language] ?? language)
   return known
     ? hljs.highlight(text, { language: known.name.toLowerCase().split(',')[0] }).value
-    : escaped(text)
+    : escapeHtml(text)
 }
 
-/** The comments right before a block say how it runs, where the block alone does not. */
+/** Returns the directive in the comments right before a block, which says how to run it if the block alone does not. */
 const directive = (tokens, index) =>
   [tokens[index - 1], tokens[index - 2]]
     .map(
@@ -38,7 +38,7 @@ const directive = (tokens, index) =>
     )
     .find(Boolean)
 
-/** The code blocks of a text → [{ text, language, sketch, line }], `sketch` of those that run. */
+/** Finds the code blocks → [{ text, language, sketch, line }], where `sketch` is undefined for those that do not run. */
 export function blocksOf(markdown) {
   const tokens = markdownIt({ html: true }).parse(markdown, {})
   return tokens.flatMap((token, index) => {
@@ -57,7 +57,7 @@ export function blocksOf(markdown) {
 
 export function makeMarkdown() {
   const markdown = markdownIt({ html: true })
-  layTables(markdown)
+  markTables(markdown)
   const { rules } = markdown.renderer
 
   rules.heading_open = (tokens, index, options, env, self) => {
@@ -70,7 +70,7 @@ export function makeMarkdown() {
     const { content, info } = tokens[index]
     const sketch = runnable(content, info, directive(tokens, index))
     const run = sketch ? `<a class="run" href="../playground/${linkTo(sketch)}">Run</a>` : ''
-    return `<div class="block">${run}<pre tabindex="0"><code>${coloured(content, info)}</code></pre></div>\n`
+    return `<div class="block">${run}<pre tabindex="0"><code>${highlightCode(content, info)}</code></pre></div>\n`
   }
 
   rules.html_block = (tokens, index) => {
@@ -85,16 +85,16 @@ export function makeMarkdown() {
     ((tokens, index, options, env, self) => self.renderToken(tokens, index, options))
   rules.link_open = (tokens, index, ...rest) => {
     const href = tokens[index].attrGet('href')
-    // Files link to each other as files, for who reads them in the repository or the package.
+    // The sources link to .md files, for readers of the repository or the package.
     tokens[index].attrSet('href', href.replace(/^([\w-]+)\.md(?=#|$)/, '$1.html'))
     return link(tokens, index, ...rest)
   }
 
-  // Examples are named by their folder, which leads to their page.
+  // Code such as `examples/bunny` becomes a link to the example's page.
   rules.code_inline = (tokens, index) => {
     const text = tokens[index].content
     const [, name] = /^examples\/([\w-]+)$/.exec(text) ?? []
-    const code = `<code>${escaped(text)}</code>`
+    const code = `<code>${escapeHtml(text)}</code>`
     return name ? `<a href="../gallery/${name}/">${code}</a>` : code
   }
 

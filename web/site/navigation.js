@@ -1,4 +1,4 @@
-/** The docs as a reader goes through them. `file` is a Markdown file of web/docs without its ending. */
+/** The docs in reading order. `file` is a Markdown file of web/docs without its extension. */
 export const groups = [
   {
     title: 'Tutorial',
@@ -77,7 +77,7 @@ export const pages = groups.flatMap(({ title: group, pages }) =>
   pages.map((page) => ({ ...page, group })),
 )
 
-/** Above every page. `href` is from the first page. */
+/** The entries of the bar on every page. `href` is relative to the first page. */
 export const places = [
   { title: 'Gallery', href: '#gallery' },
   { title: 'Docs', href: 'docs/' },

@@ -1,16 +1,16 @@
 /**
- * How often a canvas is drawn: the GPU has the page to show, too, and where there is none the CPU is one. A frame that was called for
- * tells nothing, so we ask when it is done. (Fewer pixels were tried as well: a canvas takes longer to change its size than they save.)
+ * Limits how often a canvas is drawn, since the GPU, or a CPU in its place, must also show the page. Submitting a frame says nothing
+ * about its cost, so we wait for a fence. (Drawing fewer pixels was tried, too: resizing a canvas takes longer than they save.)
  */
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds))
 
-/** Milliseconds for a frame that are no hindrance to the page. */
-const light = 12
-/** Milliseconds; after a heavier one the page has the GPU for three times what it was too long, but for no longer than this. */
-const longest = 400
+/** Max milliseconds of a frame that does not hinder the page. */
+const maxFrame = 12
+/** Max milliseconds of a pause. After a slower frame, the pause is three times its excess over `maxFrame`. */
+const maxPause = 400
 
-/** To be awaited after each frame → whether that was light. */
+/** Waits for the end of a frame and pauses after a slow one. Returns true if the frame was fast. Await it after each frame. */
 export async function rest(gl) {
   const began = performance.now()
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0)
@@ -20,7 +20,7 @@ export async function rest(gl) {
   do await sleep(4)
   while (!isDone())
   gl.deleteSync(fence)
-  const tooLong = performance.now() - began - light
-  if (tooLong > 0) await sleep(Math.min(longest, 3 * tooLong))
+  const tooLong = performance.now() - began - maxFrame
+  if (tooLong > 0) await sleep(Math.min(maxPause, 3 * tooLong))
   return tooLong <= 0
 }

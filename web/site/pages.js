@@ -1,4 +1,4 @@
-/** Every page of the site that is text: Eleventy reads the Markdown of web/docs and lays it out → the files by their path. */
+/** Generates the pages of the site: Eleventy renders the Markdown of web/docs, and the modules beside this one lay it out. */
 import { fileURLToPath } from 'node:url'
 import Eleventy from '@11ty/eleventy'
 import { docsPage, overview } from './docs-page.js'
@@ -13,7 +13,7 @@ const docs = fileURLToPath(new URL('../docs', import.meta.url))
 function configure(config) {
   config.setLibrary('md', makeMarkdown())
   config.setTemplateFormats(['md'])
-  // What a page says in braces is code, and nothing to fill in.
+  // Braces in the pages are code, not template expressions.
   config.addGlobalData('templateEngineOverride', 'md')
   config.addGlobalData(
     'permalink',
@@ -24,7 +24,7 @@ function configure(config) {
   return { dir: { input: docs } }
 }
 
-async function renderedDocs() {
+async function renderDocs() {
   const eleventy = new Eleventy(docs, undefined, {
     quietMode: true,
     configPath: false,
@@ -37,9 +37,9 @@ async function renderedDocs() {
   }))
 }
 
-/** → Map from path to text, for a folder of any server. */
+/** Returns a Map from path to content. Links are relative, so the pages work in any folder of any server. */
 export async function sitePages() {
-  const texts = await renderedDocs()
+  const texts = await renderDocs()
   const files = new Map([['index.html', homePage()]])
   const index = { file: 'index', html: overview() }
   for (const { file, html } of [index, ...texts]) {

@@ -1,6 +1,6 @@
-/** The button that stops a sketch and starts it. Whoever wants less motion says when it begins. */
+/** The button that pauses a sketch and plays it. With reduced motion, the sketch starts paused. */
 
-/** `stage` as of makeStage; `place` gets a sentence where nothing can be drawn. */
+/** @param place shows a message if the browser cannot draw @param stage the result of `makeStage` */
 export function pauseButton(button, place, stage) {
   function setPaused(isPaused) {
     button.ariaPressed = String(isPaused)
@@ -8,7 +8,7 @@ export function pauseButton(button, place, stage) {
     stage.setPaused(isPaused)
   }
   button.addEventListener('click', () => setPaused(button.ariaPressed !== 'true'))
-  // Asked here, since a file that pages share is one request more.
+  // Duplicates playground/still.js, since a shared file would cost another request.
   if (document.createElement('canvas').getContext('webgl2'))
     return setPaused(matchMedia('(prefers-reduced-motion: reduce)').matches)
   button.hidden = true

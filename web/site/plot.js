@@ -1,13 +1,13 @@
-/** An operation as a picture: its value and its derivative by x, as warpjet computes them, and the text of both. */
+/** Plots an operation: its value and its derivative by x, as warpjet computes them, with the generated code of both. */
 import { compile } from '../../dist/warpjet.js'
-import { escaped } from './html.js'
+import { escapeHtml } from './html.js'
 import { kinksOf } from './kinks.js'
 
 const [width, height] = [560, 220]
 const steps = 280
 const short = (value) => String(Number(value.toPrecision(3)))
 
-/** The points of a curve as paths, apart where it jumps or leaves the picture. */
+/** Returns the SVG path of a curve, interrupted where it jumps or leaves the picture. */
 function paths(values, toX, toY, limit) {
   let path = ''
   let before
@@ -35,7 +35,7 @@ export function plotOf(call, from, to) {
     .map(([, y]) => Math.abs(y))
     .filter(Number.isFinite)
     .sort((a, b) => a - b)
-  // A pole does not press the rest flat.
+  // Limit the height, so that a pole does not flatten the rest of the curve.
   const limit =
     1.15 * Math.max(Math.min(sizes.at(-1), 3 * sizes[Math.floor(sizes.length * 0.8)]), 0.2)
   const toX = (x) => 8 + ((x - from) / (to - from)) * (width - 16)
@@ -46,15 +46,15 @@ export function plotOf(call, from, to) {
   }, places)
   const zero = from < 0 && to > 0 ? `M${toX(0)} 0V${height}` : ''
   return `<figure class="plot">
-<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="Value and derivative of ${escaped(call)}, for x from ${from} to ${to}${kinks.length ? `; kinks or jumps at ${kinks.map(short).join(', ')}` : ''}">
+<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="Value and derivative of ${escapeHtml(call)}, for x from ${from} to ${to}${kinks.length ? `; kinks or jumps at ${kinks.map(short).join(', ')}` : ''}">
 <path class="axes" d="M0 ${height / 2}H${width}${zero}"/>
 ${kinks.map((x) => `<path class="kink" data-kink="${x}" d="M${toX(x).toFixed(1)} 0V${height}"/>\n`).join('')}<path class="derivative" d="${paths(curves[1], toX, toY, limit)}"/>
 <path class="value" d="${paths(curves[0], toX, toY, limit)}"/>
 <text x="8" y="${height / 2 + 16}">${from}</text><text x="${width - 8}" y="${height / 2 + 16}" text-anchor="end">${to}</text>
 <text x="8" y="14">${short(limit)}</text>
 </svg>
-<figcaption><span class="value">value</span> <span class="derivative">derivative</span>${kinks.length ? ' <span class="kink">kink or jump</span>' : ''} of <code>${escaped(call)}</code></figcaption>
-<pre tabindex="0" aria-label="The text of both"><code>${escaped(program.code.trim())}</code></pre>
+<figcaption><span class="value">value</span> <span class="derivative">derivative</span>${kinks.length ? ' <span class="kink">kink or jump</span>' : ''} of <code>${escapeHtml(call)}</code></figcaption>
+<pre tabindex="0" aria-label="The code of both"><code>${escapeHtml(program.code.trim())}</code></pre>
 </figure>
 `
 }

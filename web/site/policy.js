@@ -1,4 +1,4 @@
-/** The Content-Security-Policy of a page, as a tag of its own: the site is static, and its host may send no headers. */
+/** Adds a Content-Security-Policy to a page as a meta tag, because the host of a static site may not let it set headers. */
 import { createHash } from 'node:crypto'
 
 const common = {
@@ -15,20 +15,20 @@ const common = {
 }
 
 /**
- * `page` is for all that the site says itself. `sketch` is for examples, whose pages are those of p5 and three.js: p5.strands and
- * warpjet's operators evaluate text, and the gallery runs a changed sketch from a blob.
+ * `page` is for the site's own pages, `sketch` for examples with p5 and three.js: p5.strands and warpjet's operators evaluate code
+ * from strings, and the gallery runs a changed sketch from a blob.
  */
 const scripts = { page: "'self' 'wasm-unsafe-eval'", sketch: "'self' 'unsafe-eval' blob:" }
 
 const hashOf = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`
 
-/** Returns the texts of inline scripts; JSON is no script. */
+/** Returns the contents of inline scripts, without JSON. */
 const inlineScripts = (html) =>
   [...html.matchAll(/<script\b([^>]*)>([^]*?)<\/script>/g)]
     .filter(([, attributes]) => !/\bsrc=|application\/json/.test(attributes))
     .map(([, , text]) => text)
 
-/** Adds a policy to the page that allows its inline scripts and no others. */
+/** Adds a policy that allows the page's inline scripts and no others. */
 export function withPolicy(html, kind = 'page') {
   const hashes = [...new Set(inlineScripts(html).map(hashOf))]
   const policy = { ...common, 'script-src': [scripts[kind], ...hashes].join(' ') }
@@ -39,7 +39,7 @@ export function withPolicy(html, kind = 'page') {
   return html.replace(/<meta charset="utf-8"[^>]*>/i, (charset) => `${charset}\n    ${tag}`)
 }
 
-/** Vite plugin: the same for pages that are files of HTML. */
+/** Vite plugin: adds the policy to pages that are HTML files. */
 export const policies = () => ({
   name: 'policies',
   transformIndexHtml: { order: 'post', handler: (html) => withPolicy(html) },

@@ -1,11 +1,11 @@
 /**
- * A code block of the docs as a sketch of the playground: { text, host, chosen }, or undefined where there is nothing to run, as
- * in a command line. A whole sketch runs as it stands. Where a block shows a part, the comment before it has the rest, with … in
- * the place of the block; a bare call of createWarp gets a sphere around it.
+ * Converts a code block of the docs to a sketch for the playground: { text, host, chosen }, or undefined if there is nothing to run,
+ * as in a command line. A whole sketch runs unchanged. If a block is only a part, the comment before it contains the rest, with …
+ * in place of the block; a bare call of createWarp is wrapped in a sketch that draws a sphere.
  */
 import { deflateRawSync } from 'node:zlib'
 
-/** What a script adds to what a sketch may say. */
+/** Maps a script to the code that needs it. */
 const needs = {
   deformers:
     /\b(?:twist|bend|taper|bulge|stretch|ripple|melt|inflate|genie|spherify|shear|noiseDisplace|chain|blend|mask|inSpace)\(|warpjet\.(?:wave|add)\(|\{[^}]*\b(?:wave|add)\b[^}]*\} = warpjet/,
@@ -14,16 +14,16 @@ const needs = {
 
 const scriptsOf = (text) => Object.keys(needs).filter((name) => needs[name].test(text))
 
-/** Modules are for bundlers; the scripts put the same names on a global. */
+/** Replaces imports by the global `warpjet`, which has the same names. */
 const withoutImports = (text) =>
   text.replaceAll(/^import (\{[^}]*\}) from 'warpjet(?:\/\w+)?'.*\n/gm, 'const $1 = warpjet\n')
 
-const indented = (text, by) => text.trimEnd().replaceAll(/^(?=.)/gm, by)
+const indent = (text, by) => text.trimEnd().replaceAll(/^(?=.)/gm, by)
 
-/** A sketch that prints what the block has made. */
-const printing = (text, made) => `function setup() {
+/** Wraps a block in a sketch that prints the value of the expression `made`. */
+const wrapInPrint = (text, made) => `function setup() {
   createCanvas(640, 480, WEBGL)
-${indented(text, '  ')}
+${indent(text, '  ')}
   print(${made})
 }
 
@@ -32,15 +32,16 @@ function draw() {
 }
 `
 
-/** The block as a part of an offset function that returns that. */
-const inside = (text, returned) =>
+/** Wraps a block in an offset function that returns the expression `returned`. */
+const wrapInOffset = (text, returned) =>
   `createWarp(({ glsl, position, normal, uv, millis }) => {
-${indented(text, '  ')}
+${indent(text, '  ')}
   return ${returned}
 })
 `
 
-const around = (text) => {
+/** Wraps a bare call of createWarp in a sketch that draws with it. */
+const wrapInSketch = (text) => {
   const [, name] = /^(\w+) = createWarp\(/m.exec(text) ?? []
   const body = (name ? text : text.replace(/^createWarp\(/m, 'warp = createWarp(')).trimEnd()
   const warp = name ?? /^const (\w+) = createWarp\(/m.exec(text)?.[1] ?? 'warp'
@@ -50,7 +51,7 @@ const around = (text) => {
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-${indented(body.replace(/^const (?=\w+ = createWarp\()/m, ''), '  ')}
+${indent(body.replace(/^const (?=\w+ = createWarp\()/m, ''), '  ')}
 }
 
 function draw() {
@@ -68,8 +69,8 @@ function draw() {
 }
 
 /**
- * `directive`: what stands in the comment before the block. `not`; `prints …`, of what the block has made; `inside …`, of an
- * offset function that returns that; names of scripts; and below, the text around the block.
+ * `directive` is the content of the comment before the block: `not` (do not run); `prints EXPRESSION`; `inside EXPRESSION`, for a part
+ * of an offset function that returns it; or names of scripts; on the following lines, the code around the block.
  */
 export function runnable(text, language, directive = '') {
   const [words, ...lines] = directive.split('\n')
@@ -78,20 +79,21 @@ export function runnable(text, language, directive = '') {
   const [, kind, rest] = /^(prints|inside) (.*)$/.exec(first) ?? []
   const frame = lines.join('\n').trim()
   let whole = text
-  if (kind) whole = kind === 'prints' ? printing(withoutImports(text), rest) : inside(text, rest)
+  if (kind)
+    whole = kind === 'prints' ? wrapInPrint(withoutImports(text), rest) : wrapInOffset(text, rest)
   else if (frame) {
     const block = /from 'three'/.test(frame) ? text : withoutImports(text)
-    whole = `${frame.replace(/^( *)…$/m, (_, by) => indented(block, by))}\n`
+    whole = `${frame.replace(/^( *)…$/m, (_, by) => indent(block, by))}\n`
   }
   if (/from 'three'/.test(whole)) return { text: whole, host: 'three', chosen: [] }
   const plain = withoutImports(whole)
   const isSketch = /\bfunction setup\(\)/.test(plain)
   if (!isSketch && !/\bcreateWarp\(/.test(plain)) return undefined
-  const sketch = isSketch ? plain : around(plain)
+  const sketch = isSketch ? plain : wrapInSketch(plain)
   const named = kind ? [] : first.split(' ').filter(Boolean)
   return { text: sketch, host: 'p5', chosen: [...new Set([...named, ...scriptsOf(sketch)])] }
 }
 
-/** The end of a link to the playground, as playground/link.js reads it. */
+/** Returns the fragment of a link to the playground, which playground/link.js reads. */
 export const linkTo = (sketch) =>
   `#sketch=${deflateRawSync(JSON.stringify(sketch)).toString('base64url')}`

@@ -1,4 +1,4 @@
-/** What the search looks through: a part of a page each, by its heading. */
+/** Makes the search index: one entry per heading of a page, and one per example. */
 import { examples } from './example-page.js'
 import { plain } from './html.js'
 import { pages } from './navigation.js'

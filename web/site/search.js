@@ -1,9 +1,9 @@
-/** Search without a server: an index in memory of what search-index.js wrote. */
+/** Searches without a server, with an index in memory of the entries from search-index.js. */
 import MiniSearch from 'minisearch'
 
-const mostFound = 12
-/** Words that a question has and no answer needs. */
-const idle = new Set(
+const maxResults = 12
+/** Stop words, which are ignored in queries and pages. */
+const stopWords = new Set(
   'a an and are at by can do does for from how i in is it make my of on or the to use using what where which with'.split(
     ' ',
   ),
@@ -11,16 +11,16 @@ const idle = new Set(
 
 const processTerm = (term) => {
   const word = term.toLowerCase()
-  return idle.has(word) ? null : stem(word)
+  return stopWords.has(word) ? null : stem(word)
 }
 
-/** So that melting finds melt, and spaces space: what is left is the beginning of each form. */
+/** Strips suffixes, so that "melting" finds "melt" and "spaces" finds "space". The rest is a prefix of every form. */
 const stem = (word) => (word.length > 4 ? word.replace(/(?:ing|s)$/, '') : word)
 
-/** An answer is a page of the docs sooner than a part of one, and either sooner than an example. */
+/** Ranks pages of the docs above their sections, and both above examples. */
 const weight = (url) => (url.startsWith('gallery/') ? 0.4 : url.includes('#') ? 1 : 1.5)
 
-/** How the text goes around the first of the words. */
+/** Returns the text around the first found word. */
 function excerpt(text, terms) {
   const lower = text.toLowerCase()
   const at = Math.min(
@@ -31,7 +31,7 @@ function excerpt(text, terms) {
   return `${from ? '…' : ''}${text.slice(from, from + 130)}…`
 }
 
-/** → search(words) → [{ url, title, page, text }], best first. */
+/** Loads the index and returns search(words) → [{ url, title, page, text }], best first. */
 export async function makeSearch(root) {
   const response = await fetch(new URL('site/search.json', root))
   const parts = await response.json()
@@ -39,7 +39,7 @@ export async function makeSearch(root) {
     idField: 'url',
     fields: ['title', 'page', 'text'],
     storeFields: ['url', 'title', 'page', 'text'],
-    // A name of JavaScript is one word, and so are its parts.
+    // Split at everything but letters, digits and underscores, so that the parts of `warpjet.bend` are words.
     tokenize: (text) => text.split(/[^\p{L}\p{N}_]+/u).filter(Boolean),
     processTerm,
     searchOptions: {
@@ -49,12 +49,12 @@ export async function makeSearch(root) {
       fuzzy: (term) => (term.length > 5 ? 0.2 : false),
     },
   })
-  // In pieces, so that what is typed meanwhile shows at once.
+  // Index in chunks, so that the page stays responsive to typing.
   await index.addAllAsync(parts, { chunkSize: 40 })
   return (words) => {
     const all = index.search(words, { combineWith: 'AND' })
     const some = all.length ? all : index.search(words)
-    return some.slice(0, mostFound).map(({ url, title, page, text, terms }) => ({
+    return some.slice(0, maxResults).map(({ url, title, page, text, terms }) => ({
       url,
       title,
       page,

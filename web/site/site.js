@@ -1,8 +1,8 @@
-/** On every page: light or dark, the search, and what keeps the site for when there is no network. */
+/** Runs on every page: the light or dark theme, the search, and the service worker for offline use. */
 const { documentElement } = document
 const root = new URL(documentElement.dataset.root, location.href)
 
-/* Light or dark: as the system has it, until somebody says otherwise. */
+/* Theme: the system's, until the visitor chooses one. */
 
 const isDark = () =>
   documentElement.dataset.theme
@@ -15,18 +15,18 @@ document.querySelector('.theme').addEventListener('click', () => {
   try {
     localStorage.theme = theme
   } catch {
-    // A page without storage forgets it.
+    // Without storage, the choice lasts until the next page.
   }
 })
 
-/* On a narrow page the list of pages is closed until it is wanted; beside a wide one it shows the page that is open. */
+/* In a narrow window the list of pages starts closed; beside a wide page it scrolls to the current page. */
 
 const contents = document.querySelector('.contents')
 const here = contents?.querySelector('[aria-current]')
 if (contents && matchMedia('(max-width: 59.99rem)').matches) contents.open = false
 else if (here) contents.scrollTop = here.offsetTop - contents.clientHeight / 2
 
-/* Search: what it looks through is fetched when somebody is about to search. */
+/* Search: the index is fetched when the search field gets the focus. */
 
 const field = document.querySelector('#search')
 const found = document.querySelector('#found')
@@ -103,6 +103,6 @@ addEventListener('keydown', (event) => {
   field.focus()
 })
 
-/* All of it is there without a network, once it was kept. */
+/* Offline use. */
 
 addEventListener('load', async () => (await import('../offline.js')).keepForOffline(root))

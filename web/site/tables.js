@@ -1,6 +1,6 @@
 /**
- * The tables of the docs: those of figures and those of words. On a narrow page a row of words becomes a card, for which each cell has
- * its heading with it; the roles are written out, since tables lose theirs where they are not shown as tables.
+ * Marks the tables of the docs as tables of figures or of words. In a narrow window a row of words becomes a card, for which each cell
+ * carries its heading. Roles are explicit, since tables lose theirs if they are not displayed as tables.
  */
 
 const roles = {
@@ -14,31 +14,31 @@ const roles = {
 
 const textOf = ({ children }) => children.map(({ content }) => content).join('')
 
-/** From the opening of a table to its end. */
-function layTable(tokens) {
+/** @param tokens the tokens of a table */
+function markTable(tokens) {
   const cellsOf = (type) =>
     tokens.flatMap((token, i) => (token.type === type ? [[token, tokens[i + 1]]] : []))
   const heads = cellsOf('th_open').map(([, content]) => textOf(content))
   const cells = cellsOf('td_open')
-  // What stands first in a row is what the others are about.
+  // The first cell of a row is its subject, so only the other cells decide.
   const others = cells.filter((_, i) => i % heads.length)
   const figures = others.filter(([, { content }]) => /^[-≤]?\d/.test(content))
   tokens[0].meta = { isFigures: figures.length > others.length / 2 }
   if (tokens[0].meta.isFigures) return
   for (const token of tokens) if (roles[token.type]) token.attrSet('role', roles[token.type])
-  // Of two columns the second needs no name.
+  // In a table of two columns the second cell needs no heading.
   if (heads.length > 2)
     cells.forEach(([token], i) => {
       if (i % heads.length) token.attrSet('data-head', heads[i % heads.length])
     })
 }
 
-export function layTables(markdown) {
+export function markTables(markdown) {
   markdown.core.ruler.push('tables', ({ tokens }) => {
     tokens.forEach((token, start) => {
       if (token.type !== 'table_open') return
       const end = tokens.findIndex(({ type }, i) => i > start && type === 'table_close')
-      layTable(tokens.slice(start, end))
+      markTable(tokens.slice(start, end))
     })
   })
 
@@ -49,7 +49,7 @@ export function layTables(markdown) {
   }
   rules.table_close = () => '</table></div>\n'
 
-  // A figure stays in one line with its unit, or with its exponent; code does, too, unless it is long.
+  // Figures with their unit or exponent do not wrap, nor does code, unless it is long.
   rules.td_open = (tokens, index, options, env, self) => {
     const { content } = tokens[index + 1]
     if (/^-?\d.{0,14}$/.test(content)) tokens[index].attrJoin('class', 'number')

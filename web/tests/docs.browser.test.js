@@ -1,6 +1,5 @@
-// The sketch of the README and the blocks of the docs that say “Run”, run in the playground as a reader does: they draw or print, and
-// nothing goes wrong. Of the lines below plots, which are all of one make, one of each group: web/tests/plots.test.js holds what each of
-// them computes.
+// Runs the README's sketch and the blocks of the docs with a “Run” link in the playground, as a reader does: they draw or print without
+// errors. Of the lines below plots, which are all alike, it runs one per group: web/tests/plots.test.js checks what each computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -10,10 +9,9 @@ import { linkTo } from '../site/runnable.js'
 import { desktop, path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { coarse, keepFrames, rough } from '../../tests/support/browser/frames.js'
-import { canvasPixels, settled, shown, text } from '../../tests/support/browser/playground.js'
+import { canvasPixels, settled, text } from '../../tests/support/browser/playground.js'
 import { serveSite, withoutWorker } from '../../tests/support/browser/site.js'
 
-const patience = { timeout: 120_000 }
 const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
   const text = readFileSync(path(file), 'utf8')
   const runnable = blocksOf(text).filter(({ sketch }) => sketch)
@@ -24,7 +22,7 @@ const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
   return tried.map((block) => ({ ...block, place: `${file}:${block.line}` }))
 })
 
-/** With no more frames than it takes to be shown: without a GPU they are what takes long. */
+/** Stops a sketch after the frames it needs to be shown, since without a GPU frames take most of the time. */
 const quick = ({ host, text }) => text + (host === 'p5' ? stopped : '')
 const stopped = `
 {
@@ -49,8 +47,8 @@ after(async () => {
   await server.close()
 })
 
-/** How many colours the picture has. */
-async function colours() {
+/** Counts the colours of the picture. */
+async function countColours() {
   const data = await canvasPixels(page)
   return new Set(new Uint32Array(Uint8Array.from(data).buffer)).size
 }
@@ -70,9 +68,9 @@ for (const { place, sketch } of blocks)
     const bad = await page.locator('.printed :is(.warn, .error)').allTextContents()
     assert.deepEqual(bad, [])
     if (/\bprint\(/.test(sketch.text)) assert.ok(await page.locator('.printed li').count())
-    // A flat plane has one colour, before that of the background.
-    else assert.ok((await colours()) > 1, 'there is nothing to see')
-    // What it prints goes to the console of the page, too.
+    // A flat plane has one colour, besides that of the background.
+    else assert.ok((await countColours()) > 1, 'expected a picture, got a single colour')
+    // Sketches also print to the page's console.
     if (!/\bprint\(/.test(sketch.text)) assert.deepEqual(messages, [])
     messages.splice(0)
   })

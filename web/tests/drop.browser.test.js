@@ -1,4 +1,4 @@
-// The page for a visitor's own model: dropped files, warps, the file that comes back, and what is said of a broken one.
+// Tests the page for a visitor's own model: dropped files, warps, the exported file, and the messages for broken files.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -11,11 +11,11 @@ import { png } from '../../tests/support/png.js'
 import { serveSite, serveSources } from '../../tests/support/browser/site.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
-/** Time stands still at first, so that nothing moves but by the test; with a quarter of the pixels. */
+/** Starts with the time paused, so that only the test moves anything, and with a quarter of the pixels. */
 const still = { ...desktop, deviceScaleFactor: 0.5, reducedMotion: 'reduce' }
 const screenshots = path('.build/screenshots')
 
-// Far from the origin and small, as files may be; of one green.
+// A model far from the origin and small, as in some files; all green.
 const sphere = sphereMesh(32, 16)
 const ball = {
   positions: sphere.vertices.flatMap(([x, y, z]) => [5 + 0.01 * x, 0.02 * y, 0.01 * z - 3]),
@@ -28,7 +28,7 @@ const ball = {
 }
 const glb = Buffer.from(exportGLB(ball))
 
-/** The same as text, with its vertices in a file of its own. */
+/** Returns the same model as .gltf, with its vertices in a separate file. */
 function gltfAndBin() {
   const length = glb.readUInt32LE(12)
   const json = JSON.parse(glb.subarray(20, 20 + length).toString())
@@ -49,19 +49,19 @@ after(async () => {
   await server.close()
 })
 
-/** Until nothing is being done. */
-const settled = (page) =>
+/** Waits until no work is pending. */
+const waitUntilIdle = (page) =>
   page.waitForFunction(() => document.querySelector('main').ariaBusy === 'false', null, patience)
 
 async function open(options = still) {
   const context = await browser.newContext(options)
   await context.addInitScript(rough)
   const opened = await openPage(context, url)
-  await settled(opened.page)
+  await waitUntilIdle(opened.page)
   return opened
 }
 
-/** Lets files fall onto the page, as the browser itself would. */
+/** Drops files onto the page with the events of a browser. */
 async function drop(page, files) {
   const texts = Object.entries(files).map(([name, bytes]) => [
     name,
@@ -77,12 +77,12 @@ async function drop(page, files) {
   }, texts)
   for (const event of ['dragenter', 'dragover', 'drop'])
     await page.dispatchEvent('h1', event, { dataTransfer: transfer })
-  await settled(page)
+  await waitUntilIdle(page)
 }
 
-/** What the canvas shows, drawn anew: whatever is drawn is drawn again when the window changes its size. */
+/** Redraws the canvas by a resize event and returns its pixels. */
 async function picture(page) {
-  await settled(page)
+  await waitUntilIdle(page)
   await page.evaluate(() => {
     const again = () => (dispatchEvent(new Event('resize')), requestAnimationFrame(again))
     window.again ??= requestAnimationFrame(again)
@@ -95,7 +95,7 @@ const problem = (page) => text(page, '[role=alert]')
 const numbers = async (page, selector) =>
   (await text(page, selector)).match(/[\d,]+/g).map((number) => Number(number.replaceAll(',', '')))
 
-/** Which share of the pixels is rather green. */
+/** Returns the share of greenish pixels. */
 function green(image) {
   let count = 0
   for (let i = 0; i < image.length; i += 4)
@@ -104,14 +104,14 @@ function green(image) {
   return (4 * count) / image.length
 }
 
-/** A range's value, as a visitor's hand leaves it. */
+/** Sets a range input as a visitor would. */
 const slide = (page, id, value) =>
   page.locator(id).evaluate((input, value) => {
     input.value = value
     for (const type of ['input', 'change']) input.dispatchEvent(new Event(type))
   }, value)
 
-describe('the page for one’s own model', () => {
+describe('the page for your own model', () => {
   let page, messages
   before(async () => ({ page, messages } = await open()))
   after(() => page.context().close())
@@ -132,7 +132,7 @@ describe('the page for one’s own model', () => {
     assert.ok(share > 0.03 && share < 0.5, `${(100 * share).toFixed(1)}% are green`)
   })
 
-  test('warps it, at another amount and time and along another side too', async () => {
+  test('warps it, with other amounts, times and axes, too', async () => {
     await page.getByText('Waves', { exact: true }).click()
     const waves = await picture(page)
     assert.ok(green(waves) > 0.03)
@@ -153,7 +153,7 @@ describe('the page for one’s own model', () => {
     assert.equal(await problem(page), '')
   })
 
-  test('shows normals, edges and the box that it is in', async () => {
+  test('shows normals, edges and the bounding box', async () => {
     const before = await picture(page)
     for (const name of ['normals', 'wireframe', 'bounding box']) {
       const box = page.getByLabel(name, { exact: true })
@@ -164,19 +164,19 @@ describe('the page for one’s own model', () => {
     }
   })
 
-  test('subdivides where the warp needs it, and goes back', async () => {
+  test('subdivides where the warp needs it, and restores the mesh', async () => {
     const subdivision = page.getByLabel('where the warp needs it')
     await page.getByText('Waves', { exact: true }).click()
     await subdivision.check()
-    await settled(page)
+    await waitUntilIdle(page)
     const [before, coarse] = await numbers(page, '.triangles')
     assert.equal(before, 1024)
     assert.ok(coarse > 1024)
     await slide(page, '#tolerance', -3.5)
-    await settled(page)
+    await waitUntilIdle(page)
     assert.ok((await numbers(page, '.triangles'))[1] > 1.5 * coarse)
     await subdivision.uncheck()
-    await settled(page)
+    await waitUntilIdle(page)
     assert.deepEqual(await numbers(page, '.triangles'), [1024])
   })
 
@@ -184,20 +184,20 @@ describe('the page for one’s own model', () => {
     await page.getByText('Ripple', { exact: true }).click()
     await page.locator('.axes').getByText('y', { exact: true }).click()
     await slide(page, '#amount', 0)
-    await settled(page)
+    await waitUntilIdle(page)
     assert.deepEqual(await numbers(page, '.folded'), [0, 561])
     await page.getByText('Waves', { exact: true }).click()
     await slide(page, '#amount', 1)
-    await settled(page)
+    await waitUntilIdle(page)
     const [folded] = await numbers(page, '.folded')
     assert.ok(folded > 0 && folded < 561, `${folded} are`)
   })
 
-  test('gives the warped model back as a file', async () => {
+  test('exports the warped model as a file', async () => {
     await page.getByText('Twist', { exact: true }).click()
     await slide(page, '#amount', 0.5)
     await slide(page, '#time', 0)
-    await settled(page)
+    await waitUntilIdle(page)
     const [download] = await Promise.all([
       page.waitForEvent('download'),
       page.getByRole('button', { name: 'Download' }).click(),
@@ -206,7 +206,7 @@ describe('the page for one’s own model', () => {
     const mesh = await loadMesh(await bytesOf(download))
     assert.equal(mesh.indices.length, 3 * 1024)
     assert.ok(Math.abs(mesh.material.baseColor[1] - 0.8) < 1e-6)
-    // The page's twist: 4 · 0.5 radians a unit of 0.02, about the ball's upright axis.
+    // The page's twist: 4 · 0.5 radians per unit of 0.02, about the ball's upright axis.
     const original = await loadMesh(glb)
     for (let i = 0; i < mesh.positions.length; i += 3) {
       const [x, y, z] = original.positions.subarray(i, i + 3)
@@ -221,7 +221,7 @@ describe('the page for one’s own model', () => {
     }
   })
 
-  test('says what is wrong with a file, and keeps the model', async () => {
+  test('explains what is wrong with a file, and keeps the model', async () => {
     const before = await picture(page)
     const wrong = {
       'broken.glb': glb.subarray(0, 300),
@@ -239,9 +239,9 @@ describe('the page for one’s own model', () => {
     await page.screenshot({ path: `${screenshots}/drop-problem.png` })
   })
 
-  test('takes a .gltf with the files that it names, and from the file dialog', async () => {
+  test('accepts a .gltf with the files that it names, also from the file dialog', async () => {
     await page.getByRole('button', { name: 'box', exact: true }).click()
-    await settled(page)
+    await waitUntilIdle(page)
     assert.deepEqual(await numbers(page, '.triangles'), [12])
     const files = Object.entries(gltfAndBin())
     await page
@@ -250,7 +250,7 @@ describe('the page for one’s own model', () => {
         files.map(([name, buffer]) => ({ name, buffer, mimeType: 'application/octet-stream' })),
       )
     await page.getByText('ball', { exact: true }).waitFor(patience)
-    await settled(page)
+    await waitUntilIdle(page)
     assert.equal(await problem(page), '')
     assert.deepEqual(await numbers(page, '.triangles'), [1024])
     assert.ok(green(await picture(page)) > 0.03)
@@ -287,7 +287,7 @@ describe('the page for one’s own model', () => {
     await drop(page, { 'ball.glb': glb })
   })
 
-  test('turns and zooms by keys', async () => {
+  test('rotates and zooms by keys', async () => {
     const before = await picture(page)
     await page.locator('canvas').focus()
     for (const key of ['ArrowLeft', 'ArrowUp', '+', '+']) await page.keyboard.press(key)
@@ -296,7 +296,7 @@ describe('the page for one’s own model', () => {
     assert.equal(difference(before, await picture(page)), 0)
   })
 
-  test('moves when asked to', async () => {
+  test('plays on request', async () => {
     await page.getByRole('button', { name: 'Play' }).press('Enter')
     await page.waitForFunction(
       () => Number(document.querySelector('#time').value) > 0.5,
@@ -309,7 +309,7 @@ describe('the page for one’s own model', () => {
   test('has printed nothing', () => assert.deepEqual(messages, []))
 })
 
-test('fits a phone, where a finger turns the model', async () => {
+test('fits a phone, on which a finger rotates the model', async () => {
   const { page, messages } = await open({ ...phone, reducedMotion: 'reduce' })
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390)
   const small = await page.$$eval(
@@ -338,13 +338,13 @@ test('fits a phone, where a finger turns the model', async () => {
   assert.deepEqual(messages, [])
 })
 
-test('works as it is built, and the gallery leads to it', async () => {
+test('works as built, and the gallery links to it', async () => {
   const built = await serveSite(5320)
   try {
     const context = await browser.newContext(still)
     const { page, messages } = await openPage(context, built.resolvedUrls.local[0])
     await page.getByRole('link', { name: 'Your model', exact: true }).first().click()
-    await settled(page)
+    await waitUntilIdle(page)
     await drop(page, { 'ball.glb': glb })
     assert.ok(green(await picture(page)) > 0.03)
     await context.close()

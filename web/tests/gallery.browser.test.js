@@ -1,5 +1,4 @@
-// The gallery: each example draws, alone and on the page that it has, its shader text shows, and the console stays
-// empty.
+// Tests the gallery: each example draws, alone and on its page, its shader code appears, and the console stays empty.
 import assert from 'node:assert/strict'
 import { mkdirSync, readdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -21,19 +20,19 @@ import { serveSite, serveSources } from '../../tests/support/browser/site.js'
 const screenshots = path('.build/screenshots')
 const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
 
-/** Through the page, every day: a model, a text from a file, and what needs a second script. */
+/** Examples tested on their page in every run: a model, a shader from a file, and one with a second script. */
 const everyday = ['airplane-twist', 'text-bulge', 'deformer-bend']
 const shown = isRun('every example through the page') ? names : everyday
-/** One with all its pixels: not the model every day, of which p5 takes seconds to work out the edges. */
+/** The example drawn with all its pixels. By default not the model, whose edges take p5 seconds to compute. */
 const asItIs = isRun('every example through the page') ? 'airplane-twist' : 'deformer-bend'
 
-// Without a GPU, and beside other work, a frame may take seconds.
+// Without a GPU, a frame can take seconds on a busy machine.
 const patience = { timeout: 180_000 }
 
 const desktop = { viewport: { width: 1280, height: 900 } }
 const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
 
-/** Opened anew on a phone: those whose sketches ask for the size of the window, and a few. The others are turned into one. */
+/** Examples opened on a phone: those whose sketches read the window's size, and a few more. For the others the page is resized. */
 const isOpenedOnPhone = (name) =>
   name === names[0] || everyday.includes(name) || name.startsWith('three-')
 
@@ -48,7 +47,7 @@ test('the gallery shows every folder of examples', () => {
   assert.deepEqual([...names].sort(), readdirSync(path('examples')).sort())
 })
 
-/** A sketch stops when its page says how fast it is. */
+/** Stops a sketch when its page shows its frame rate. */
 function stopWhenTimed() {
   const rate = () => frameElement?.closest('main').querySelector('.rate').textContent
   const timer = setInterval(() => {
@@ -72,15 +71,15 @@ describe('the gallery of npm start', () => {
     before(async () => {
       context = await browser.newContext(desktop)
       await lower(context, url, { before: still })
-      // The first frame is that of one moment: on a busy machine it comes late, and may show a thin side.
+      // Fix the time: on a busy machine the first frame is late and may show a thin side.
       await context.addInitScript('let now = 0; performance.now = () => (now += 100)')
       await context.addInitScript(keepFrames)
-      // One page for all, which compiles p5 once.
+      // Use one page for all, so that p5 is compiled once.
       ;({ page, messages } = await openPage(context, `${url}recorder.js`))
     })
     after(() => context.close())
 
-    // Those that go through the page are drawn there.
+    // Skip the examples that are drawn on their page.
     const isDrawn = (name) =>
       !shown.includes(name) &&
       (name !== 'domain-warping-3d' || isRun('deep domain warping')) &&
@@ -106,8 +105,8 @@ describe('the gallery of npm start', () => {
     })
     after(() => page.context().close())
 
-    /** Gives the page that is open the size and the touch of another screen, as long as the session lasts. */
-    async function turnInto({ viewport, isMobile = false }) {
+    /** Emulates the size and touch of another screen on the open page, until the session ends. */
+    async function emulate({ viewport, isMobile = false }) {
       const screen = { ...viewport, deviceScaleFactor: 1, mobile: isMobile }
       await session.send('Emulation.setDeviceMetricsOverride', screen)
       await session.send('Emulation.setTouchEmulationEnabled', { enabled: isMobile })
@@ -120,7 +119,7 @@ describe('the gallery of npm start', () => {
 
     for (const name of shown)
       test(`shows ${name}`, async () => {
-        const frame = await playing(page, url, name)
+        const frame = await openPlaying(page, url, name)
         await page.getByText(/^frame \d+ · [\d.]+ fps$/).waitFor(patience)
         assertPicture(await statistics(frame))
         const code = page.locator('.block code')
@@ -132,15 +131,15 @@ describe('the gallery of npm start', () => {
         await page.screenshot({ path: `${screenshots}/${name}.png` })
         assert.equal(await page.locator('iframe').count(), 1)
         if (isOpenedOnPhone(name)) return
-        await turnInto(phone)
+        await emulate(phone)
         assert.equal(await page.evaluate('innerWidth'), phone.viewport.width)
         await assertFits(page, frame, name)
-        await turnInto(desktop)
+        await emulate(desktop)
       })
 
     test('lets the wheel scroll the page over a sketch', async () => {
-      // This one turns and zooms by the mouse.
-      await playing(page, url, 'deformer-bend')
+      // This sketch rotates and zooms by the mouse.
+      await openPlaying(page, url, 'deformer-bend')
       await page.locator('.stage').hover()
       const before = await page.evaluate(() => scrollY)
       await page.mouse.wheel(0, 400)
@@ -160,7 +159,7 @@ describe('the gallery of npm start', () => {
       await page.screenshot({ path: `${screenshots}/phone-top.png` })
 
       for (const name of names.filter(isOpenedOnPhone)) {
-        const frame = await playing(page, url, name, 1)
+        const frame = await openPlaying(page, url, name, 1)
         if (name === names[0]) assertPicture(await statistics(frame))
         await assertFits(page, frame, name)
         assert.equal(await frame.locator('.lil-gui.root:not(.closed)').count(), 0, name)
@@ -179,7 +178,7 @@ if (isRun('the gallery built, and on a phone'))
       const context = await browser.newContext(desktop)
       await drawLittle(context)
       const { page, messages } = await openPage(context, url)
-      assertPicture(await statistics(await playing(page, url, 'text-bulge')))
+      assertPicture(await statistics(await openPlaying(page, url, 'text-bulge')))
       await context.close()
       assert.deepEqual(messages, [])
     } finally {
@@ -187,8 +186,8 @@ if (isRun('the gallery built, and on a phone'))
     }
   })
 
-/** Opens the example's page and waits until it has drawn some frames → the Playwright frame of its sketch. */
-async function playing(page, url, name, frames = 3) {
+/** Opens the example's page, waits until it has drawn some frames, and returns the Playwright frame of its sketch. */
+async function openPlaying(page, url, name, frames = 3) {
   await page.goto(`${url}gallery/${name}/index.html`, patience)
   const element = await page.waitForSelector('iframe.shown', patience)
   const frame = await element.contentFrame()

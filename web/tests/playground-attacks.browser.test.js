@@ -1,5 +1,5 @@
-// A link of an attacker's: opening it does no more harm than watching a film. In Chromium and in Firefox, at the built site with its
-// service worker, since that once kept what a sketch had written.
+// Opens an attacker's link: it must do no harm. Runs in Chromium and Firefox, at the built site with its service worker, since that once
+// cached a page that a sketch had written.
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
 import { after, before, describe, test } from 'node:test'
@@ -18,7 +18,7 @@ before(async () => {
 })
 after(() => server.close())
 
-/** A server that remembers what was asked of it → { address, requests, close() } */
+/** Starts a server that records its requests → { address, requests, close() }. */
 async function startEvil() {
   const requests = []
   const evil = createServer((request, response) => {
@@ -45,7 +45,7 @@ const settle = (page) =>
 const linkTo = async (text, host = 'p5') =>
   `${site}playground/index.html${await fragmentOf({ text, host, chosen: [] })}`
 
-/** The frame of the sketch that is seen: alone in its host, once that of the sketch before is gone. */
+/** Returns the frame of the visible sketch, once the previous sketch's frame is removed from its host. */
 async function frameOf(page) {
   const host = page.frames().find((frame) => /\/host(?:\.html)?$/.test(frame.url()))
   await host.waitForFunction(() => document.querySelectorAll('iframe').length === 1, patience)
@@ -53,7 +53,7 @@ async function frameOf(page) {
   return frame
 }
 
-/** Reads everything that the site stores in the browser, and how its page looks. */
+/** Reads everything that the site stores in the browser, and the state of its page. */
 const look = (page) =>
   page.evaluate(async () => {
     const kept = []
@@ -88,7 +88,7 @@ for (const [name, launch] of Object.entries(browsers))
       browser = await launch()
       evil = await startEvil()
       page = await browser.newPage()
-      // Small, since without a GPU a large picture leaves the machine no time.
+      // A small window, since without a GPU a large picture takes all of the machine's time.
       await page.goto(await linkTo(still), patience)
       await settle(page)
       await page.waitForFunction(() => navigator.serviceWorker.controller, patience)
@@ -106,7 +106,7 @@ for (const [name, launch] of Object.entries(browsers))
       evil.close()
     })
 
-    /** Opens a link where the site is open already, as one who follows it. */
+    /** Follows a link in a tab in which the site is already open. */
     async function follow(link) {
       await page.evaluate((hash) => {
         document.querySelector('main').ariaBusy = 'true'
@@ -131,7 +131,7 @@ for (const [name, launch] of Object.entries(browsers))
       assert.deepEqual(evil.requests.splice(0), [])
     })
 
-    test(`the page, what it keeps, and other windows are as before, in ${name}`, async () => {
+    test(`the page, its storage, and other windows are unchanged, in ${name}`, async () => {
       assert.deepEqual(await look(page), was)
       assert.equal(
         (await browser.pages()).filter((each) => each.url().startsWith('http')).length,
@@ -139,7 +139,7 @@ for (const [name, launch] of Object.entries(browsers))
       )
     })
 
-    test(`a sketch that leads its own frame elsewhere sends nothing and shows nothing, in ${name}`, async () => {
+    test(`a sketch that navigates its own frame sends nothing and shows nothing, in ${name}`, async () => {
       const leaving = `${still}\n;(${leave})(${JSON.stringify({ evil: evil.address })})\n`
       await page.evaluate((hash) => (location.hash = hash), new URL(await linkTo(leaving)).hash)
       await new Promise((go) => setTimeout(go, 3000))
@@ -184,7 +184,7 @@ for (const window of [parent, parent.parent, top])
       assert.equal(await mistakeOf(page), '')
     })
 
-    test(`another window can neither run nor say anything in it, in ${name}`, async () => {
+    test(`another window can neither run code nor send messages in it, in ${name}`, async () => {
       const link = await linkTo(still)
       const other = await browser.newPage()
       await other.goto(evil.address)
@@ -217,7 +217,7 @@ for (const window of [parent, parent.parent, top])
       evil.requests.length = 0
     })
 
-    test(`names and texts with tags and comments in them end nothing, in ${name}`, async () => {
+    test(`names and texts with tags and comments cannot end a script, in ${name}`, async () => {
       const nasty = `</script><script>parent.parent.document.title = 'owned'</script> --> <!-- "'`
       await follow(await linkTo(`// ${nasty}\nconst text = ${JSON.stringify(nasty)}\n${still}`))
       assert.equal(await mistakeOf(page), '')
@@ -254,7 +254,7 @@ function draw() {
       assert.deepEqual(await look(page), was)
     })
 
-    test(`an honest sketch draws, and says where it is wrong, in ${name}`, async () => {
+    test(`an honest sketch draws, and reports the line of a mistake, in ${name}`, async () => {
       await follow(await linkTo(still))
       const color = await (
         await frameOf(page)
@@ -275,7 +275,7 @@ function draw() {
       assert.match(await mistakeOf(page), /^Line 3 TypeError/)
     })
 
-    test(`a sketch loads from elsewhere only if somebody lets it, and the next may not again, in ${name}`, async () => {
+    test(`a sketch loads from other sites only with permission, which the next sketch does not inherit, in ${name}`, async () => {
       const loading = `${still}\nfetch('https://127.0.0.1:9/x.json').catch(() => {})\n`
       await follow(await linkTo(loading))
       await page.waitForFunction(

@@ -1,4 +1,4 @@
-// The playground's tabs of costs and checks, against figures that are known.
+// Compares the playground's tabs of costs and checks with known figures.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -10,7 +10,7 @@ before(async () => ({ page, messages, close } = await openPlayground(5252, await
 after(() => close())
 
 const open = (name) => page.getByRole('tab', { name }).click()
-/** Terms and figures of the open tab, once the sketch's frame has worked them out. */
+/** Reads terms and figures of the open tab, once the sketch's frame has computed them. */
 const readOuts = async () => {
   await page.locator('#panel .read-outs').first().waitFor()
   await page.locator('#panel [aria-busy="true"]').waitFor({ state: 'detached' })
@@ -23,13 +23,13 @@ const readOuts = async () => {
     )
 }
 
-test('says what a warp costs: operations, characters, the first picture and a frame', async () => {
+test('shows the cost of a warp: operations, characters, the first picture and a frame', async () => {
   await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin(), 0, 0)'))
   await open('Costs')
   const { stats } = compileWarp(({ glsl, position }) => glsl.vec3(position.y().mult(3).sin(), 0, 0))
   const row = await page.locator('#panel tbody td').allTextContents()
   await open('GLSL 3.00')
-  // Above the text its maker is named.
+  // The first line names the function that made the code.
   const shown = (await page.locator('#panel').textContent()).replace(/^.*\n/, '').trimEnd()
   await open('Costs')
   const { nodes, operations, temporaries } = stats
@@ -41,7 +41,7 @@ test('says what a warp costs: operations, characters, the first picture and a fr
   assert.match(frame, /^[\d.,]+ ms \([\d,]+ a second\)$/)
 })
 
-/** How many pixels of the map are violet, which is inside out, and how many are red, which is wrong. */
+/** Counts the violet (inside out) and red (wrong) pixels of the map. */
 const map = async () => {
   await page.locator('#panel .map').waitFor()
   return page.locator('#panel .map').evaluate((canvas) => {
@@ -56,21 +56,21 @@ const map = async () => {
   })
 }
 
-test('finds the normals of a warp right, where differences have them too', async () => {
+test('finds the normals of a warp correct, compared with finite differences', async () => {
   await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin().mult(0.3), 0, 0)'))
   await open('Checks')
   const outs = await readOuts()
-  assert.ok(parseFloat(outs['Normals beside differences, at most']) < 0.5, JSON.stringify(outs))
+  assert.ok(parseFloat(outs['Max error of a normal']) < 0.5, JSON.stringify(outs))
   const { all, violet, red } = await map()
   assert.equal(outs['Turned inside out'], `0 of ${all.toLocaleString('en')} points`)
   assert.deepEqual([violet, red], [0, 0])
 })
 
-test('finds what is turned inside out: of a sphere that is mirrored all, of one folded over its half, a half', async () => {
+test('finds points inside out: all of a mirrored sphere, half of one folded over its half', async () => {
   await write(page, still('#ff0000', 'glsl.vec3(position.x().mult(-2), 0, 0)'))
   const mirrored = await map()
   assert.equal(mirrored.violet, mirrored.all)
-  // x becomes x squared: to the left of the middle it falls.
+  // x becomes x squared, which decreases to the left of the middle.
   await write(
     page,
     still('#ff0000', 'glsl.vec3(position.x().mult(position.x()).sub(position.x()), 0, 0)'),
@@ -79,20 +79,20 @@ test('finds what is turned inside out: of a sphere that is mirrored all, of one 
   assert.equal(folded.violet, folded.all / 2)
 })
 
-test('finds normals wrong that leave out how the surface turns', async () => {
+test('finds normals wrong that ignore how the surface turns', async () => {
   const along = 'normal.mult(normal.y().mult(9).sin().mult(0.2))'
   const sketch = (more) =>
     still('#ff0000', along, more).replace('position, uniforms', 'normal, position, uniforms')
   await write(page, sketch(''))
-  const right = parseFloat((await readOuts())['Normals beside differences, at most'])
+  const right = parseFloat((await readOuts())['Max error of a normal'])
   await write(page, sketch(', { surfaceVariation: false }'))
-  const wrong = parseFloat((await readOuts())['Normals beside differences, at most'])
+  const wrong = parseFloat((await readOuts())['Max error of a normal'])
   assert.ok(right < 0.5 && wrong > 20, `${right}°, ${wrong}°`)
   const { all, red } = await map()
   assert.ok(red > all / 2)
 })
 
-test('says of a warp whose uniform is set where the sketch draws how it can be checked', async () => {
+test('explains how to check a warp whose uniform is set only when the sketch draws', async () => {
   const far = "glsl.vec3(glsl.param('far'), 0, 0)"
   const sketch = still('#ff0000', far, ", { defs: 'uniform float far;' }")
   await write(page, sketch.replace('warp()', 'warp({ far: 0.5 })'))

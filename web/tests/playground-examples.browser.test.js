@@ -1,4 +1,4 @@
-// Every example of the gallery, opened in the playground by its link: it draws what it draws in the gallery, and nothing goes wrong.
+// Opens every example of the gallery in the playground by its link: it draws the same as in the gallery, without errors.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { sections } from '../catalogue.js'
@@ -35,7 +35,7 @@ after(async () => {
   await server.close()
 })
 
-/** What a link to the playground does where that is open already. */
+/** Follows a link to an example in a tab in which the playground is already open. */
 async function open(name) {
   await page.evaluate((name) => {
     document.querySelector('main').ariaBusy = 'true'

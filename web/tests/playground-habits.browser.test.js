@@ -1,4 +1,4 @@
-// What one does at the playground beside writing a warp: choosing, printing, looking around, reloading, dropping files, finding.
+// Tests what users do in the playground besides writing a warp: choosing, printing, looking around, reloading, dropping files, finding.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -30,7 +30,7 @@ const slider = (name) => page.getByLabel(name, { exact: true })
 
 const setup = (more) => still('#ff8040').replace('noStroke()', `noStroke(); ${more}`)
 
-test('chooses an example, with the scripts that it needs, and undo brings the own sketch back', async () => {
+test('chooses an example with the scripts that it needs, and undo restores the previous sketch', async () => {
   await write(page, still('#ff8040'))
   await page.getByLabel('Example').selectOption('deformer-bend')
   await page.waitForFunction(() => document.querySelector('[name=deformers]').checked)
@@ -44,7 +44,7 @@ test('chooses an example, with the scripts that it needs, and undo brings the ow
   assert.equal(await page.getByLabel('Deformers').isChecked(), false)
 })
 
-test('lists what a sketch prints, counts it, and forgets it with the sketch', async () => {
+test('lists and counts the lines that a sketch prints, and clears them with the sketch', async () => {
   const tab = page.getByRole('tab', { name: 'Console' })
   await write(page, setup("print('so', 7); console.warn('beware')"))
   assert.equal(await tab.textContent(), 'Console (2)')
@@ -52,7 +52,7 @@ test('lists what a sketch prints, counts it, and forgets it with the sketch', as
   const lines = page.locator('.printed li')
   assert.deepEqual(await lines.allTextContents(), ['so 7', 'beware'])
   assert.equal(await lines.nth(1).getAttribute('class'), 'warn')
-  // What is only said goes to the browser's own console, too.
+  // Plain logs also go to the browser's own console.
   assert.deepEqual(messages.splice(0), ['so 7'])
   await write(page, still('#ff8040'))
   assert.equal(await tab.textContent(), 'Console')
@@ -60,7 +60,7 @@ test('lists what a sketch prints, counts it, and forgets it with the sketch', as
   await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
 })
 
-test('turns the shape where the sketch lets the pointer turn it', async () => {
+test('rotates the shape by the pointer if the sketch allows that', async () => {
   const bent = still('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
   await write(page, bent.replace('warp()\n', 'orbitControl(); lights(); warp()\n'))
   const before = await canvasPixels(page)
@@ -69,13 +69,13 @@ test('turns the shape where the sketch lets the pointer turn it', async () => {
   await page.mouse.down()
   await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 6 })
   const isTurned = async () => difference(before, await canvasPixels(page)) > 0.02
-  // p5 turns by what the pointer has moved from one frame to the next while it is down.
+  // p5 rotates by the movement of the pressed pointer from one frame to the next.
   for (let i = 0; i < 40 && !(await isTurned()); i++) await page.waitForTimeout(100)
   await page.mouse.up()
   assert.ok(await isTurned())
 })
 
-test('keeps the sketch and where its slider stands over a reload', async () => {
+test('keeps the sketch and its slider over a reload', async () => {
   const uniforms = "{ far: 0.5, up: [0, 0.2], tint: color('#ff8040') }"
   const offset = 'glsl.vec3(uniforms.far.sub(uniforms.tint.x()).div(4), uniforms.up.y(), 0)'
   const far = still('#80ff00', offset, `, { uniforms: ${uniforms} }`)
@@ -106,7 +106,7 @@ test('keeps the sketch and where its slider stands over a reload', async () => {
   assert.equal(difference(before, await canvasPixels(page)), 0)
 })
 
-test('keeps where a slider stands while one writes on, until its number changes', async () => {
+test('keeps a slider’s value while the sketch is edited, until its number changes', async () => {
   const far = (number, color) =>
     still(color, 'glsl.vec3(uniforms.far, 0, 0)', `, { uniforms: { far: ${number} } }`)
   await write(page, far(0.25, '#80ff00'))
@@ -117,7 +117,7 @@ test('keeps where a slider stands while one writes on, until its number changes'
   assert.equal(Number(await slider('far').inputValue()), 0.3)
 })
 
-test('is left by a link and come back to by the browser’s own way back', async () => {
+test('restores the sketch with the browser’s back button after following a link', async () => {
   await write(page, still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
   const before = await canvasPixels(page)
   await page.getByRole('link', { name: 'warpjet' }).click()
@@ -126,11 +126,11 @@ test('is left by a link and come back to by the browser’s own way back', async
   await settled(page)
   assert.equal(await text(page), still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
   assert.equal(difference(before, await canvasPixels(page)), 0)
-  // Of the first page, which was left before it was there.
+  // Messages of the first page, which was left before it had loaded.
   messages.length = 0
 })
 
-test('a picture that is dropped is the sketch’s to load, and goes into the page that is saved', async () => {
+test('a sketch can load a dropped picture, and the saved page contains it', async () => {
   const dataTransfer = await page.evaluateHandle(async () => {
     const canvas = new OffscreenCanvas(4, 4)
     const brush = canvas.getContext('2d')
@@ -140,7 +140,7 @@ test('a picture that is dropped is the sketch’s to load, and goes into the pag
     transfer.items.add(new File([await canvas.convertToBlob()], 'red.png'))
     return transfer
   })
-  // What is told for a moment stays for this test.
+  // Keeps the brief status message for this test.
   await page.evaluate(() => {
     const { setTimeout } = window
     window.setTimeout = (work, ms) => setTimeout(work, ms >= 2000 ? 1e9 : ms)
@@ -149,10 +149,7 @@ test('a picture that is dropped is the sketch’s to load, and goes into the pag
   await page.dispatchEvent('body', 'drop', { dataTransfer })
   await page.evaluate(() => window.again())
   await settled(page)
-  assert.equal(
-    await page.locator('.state').textContent(),
-    '“red.png” is there for the sketch to load',
-  )
+  assert.equal(await page.locator('.state').textContent(), 'The sketch can load “red.png” now')
   const textured = setup("image = await loadImage('red.png')")
     .replace('function setup', 'let image\nasync function setup')
     .replace("fill('#ff8040')", 'texture(image)')
@@ -167,7 +164,7 @@ test('a picture that is dropped is the sketch’s to load, and goes into the pag
   await other.page.close()
 })
 
-/** Drops a file of that name: a corner of four triangles. */
+/** Drops a file of that name with a corner of four triangles. */
 async function dropCorner(name) {
   const dataTransfer = await page.evaluateHandle((name) => {
     const transfer = new DataTransfer()
@@ -179,7 +176,7 @@ async function dropCorner(name) {
   await settled(page)
 }
 
-test('a file of any name can be dropped, tried as a model, and saved', async () => {
+test('a file of any name can be dropped, used as a model, and saved', async () => {
   const host = page.getByLabel('Runs in')
   for (const name of [`Bob's cat.obj`, `a "b" \\ </script> --> 100% #1?.obj`]) {
     await host.selectOption('offset')
@@ -198,7 +195,7 @@ test('a file of any name can be dropped, tried as a model, and saved', async () 
   }
 })
 
-test('a sketch is saved that names a file which it writes, and compares with what begins as a tag does', async () => {
+test('saves a sketch that names a file which it writes, and has a comparison that looks like a tag', async () => {
   const words =
     'const scripts = [1, 2, 3]; let a = 0; while (a<scripts.length) a++; document.title = `${a}`'
   await write(
@@ -212,7 +209,7 @@ test('a sketch is saved that names a file which it writes, and compares with wha
   await other.page.close()
 })
 
-test('a double click selects the number, which is then written over', async () => {
+test('a double click selects a number, which typing replaces', async () => {
   await write(page, still('#ff8040', 'glsl.vec3(-0.125, 0, 0)'))
   await page.locator('.cm-number').getByText('0.125', { exact: true }).dblclick()
   assert.equal(await page.evaluate(() => String(getSelection())), '0.125')
@@ -221,7 +218,7 @@ test('a double click selects the number, which is then written over', async () =
   assert.equal(await text(page), still('#ff8040', 'glsl.vec3(-0.5, 0, 0)'))
 })
 
-test('the menu closes by Escape, which gives the focus back, and by a press elsewhere', async () => {
+test('the menu closes by Escape, which restores the focus, and by a click elsewhere', async () => {
   const item = page.getByRole('button', { name: 'Picture (PNG)' })
   const summary = page.getByText('Save', { exact: true })
   await summary.click()
@@ -246,14 +243,14 @@ test('finds a word in the text', async () => {
   assert.equal(await page.evaluate(() => String(getSelection())), 'background')
 })
 
-test('holds the Tab key for nobody: it leaves the editor', async () => {
+test('the Tab key leaves the editor', async () => {
   await page.locator('.cm-content').focus()
   await page.keyboard.press('Tab')
   assert.equal(await text(page), still('#ff8040'))
   assert.equal(await page.evaluate(() => Boolean(document.activeElement.closest('.editor'))), false)
 })
 
-test('says that there is no picture to save, where nothing was ever drawn', async () => {
+test('reports that there is no picture to save if nothing was drawn', async () => {
   const other = await openPage(context, 'about:blank')
   const { fragmentOf } = await import('../playground/link.js')
   const wrong = { text: still('#ff8040', 'nothing'), host: 'p5', chosen: [] }
@@ -266,4 +263,4 @@ test('says that there is no picture to save, where nothing was ever drawn', asyn
   await other.page.close()
 })
 
-test('has printed nothing of its own', () => assert.deepEqual(messages, []))
+test('has printed nothing itself', () => assert.deepEqual(messages, []))

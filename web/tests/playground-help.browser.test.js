@@ -1,4 +1,4 @@
-// What the playground's editor knows: it completes names of the inputs, the operations and the deformers, and says what each means.
+// Tests completion and hover in the playground's editor: names of inputs, operations and deformers, each with its meaning.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -18,7 +18,7 @@ after(() => close())
 const list = () => page.locator('.cm-tooltip-autocomplete')
 const options = () => list().locator('.cm-completionLabel').allTextContents()
 
-/** Types behind the first `given` of the sketch. */
+/** Types text after the first `given` in the sketch. */
 async function typeBehind(given, typed) {
   await write(page, still('#ff0000', `glsl.vec3(${given}, 0, 0)`))
   const place = await page.evaluate((given) => {
@@ -32,7 +32,7 @@ async function typeBehind(given, typed) {
   await list().waitFor()
 }
 
-/** What is shown for a word of the sketch, once the pointer rests on it. */
+/** Returns the texts shown when the pointer rests on a word of the sketch. */
 async function meaningOf(word) {
   await page.mouse.move(0, 0)
   const box = await page.evaluate((word) => {
@@ -51,12 +51,12 @@ async function meaningOf(word) {
   return said
 }
 
-test('offers the operations behind a point, with how they are called and what they mean', async () => {
+test('offers the operations after a point, with their signatures and meanings', async () => {
   await typeBehind('position', '.fb')
   assert.equal((await options())[0], 'fbm')
   await page.locator('.cm-completionInfo').waitFor()
   assert.match(await page.locator('.cm-completionInfo').textContent(), /p\.fbm\(.*Noise of/)
-  // What is chosen at once may not be taken yet.
+  // CodeMirror ignores a choice made right after the list opens.
   await page.waitForTimeout(150)
   await page.keyboard.press('Enter')
   assert.match(await text(page), /\(position\.fbm, 0, 0\)/)
@@ -73,14 +73,14 @@ test('offers the inputs and the deformers', async () => {
   assert.equal((await options())[0], 'twist')
 })
 
-/** What our own source offers where `§` stands in the text, with what each means. */
-async function offered(text) {
+/** Returns the completions of our own source at `§` in the text, with the meaning of each. */
+async function completionsOf(text) {
   await page.keyboard.press('Escape')
   await write(page, text.replace('§', ''))
   return page.evaluate(async (pos) => {
     const { state } = document.querySelector('.cm-content').cmTile.view
     const context = { state, pos, explicit: true, matchBefore: () => null }
-    // Those of the language ask more of the context than ours, and have nothing to say.
+    // JavaScript's own sources need more of the context than ours, and have no meanings.
     const all = await Promise.allSettled(
       state.languageDataAt('autocomplete', pos).map(async (source) => source(context).options),
     )
@@ -91,7 +91,7 @@ async function offered(text) {
   }, text.indexOf('§'))
 }
 
-/** As the compiler itself names them, where one asks for another. */
+/** Returns the inputs as the compiler lists them in its error for an unknown one. */
 function allInputs() {
   try {
     compileWarp(({ nothing }) => nothing)
@@ -100,11 +100,11 @@ function allInputs() {
   }
 }
 
-test('offers every input and, in its braces, every option, each with what it means', async () => {
-  const words = await offered(still('#ff0000', 'glsl.vec3(§, 0, 0)'))
+test('offers every input and, in a function’s braces, every option, each with its meaning', async () => {
+  const words = await completionsOf(still('#ff0000', 'glsl.vec3(§, 0, 0)'))
   for (const name of [...allInputs(), 'uniforms', 'createWarp'])
     assert.match(words[name] ?? '', /\w+ \w+/, name)
-  const options = await offered(still('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
+  const options = await completionsOf(still('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
   assert.deepEqual(Object.keys(options).sort(), [
     'defs',
     'hooks',
@@ -120,20 +120,20 @@ test('offers every input and, in its braces, every option, each with what it mea
   for (const [name, meaning] of Object.entries(options)) assert.match(meaning, /\w+ \w+/, name)
 })
 
-test('offers in three.js what it has there', async () => {
+test('offers in three.js only the inputs and functions of three.js', async () => {
   await page.getByLabel('Runs in').selectOption('three')
   await settled(page)
   const sketch = await text(page)
-  const words = await offered(sketch.replace('along.sin', '§.sin'))
+  const words = await completionsOf(sketch.replace('along.sin', '§.sin'))
   assert.ok(words.millis && words.warp && words.warpMaterial)
   assert.equal(words.mouseX ?? words.createWarp, undefined)
-  const options = await offered(sketch.replace(/^}\)$/m, '}, { § })'))
+  const options = await completionsOf(sketch.replace(/^}\)$/m, '}, { § })'))
   assert.deepEqual(Object.keys(options).sort(), ['share', 'space', 'surfaceVariation', 'uniforms'])
   await page.getByLabel('Runs in').selectOption('p5')
   await settled(page)
 })
 
-test('says of what the pointer rests on what it computes and its derivative', async () => {
+test('shows the formula and the derivative of the operation under the pointer', async () => {
   await page.keyboard.press('Escape')
   await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
   const [fbm, ...more] = await meaningOf('fbm')

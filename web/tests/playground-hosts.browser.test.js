@@ -1,4 +1,4 @@
-// The playground's hosts and languages beside those of playground.test.js: WebGPU, text in GLSL, and downloaded pages of each host.
+// Tests the hosts and languages that playground.browser.test.js does not: WebGPU, offsets in GLSL, and downloaded pages of each host.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -40,7 +40,7 @@ const run = async (name) => {
   assert.equal(await mistake(), '')
 }
 
-/** Opens what is downloaded as a file → what it draws. */
+/** Opens the downloaded page from disk and returns the picture that it draws. */
 async function drawnFromDisk(name, isReady) {
   const other = await openFromDisk(page, `${folder}/${name}.html`, isReady)
   const picture = await canvasPixels(other.page)
@@ -54,7 +54,7 @@ async function drawnFromDisk(name, isReady) {
 
 const cosine = 'glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0)'
 
-test('draws on WebGPU as in WebGL, and says mistakes there too', async () => {
+test('draws the same on WebGPU as in WebGL, and reports mistakes there, too', async () => {
   await write(page, still('#ff8040', cosine))
   const before = await canvasPixels(page)
   await run('p5-webgpu')
@@ -72,13 +72,13 @@ test('draws on WebGPU as in WebGL, and says mistakes there too', async () => {
   assert.equal(difference(before, await canvasPixels(page)), 0)
 })
 
-/** The same offset as text. */
+/** An offset in GLSL that equals the one of `still`. */
 const inText = `\`
   vec3 offset(vec3 position) {
     return vec3(cos(position.y * 3.0) * 0.4, 0.0, 0.0);
   }\``
 
-test('reads an offset in GLSL, shows its text, and marks a mistake in it', async () => {
+test('reads an offset in GLSL, shows its code, and marks a mistake in it', async () => {
   await write(page, still('#ff8040', cosine))
   const before = await canvasPixels(page)
   const sketch = still('#ff8040').replace(
@@ -110,8 +110,8 @@ test('downloads a page with p5 1.11 that opens from a disk', async () => {
 })
 
 const open = (name) => page.getByRole('tab', { name }).click()
-/** The marked statements, once there are some. */
-const marked = async () => {
+/** Waits for marked statements and returns them. */
+const markedStatements = async () => {
   await page.locator('.panel .lit').first().waitFor()
   return (await page.locator('.panel .lit').allTextContents()).join('')
 }
@@ -120,14 +120,14 @@ const figures = async () => {
   return page.locator('#panel .read-outs dd').allTextContents()
 }
 
-test('has of a warp of three.js the text in each language, marked both ways, its costs and checks', async () => {
+test('shows the code of a three.js warp in each language, marked both ways, its costs and checks', async () => {
   await run('three')
   await write(page, ball)
   assert.equal(await mistake(), '')
   await page.locator('.cm-line', { hasText: 'cos()' }).click()
   for (const language of ['GLSL 3.00', 'GLSL 1.00', 'WGSL']) {
     await open(language)
-    const statements = await marked()
+    const statements = await markedStatements()
     assert.ok(/cos\(/.test(statements) && /sin\(/.test(statements), statements)
   }
   await page.locator('.panel [data-from]', { hasText: 'cos(' }).first().hover()
@@ -147,13 +147,13 @@ test('has of a warp of three.js the text in each language, marked both ways, its
   await open('GLSL 3.00')
 })
 
-/** Of the middle of the picture. */
+/** Returns the colour of the middle of the picture. */
 const middle = async () => {
   const at = 4 * (120 * 45 + 60)
   return [...(await canvasPixels(page)).subarray(at, at + 3)]
 }
 
-/** Until the middle is of that colour: a picture comes a moment after its slider. */
+/** Waits until the middle has that colour, since the picture follows its slider with a delay. */
 async function becomes(wanted, most = 0) {
   let color
   for (let i = 0; i < 100; i++) {
@@ -164,7 +164,7 @@ async function becomes(wanted, most = 0) {
   assert.deepEqual(color, wanted)
 }
 
-/** The ball in a colour of its own, which grows, moves and changes its colour by its uniforms. */
+/** A coloured ball whose size, position and colour depend on uniforms. */
 const uniformBall = ball
   .replace('new THREE.MeshNormalMaterial()', "new THREE.MeshBasicMaterial({ color: '#ff8040' })")
   .replace(
@@ -198,7 +198,7 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
   ])
   await page.getByLabel('tint').fill('#00ff00')
   await becomes([0, 255, 0])
-  // One to the left and one upwards, where it covers the middle no more.
+  // Move one slider to the left end and one to the right, so that the ball no longer covers the middle.
   await page.getByLabel('center.x').press('Home')
   await page.getByLabel('center.y').press('End')
   await becomes([21, 24, 35])
@@ -206,7 +206,7 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
   await write(page, uniformBall.replace('more: 0', 'more: 0.1'))
   assert.equal(await mistake(), '')
   await page.screenshot({ path: `${folder}/playground-three.png` })
-  // What a hand has moved stays where it was put.
+  // A moved slider keeps its value.
   const mesh = await loadMesh(readFileSync(await (await saved(page, 'Warped shape')).path()))
   const box = [0, 1, 2].map((axis) => mesh.positions.filter((_, i) => i % 3 === axis))
   const ends = box.flatMap((all) => [Math.min(...all), Math.max(...all)])
@@ -218,7 +218,7 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
   await page.getByLabel('Normals as colours').uncheck()
 })
 
-test('says of operators in three.js what is wrong, and names no box, which is not there', async () => {
+test('explains a mistake with operators in three.js, and names no box, since there is none', async () => {
   await run('three')
   await write(page, ball.replace('position.y().mult(3)', '(position * 3)'))
   assert.match(await mistake(), /do not work on expressions/)

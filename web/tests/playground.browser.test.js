@@ -1,4 +1,4 @@
-// The playground: what one writes is what one sees, mistakes cost nothing, and a link brings a sketch back.
+// Tests the playground: the picture follows the sketch, mistakes lose nothing, and a link restores a sketch.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -34,7 +34,7 @@ after(async () => {
   await server.close()
 })
 
-/** The names in the directory of an archive, in order. */
+/** Returns the names in the directory of an archive, in order. */
 function namesInZip(bytes) {
   const names = []
   let at = bytes.readUInt32LE(bytes.length - 6)
@@ -57,7 +57,7 @@ describe('the playground', () => {
   })
   after(() => context.close())
 
-  test('begins with a sketch that runs, and its text in three languages', async () => {
+  test('starts with a sketch that runs, and its code in three languages', async () => {
     assert.match(await text(page), /createWarp/)
     assert.match(await page.locator('#panel').textContent(), /vec3 offset, warpedPosition/)
     await page.getByRole('tab', { name: 'WGSL' }).click()
@@ -71,7 +71,7 @@ describe('the playground', () => {
     await page.screenshot({ path: `${screenshots}/playground.png` })
   })
 
-  test('shows what is typed once one pauses', async () => {
+  test('runs the typed sketch after a pause', async () => {
     await write(page, still('#ff0000'))
     const red = await canvasPixels(page)
     await write(page, still('#0000ff'))
@@ -81,7 +81,7 @@ describe('the playground', () => {
     assert.ok(difference(blue, await canvasPixels(page)) > 0.1)
   })
 
-  test('keeps the last good picture at a mistake, and marks its line with a sentence', async () => {
+  test('keeps the last good picture after a mistake, and marks its line with a message', async () => {
     await write(page, still('#00ff00'))
     const before = await canvasPixels(page)
     const mistakes = [
@@ -89,7 +89,7 @@ describe('the playground', () => {
       [still('#00ff00', 'position.mlt(2)'), 5, /mlt/],
       [still('#00ff00', 'position + 1'), 5, /\+/],
       [still('#00ff00').replace('noStroke()', 'noStroke('), 4, /^SyntaxError: /, 5],
-      [still('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /went on for five seconds/],
+      [still('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /ran for five seconds/],
       [still('#00ff00').replace('warp()', 'wrap()'), 10, /^ReferenceError: wrap/],
       [
         still('#00ff00')
@@ -115,11 +115,11 @@ describe('the playground', () => {
     await write(page, still('#00ff00'))
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.equal(await page.locator('.cm-lint-marker-error').count(), 0)
-    // p5 has said of the model that it is not there. Nobody has looked for it: the page knows which files the site has.
+    // p5 reported the missing model. It was not requested, since the page knows the site's files.
     assert.equal(messages.splice(0).length, 1)
   })
 
-  test('undoes what was typed, and redoes it', async () => {
+  test('undoes and redoes typing', async () => {
     await write(page, still('#ffff00'))
     const yellow = await canvasPixels(page)
     await write(page, still('#ff00ff'))
@@ -132,7 +132,7 @@ describe('the playground', () => {
     assert.equal(await text(page), still('#ff00ff'))
   })
 
-  test('brings a sketch back by its link', async () => {
+  test('restores a sketch from its link', async () => {
     const sketch = still('#ff8000', 'glsl.vec3(0, 0.5, 0) /* ≠ “ä” 🌸 */')
     await write(page, sketch)
     const before = await canvasPixels(page)
@@ -164,7 +164,7 @@ describe('the playground', () => {
     assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.09, 0, 0)'))
   })
 
-  test('gives a uniform that is a number its slider', async () => {
+  test('shows a slider for a uniform that is a number', async () => {
     await write(
       page,
       still('#80ff00', 'glsl.vec3(uniforms.far, 0, 0)', ', { uniforms: { far: 0.5 } }'),
@@ -176,7 +176,7 @@ describe('the playground', () => {
     assert.ok(difference(before, await canvasPixels(page)) > 0.05)
   })
 
-  test('stands still, and moves where the time bar is put', async () => {
+  test('pauses, and follows the time bar', async () => {
     await write(
       page,
       still('#ffffff')
@@ -199,7 +199,7 @@ describe('the playground', () => {
     await page.getByLabel('Normals as colours').check()
     await settled(page)
     const image = await canvasPixels(page)
-    // In the middle the sphere faces the eye, at the right the side.
+    // The sphere faces the camera in the middle, and the side at its right edge.
     const at = (x, y) => [...image.subarray(4 * (120 * y + x), 4 * (120 * y + x) + 3)]
     const [middle, right] = [at(60, 45), at(87, 45)]
     assert.ok(middle[2] > 240 && middle[0] < 40, `${middle}`)
@@ -208,7 +208,7 @@ describe('the playground', () => {
     await settled(page)
   })
 
-  test('names the box to tick for what needs a script', async () => {
+  test('names the box to tick for a missing script', async () => {
     const mistake = page.locator('.mistake')
     await write(page, still('#ff00ff').replace('warp =', 'warpjet.melt(0.5); warp ='))
     assert.match(
@@ -219,7 +219,7 @@ describe('the playground', () => {
     assert.match(await mistake.textContent(), /Here, tick “Shader text” above\.$/)
   })
 
-  test('runs operators with their script, and says so without it', async () => {
+  test('runs operators with their script, and names it if it is missing', async () => {
     await write(page, still('#ff00ff', '[position.y * 0.5, 0, 0]'))
     assert.match(await page.locator('.mistake').textContent(), /Here, tick “Operators” above\.$/)
     await page.getByLabel('Operators').check()
@@ -232,7 +232,7 @@ describe('the playground', () => {
     assert.equal(await page.getByLabel('Operators').isChecked(), false)
   })
 
-  test('runs in p5 1.11 and in three.js, and undo brings the host back', async () => {
+  test('runs in p5 1.11 and in three.js, and undo restores the host', async () => {
     await write(page, still('#ff4000', 'glsl.vec3(0.2, 0, 0)'))
     const before = await canvasPixels(page)
     const host = page.getByLabel('Runs in')
@@ -277,7 +277,7 @@ ${still('#40ff40')
     await other.page.close()
   })
 
-  test('packs a project of npm, with its model', async () => {
+  test('packs an npm project, with its model', async () => {
     const bytes = await bytesOf(await saved(page, 'npm project'))
     const names = ['package.json', 'vite.config.js', 'index.html', 'sketch.js', 'bunny.obj']
     assert.deepEqual(namesInZip(bytes), names)
@@ -286,7 +286,7 @@ ${still('#40ff40')
     assert.ok(bytes.includes(await text(page)))
   })
 
-  test('copies a page for the p5 editor, and opens that', async () => {
+  test('copies a page for the p5 editor, and opens the editor', async () => {
     await context.route('https://editor.p5js.org/', (route) => route.fulfill({ body: 'editor' }))
     const opened = context.waitForEvent('page')
     await page.getByText('Save', { exact: true }).click()
@@ -310,14 +310,14 @@ ${still('#40ff40')
     assert.ok(bytes.includes('webm') && bytes.length > 500)
   })
 
-  test('saves the warped shape, upright, where it stands', async () => {
+  test('saves the warped shape, upright and at its place', async () => {
     await write(page, still('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
     const mesh = await loadMesh(await bytesOf(await saved(page, 'Warped shape')))
     const { positions, normals } = mesh
     const most = [0, 0, 0]
     for (let i = 0; i < positions.length; i += 3) {
       for (let k = 0; k < 3; k++) most[k] = Math.max(most[k], positions[i + k])
-      // Of a sphere of 30 pixels that is sheared by y, the other way up: (x - y)² + y² + z² is 30².
+      // A sphere of 30 pixels, sheared by y and turned upright, satisfies (x - y)² + y² + z² = 30².
       const [x, y, z] = positions.subarray(i, i + 3)
       assert.ok(Math.abs(Math.hypot(x + y, y, z) - 30) < 1e-2, `${x} ${y} ${z}`)
       const gradient = [x + y, x + 2 * y, z]
@@ -330,30 +330,30 @@ ${still('#40ff40')
   test('marks the statements of the line with the cursor, and the line of a statement', async () => {
     const lines = 'const a = position.y().mult(3).sin()\n  return glsl.vec3(a, a.mult(0.3), 0)'
     await write(page, still('#40ff40').replace('glsl.vec3(0, 0, 0)', `{\n  ${lines}\n}`))
-    const marked = () => page.locator('.panel .lit').allTextContents()
+    const markedStatements = () => page.locator('.panel .lit').allTextContents()
     for (const language of ['GLSL 3.00', 'GLSL 1.00', 'WGSL']) {
       await page.getByRole('tab', { name: language }).click()
       await page.locator('.cm-line', { hasText: 'const a =' }).click()
       await page.locator('.panel .lit').first().waitFor()
-      const ofA = await marked()
+      const ofA = await markedStatements()
       assert.ok(ofA.some((text) => /sin\(/.test(text)) && ofA.some((text) => /cos\(/.test(text)))
       await page.keyboard.press('ArrowDown')
       await page.waitForFunction(
         (before) => document.querySelector('.panel .lit')?.textContent !== before,
         ofA[0],
       )
-      assert.ok(!(await marked()).some((text) => /sin\(/.test(text)))
+      assert.ok(!(await markedStatements()).some((text) => /sin\(/.test(text)))
     }
     const statement = page.locator('.panel [data-from]', { hasText: 'sin(' })
     await statement.hover()
     assert.match(await page.locator('.cm-lit').textContent(), /const a =/)
     await statement.click()
     assert.match(await line(page), /const a =/)
-    assert.equal((await marked()).length > 0, true)
+    assert.equal((await markedStatements()).length > 0, true)
     await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
   })
 
-  test('tries an offset function alone on a model, and brings both back by the link', async () => {
+  test('applies a single offset function to a model, and restores both from the link', async () => {
     await page.getByLabel('Runs in').selectOption('offset')
     await settled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
@@ -383,7 +383,7 @@ ${still('#40ff40')
     await page.screenshot({ path: `${screenshots}/playground-offset.png` })
   })
 
-  test('takes a model that is dropped, and tries the offset on it', async () => {
+  test('accepts a dropped model, and applies the offset to it', async () => {
     const file = await page.evaluateHandle(() => {
       const transfer = new DataTransfer()
       const corner = (x, y, z) => `v ${x} ${y} ${z}\n`
@@ -397,7 +397,7 @@ ${still('#40ff40')
     assert.equal(await page.locator('#model').inputValue(), 'corner.obj')
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
-    // The same as GLB, which is read in another way.
+    // Repeat with GLB, which has a different loader.
     const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]
     const bytes = exportGLB({ positions, indices: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] })
     const glb = await page.evaluateHandle((bytes) => {
@@ -412,14 +412,14 @@ ${still('#40ff40')
     assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
   })
 
-  test('says that a link is damaged, and keeps the sketch', async () => {
+  test('reports a damaged link, and keeps the sketch', async () => {
     const before = await text(page)
     await page.evaluate(() => (location.hash = '#sketch=brokenlink'))
     await page.getByText('The sketch in this link is damaged').waitFor()
     assert.equal(await text(page), before)
   })
 
-  test('has printed nothing of its own', () => assert.deepEqual(messages, []))
+  test('has printed nothing itself', () => assert.deepEqual(messages, []))
 })
 
 test('fits a phone, and opens an example of the gallery', async () => {

@@ -1,9 +1,8 @@
-// The parts of the playground that need no browser.
+// Tests the parts of the playground that need no browser.
 import assert from 'node:assert/strict'
-import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { converted } from '../playground/convert.js'
-import { guarded } from '../playground/guard.js'
+import { guardLoops } from '../playground/guard.js'
 import { insideScript } from '../playground/document.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
 import { modulesAsData } from '../playground/modules.js'
@@ -15,7 +14,7 @@ import { namesOfFiles, quote, stringsIn, withFiles } from '../playground/strings
 import { zip } from '../playground/zip.js'
 import { compileWarp } from '../../dist/warpjet.js'
 
-describe('a sketch for another p5', () => {
+describe('a sketch converted for another p5', () => {
   const sketch = `let hand, warp
 
 async function setup() {
@@ -33,7 +32,7 @@ function draw() {}
     assert.equal(converted(there, 'p5'), plain)
   })
 
-  test('loads in preload in p5 1.11, and comes back', () => {
+  test('loads in preload in p5 1.11, and converts back', () => {
     const there = converted(sketch, 'p5-1')
     assert.match(there, /function preload\(\) \{\n  hand = loadModel\('hand\.obj'\)\n\}/)
     assert.match(there, /\nfunction setup\(\) \{\n  createCanvas/)
@@ -43,18 +42,18 @@ function draw() {}
     assert.doesNotMatch(back, /preload/)
   })
 
-  test('declares for both what setup had for itself', () => {
+  test('declares local variables of setup for both functions', () => {
     const there = converted(sketch.replace('hand = await', 'const font = await'), 'p5-1')
     assert.match(there, /^let font\nfunction preload\(\) \{\n  font = /m)
   })
 
-  test('is left alone where it has nothing of that', () => {
+  test('is unchanged if nothing applies', () => {
     for (const host of ['p5', 'p5-1', 'p5-webgpu']) assert.equal(converted('let x', host), 'let x')
   })
 })
 
 describe('a link', () => {
-  test('brings back what went in, whatever the letters', async () => {
+  test('restores the sketch, with any characters', async () => {
     const sketch = { text: `sphere(${'9'.repeat(999)}) // ä ≠ 🌸 “”`, host: 'p5', chosen: ['glsl'] }
     const fragment = await fragmentOf(sketch)
     assert.match(fragment, /^#sketch=[\w-]+$/)
@@ -63,7 +62,7 @@ describe('a link', () => {
     assert.deepEqual(await sketchOf(fragment), sketch)
   })
 
-  test('that would fill the memory is given up', async () => {
+  test('that would fill the memory is rejected', async () => {
     const bomb = await fragmentOf({ text: ' '.repeat(300_000_000) })
     assert.ok(bomb.length < 500_000)
     const before = process.memoryUsage().arrayBuffers
@@ -72,12 +71,12 @@ describe('a link', () => {
     await assert.rejects(sketchOf(`#sketch=${'A'.repeat(3_000_000)}`), /too large/)
   })
 
-  test('keeps only what has the type that it should have', async () => {
+  test('keeps only values of the expected type', async () => {
     const odd = { text: 'a', host: 7, chosen: 'glsl', model: {}, values: 3, more: 1 }
     assert.deepEqual(await sketchOf(await fragmentOf(odd)), { text: 'a' })
   })
 
-  test('that is cut off or of something else gets a sentence', async () => {
+  test('that is cut off or contains something else gives a message', async () => {
     const fragment = await fragmentOf({ text: 'sphere()' })
     for (const broken of [fragment.slice(0, -4), '#sketch=%%%', '#sketch='])
       await assert.rejects(sketchOf(broken), /damaged: copy the whole link once more\.$/)
@@ -94,11 +93,11 @@ describe('a loop in a sketch', () => {
         if (++this.count === 50) throw new Error('stopped')
       },
     }
-    new Function('playground', guarded({ text }))(playground)
+    new Function('playground', guardLoops({ text }))(playground)
     return playground.count
   }
 
-  test('that does not end is stopped, however it is written', () => {
+  test('without an end is stopped, however it is written', () => {
     for (const text of [
       'while (true) {}',
       'for (;;);',
@@ -110,18 +109,18 @@ describe('a loop in a sketch', () => {
       assert.throws(() => rounds(text), /stopped/, text)
   })
 
-  test('that ends does what it did', () => {
+  test('with an end works as before', () => {
     const text =
       'let sum = 0; for (let i = 0; i < 4; i++) if (i % 2) sum += i; else for (const j of [1, 2]) sum += j'
     assert.equal(rounds(`${text}; if (sum !== 10) throw new Error(sum)`), 8)
   })
 
-  test('stays in its line, and where its text is read it stays as it is', () => {
+  test('stays on its line, and is unchanged in functions that are parsed', () => {
     const text = 'while (a) {\n  b()\n}\nfor (;;) c()\n'
-    assert.equal(guarded({ text }).split('\n').length, text.split('\n').length)
+    assert.equal(guardLoops({ text }).split('\n').length, text.split('\n').length)
     for (const read of ['createWarp(() => { for (;;) {} })', 'while (', 'for (;;'])
-      assert.equal(guarded({ text: read }), read)
-    assert.equal(guarded({ text, chosen: ['operators'] }), text)
+      assert.equal(guardLoops({ text: read }), read)
+    assert.equal(guardLoops({ text, chosen: ['operators'] }), text)
   })
 })
 
@@ -132,7 +131,7 @@ test('text in a script tag cannot end it', () => {
   assert.equal(new Function(`${inside}; return a`)(), new Function(`${text}; return a`)())
 })
 
-test('text in a script tag means what it meant, in strings and outside of them', () => {
+test('text in a script tag keeps its meaning, in strings and outside of them', () => {
   for (const [text, isModule] of [
     ['const scripts = [1, 2]; let a = 0; while (a<scripts.length) a++; return a'],
     [
@@ -156,7 +155,7 @@ test('text in a script tag means what it meant, in strings and outside of them',
 describe('the strings of a sketch', () => {
   const nasty = `Bob's "cat" \\ </script> --> 100% \u2028 \n ä🌸.glb`
 
-  test('are read as JavaScript reads them', () => {
+  test('are parsed as in JavaScript', () => {
     const text = `f('a\\'b.obj', "\\x41\\u0042\\u{43}.obj", \`d.obj\`, \`\${e}.obj\`) // 'g.obj'`
     assert.deepEqual(
       stringsIn(text).map(({ value }) => value),
@@ -165,7 +164,7 @@ describe('the strings of a sketch', () => {
     assert.deepEqual(namesOfFiles(text), ["a'b.obj", 'ABC.obj', 'd.obj'])
   })
 
-  test('take any name of a file, which comes back', () => {
+  test('hold any file name, and return it', () => {
     assert.equal(new Function(`return ${quote(nasty)}`)(), nasty)
     assert.deepEqual(
       stringsIn(`f(${quote(nasty)})`).map(({ value }) => value),
@@ -202,7 +201,7 @@ describe('a message of a sketch’s frame', () => {
     })
   })
 
-  test('is left out otherwise', () => {
+  test('is dropped otherwise', () => {
     const text = { code: 'a' }
     const warp = {
       maker: 'a',
@@ -229,11 +228,11 @@ describe('a message of a sketch’s frame', () => {
       assert.equal(readMessage(message), undefined)
   })
 
-  test('answers with arrays of the lengths that were asked for, or is an error', () => {
+  test('has arrays of the requested lengths, or is an error', () => {
     const mesh = { positions: new Float32Array(6), normals: new Float32Array(6) }
     assert.equal(evaluatedOf(mesh, mesh), mesh)
     for (const wrong of [null, {}, { positions: mesh.positions }, { ...mesh, normals: [1] }])
-      assert.throws(() => evaluatedOf(wrong, mesh), /something else than the page asked for/)
+      assert.throws(() => evaluatedOf(wrong, mesh), /unexpected answer/)
     assert.throws(() => maskOf({ mask: new Uint8Array(3) }, 2), /something else/)
     const shape = { ...mesh, indices: new Uint32Array([0, 1, 0]), matrix: Array(16).fill(0) }
     assert.deepEqual(shapesOf([shape]), [shape])
@@ -242,7 +241,7 @@ describe('a message of a sketch’s frame', () => {
   })
 })
 
-test('modules as data import each other by names', async () => {
+test('modules as data: addresses import each other by name', async () => {
   const files = {
     '../../a/one.js': 'import { two } from "./b/two.js"; export const one = two + 1',
     '../../a/b/two.js': "import { far } from 'far/away.js'\nexport const two = far",
@@ -274,25 +273,25 @@ describe('the check of normals', () => {
         .mult(0.1),
     )
 
-  test('finds those of a warp right, along the normal and by uv too', () => {
+  test('finds normals of a warp correct, also along the normal and by uv', () => {
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const errors = normalErrors(evaluate(spherePoints(1)))
     assert.equal(errors.length, across * down)
     assert.ok(largest(errors) < 1e-3, `${largest(errors)}`)
   })
 
-  test('finds wrong ones wrong', () => {
+  test('finds wrong normals wrong', () => {
     const points = spherePoints(1)
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const { positions } = evaluate(points)
-    // As if nothing had moved.
+    // Use the normals of the unwarped sphere.
     assert.ok(largest(normalErrors({ positions, normals: points.normals })) > 0.2)
   })
 })
 
 test('an archive has the sums and sizes that unpackers look for', () => {
   const bytes = Buffer.concat(zip({ 'a.txt': '123456789', 'ä.bin': new Uint8Array([0, 255]) }))
-  // The sum of these nine digits is the one that every description of CRC-32 gives.
+  // The checksum of these nine digits is the test value in every description of CRC-32.
   assert.equal(bytes.readUInt32LE(14), 0xcbf43926)
   assert.deepEqual([bytes.readUInt32LE(18), bytes.readUInt32LE(22)], [9, 9])
   assert.equal(bytes.subarray(30, 44).toString(), 'a.txt123456789')
@@ -308,7 +307,7 @@ test('an archive has no name that leads out of its folder', () => {
   zip({ 'public/a..b.obj': 'a', 'ä 100%.obj': 'b' })
 })
 
-test('the lines of a text know where they are from, and the text is as it was without', () => {
+test('origins give each line its source line, and removing them restores the code', () => {
   const code = 'vec3 a;\n  // From line 7\n  // From line 2\n  // From line 7\n  a = b;\n}'
   assert.deepEqual(withOrigins(code), [
     { text: 'vec3 a;', from: [] },
@@ -334,9 +333,9 @@ test('debug names the line of the offset in each statement, of derivatives too',
   assert.equal(code.replaceAll(/^ *\/\/ .*\n/gm, ''), compileWarp(offset).code)
 })
 
-describe('an offset alone', () => {
+describe('an offset function alone', () => {
   const text = 'function offset({ position }) {\n  return position\n}\n'
-  test('is a sketch of p5 whose first lines are its own', () => {
+  test('becomes a p5 sketch that begins with its own lines', () => {
     const sketch = whole({ text, host: 'offset', chosen: ['glsl'], model: 'hand.obj' })
     assert.ok(sketch.text.startsWith(text))
     assert.match(sketch.text, /shape = await loadModel\('hand\.obj'/)
@@ -344,7 +343,7 @@ describe('an offset alone', () => {
     assert.deepEqual(sketch.chosen, ['glsl'])
     new Function(sketch.text)
   })
-  test('takes a name of a file for nothing else, and leaves other sketches alone', () => {
+  test('escapes the name of a file, and leaves other sketches unchanged', () => {
     const name = "a'); alert('b.obj"
     const { text: made } = whole({ text, host: 'offset', model: name })
     assert.ok(stringsIn(made).some(({ value }) => value === name))

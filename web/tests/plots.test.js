@@ -1,12 +1,12 @@
-// What the plots of the docs draw, and what the line below each of them does to a ball, without a browser: both against the formulas
-// that the docs print, in double. web/tests/docs.browser.test.js runs a line of each group as a reader does.
+// Compares the plots of the docs, and the effect on a ball of the line below each, with the formulas in the docs, in double precision
+// and without a browser. web/tests/docs.browser.test.js runs one line per group as a reader does.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { blocksOf } from '../site/markdown.js'
 import { add, dot, subtract, times } from '../../tests/support/linear.js'
-import { builder, wrapped } from '../../tests/support/plain-builder.js'
+import { builder, wrap } from '../../tests/support/plain-builder.js'
 
 const page = (file) => readFileSync(new URL(`../docs/${file}`, import.meta.url), 'utf8')
 const sections = ['plots.md', 'plots-vectors.md'].flatMap((file) =>
@@ -16,10 +16,10 @@ const titleOf = (section) => section.split('\n')[0]
 
 const callOf = (call) => new Function('glsl', 'x', `return ${call}`)
 
-/** In double, by the formulas. */
-const plainOf = (call) => (x) => callOf(call)(builder, wrapped(x)).plain
+/** Evaluates a call in double precision, by the formulas. */
+const plainOf = (call) => (x) => callOf(call)(builder, wrap(x)).plain
 
-/** What a line hands to createWarp, compiled. Only where points go is asked. */
+/** Compiles the offset function that a line passes to createWarp. Only positions are compared. */
 function warpOf(section) {
   let warp
   const [{ text }] = blocksOf(section)
@@ -33,12 +33,12 @@ function assertNear(found, expected, bound, what) {
   assert.ok(Math.abs(found - expected) <= size, `${what}: ${found}, not ${expected}`)
 }
 
-/** What lines without a formula make of a point and its normal. */
+/** The expected results of lines without a formula, for a point and its normal. */
 const gradient = (f, p) =>
   p.map((_, i) => (f(p.with(i, p[i] + 1e-5)) - f(p.with(i, p[i] - 1e-5))) / 2e-5)
 const unit = (v) => times(1 / Math.sqrt(dot(v, v)), v)
 const bumpSlope = ([x]) => 0.8 * Math.cos(4 * x)
-/** F is the identity but for the slope in its second row and first column. */
+/** The Jacobian is the identity, except for the slope in its second row and first column. */
 const bumpNormal = (p, [x, y, z]) => unit([x - bumpSlope(p) * y, y, z])
 const byHand = {
   derivative: ([, y]) => [0.3 * Math.cos(3 * y), 0, 0],

@@ -1,5 +1,5 @@
-// What moves on the site, and when: the first page's warp follows the pointer, nothing draws that nobody sees, whoever wants less motion
-// gets less, and without WebGL there are pictures.
+// Tests motion on the site: the first page's warp follows the pointer, nothing draws while it is out of view, reduced motion is respected,
+// and without WebGL there are pictures.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop, phone } from '../../tests/support/browser/bench.js'
@@ -21,8 +21,8 @@ after(async () => {
   await server.close()
 })
 
-/** The time stands still, so that what moves does so by the pointer alone; and draws are counted. */
-function standStill() {
+/** Fixes the time, so that only the pointer moves anything, and counts draw calls. */
+function fixTime() {
   const { requestAnimationFrame } = window
   window.requestAnimationFrame = (work) => requestAnimationFrame(() => work(2000))
   const { drawElements } = WebGL2RenderingContext.prototype
@@ -33,7 +33,7 @@ function standStill() {
   }
 }
 
-/** How far the ball goes to the left and to the right of the middle of its place, in shares of its width. */
+/** Returns how far the ball extends to the left and right of the center of its element, as fractions of its width. */
 const reach = (page) =>
   page.locator('.hero canvas').evaluate((canvas) => {
     const { width, height } = canvas
@@ -56,10 +56,10 @@ const drawsIn = async (page, milliseconds) => {
   return (await page.evaluate(() => window.draws)) - before
 }
 
-test('the first page’s ball swells towards the pointer, and draws only while it is seen', async () => {
-  // A sixteenth of the pixels.
+test('the first page’s ball swells towards the pointer, and draws only while it is in view', async () => {
+  // Use a sixteenth of the pixels.
   const context = await browser.newContext({ ...desktop, deviceScaleFactor: 0.25 })
-  for (const script of [withoutWorker, keepFrames, rough, standStill])
+  for (const script of [withoutWorker, keepFrames, rough, fixTime])
     await context.addInitScript(script)
   const { page, messages } = await openPage(context, url)
   await page.waitForSelector('.hero canvas', patience)
@@ -79,7 +79,7 @@ test('the first page’s ball swells towards the pointer, and draws only while i
   assert.ok(right.right > left.right + 0.04, JSON.stringify(seen))
 
   await page.evaluate(() => scrollTo({ top: document.body.scrollHeight, behavior: 'instant' }))
-  // What is under way ends first.
+  // A frame in progress ends first.
   for (let i = 0; i < 20 && (await drawsIn(page, 300)); i++);
   assert.equal(await drawsIn(page, 500), 0)
   await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
@@ -89,7 +89,7 @@ test('the first page’s ball swells towards the pointer, and draws only while i
   assert.deepEqual(messages, [])
 })
 
-test('an example runs only while it is seen', async () => {
+test('an example runs only while it is in view', async () => {
   const context = await browser.newContext({ viewport: { width: 700, height: 500 } })
   await context.addInitScript(withoutWorker)
   await drawLittle(context)
@@ -105,7 +105,7 @@ test('an example runs only while it is seen', async () => {
   assert.deepEqual(messages, [])
 })
 
-test('the full page of an example says what it is, fills the window, and leads back', async () => {
+test('the full page of an example describes it, fills the window, and links back', async () => {
   const context = await browser.newContext(desktop)
   await context.addInitScript(withoutWorker)
   await drawLittle(context)
@@ -114,10 +114,10 @@ test('the full page of an example says what it is, fills the window, and leads b
   await page.waitForSelector('iframe.shown', patience)
   assert.match(await page.title(), /^Italics, full page/)
   assert.match(await page.locator('h1').textContent(), /Italics/)
-  assert.match(await page.locator('.text').textContent(), /Points move to the side/)
+  assert.match(await page.locator('.text').textContent(), /Points move sideways/)
   const { width, height } = await page.locator('iframe').boundingBox()
   assert.ok(width === desktop.viewport.width && height > 0.7 * desktop.viewport.height)
-  // Its picture is as large as fits, in the middle.
+  // The picture is centered and as large as fits.
   const canvas = await page.frameLocator('iframe').locator('.p5Canvas').boundingBox()
   const fits = Math.min(width, (height * 4) / 3)
   assert.ok(Math.abs(canvas.width - fits) < 1, `${canvas.width} of ${fits}`)
@@ -130,7 +130,7 @@ test('the full page of an example says what it is, fills the window, and leads b
   assert.deepEqual(messages, [])
 })
 
-test('with less motion the first page stands still, and an example waits', async () => {
+test('with reduced motion the first page does not move, and an example starts paused', async () => {
   const context = await browser.newContext({ ...calm(desktop) })
   await context.addInitScript(withoutWorker)
   const { page } = await openPage(context, url)
@@ -147,7 +147,7 @@ test('with less motion the first page stands still, and an example waits', async
   await context.close()
 })
 
-test('without WebGL there are pictures, which fit a phone, and no button for what cannot move', async () => {
+test('without WebGL there are pictures, which fit a phone, and no pause button', async () => {
   const context = await browser.newContext({ ...phone })
   await context.addInitScript(withoutWorker)
   await context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null))

@@ -1,5 +1,5 @@
-// The built site once it was seen, without a network: from a host that has no .html in its addresses, which is harder than from one that
-// gives each file at its own, since what such a host led to is no answer of a worker to one who asks for a page.
+// Tests the built site offline, after one visit, from a host that removes .html from addresses. This is harder than a host that serves
+// each file at its own address, since a worker must not answer a navigation with a redirected response.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { buildSite, folder } from '../../.scripts/site.mjs'
@@ -24,18 +24,18 @@ after(async () => {
   server.close()
 })
 
-test('once seen, all of it is there without a network', async () => {
+test('after one visit, the whole site works offline', async () => {
   const context = await browser.newContext(desktop)
   await drawLittle(context)
   const { page, messages } = await openPage(context, url)
-  // It takes over once it has kept all files.
+  // The worker takes over once it has cached all files.
   await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)
   await context.setOffline(true)
   await page.reload(patience)
   await page.waitForSelector('.hero canvas', patience)
   await page.locator('#search').fill('noise')
   await page.waitForSelector('#found a', patience)
-  // By the names of the files, as links have them, and as such a host has left them in the address before.
+  // Use addresses with .html, as in links, and without, as this host leaves them in the address bar.
   for (const [address, title] of [
     ['docs/plots.html', /plotted/],
     ['docs/plots', /plotted/],
@@ -73,7 +73,7 @@ test('a host that gives x/index.html at x serves all of it, too', async (t) => {
   const places = ['', 'docs/', 'gallery/lotus/', 'drop/', 'bench/', 'playground/']
   for (const place of places) {
     await page.goto(bare.url + place, patience)
-    // What it links to is there, and is given at that address.
+    // The files that it links to exist and are served at these addresses.
     const links = await page.locator('a[href]').evaluateAll((all) => all.map(({ href }) => href))
     for (const link of new Set(links.filter((link) => link.startsWith(bare.url)))) {
       const response = await page.request.get(link)
@@ -84,7 +84,7 @@ test('a host that gives x/index.html at x serves all of it, too', async (t) => {
   await settled(page)
   assert.equal(await page.locator('.mistake').textContent(), '')
   assert.deepEqual(messages, [])
-  // Typed without its slash a page gives itself one, after the browser has guessed at some files.
+  // A page opened without its slash adds one, after the browser has preloaded some files from wrong addresses.
   for (const place of places) {
     await page.goto((bare.url + place).slice(0, -1), patience)
     assert.equal(page.url(), bare.url + place)

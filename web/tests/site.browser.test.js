@@ -1,5 +1,5 @@
-// The built site in a folder of a server: every page without a console message and without a finding of axe, by keyboard, on a
-// phone. site-motion.test.js has what moves on them, and when; site-offline.test.js opens them without a network.
+// Tests the built site in a folder of a server: every page has no console message and no finding of axe, works by keyboard, and fits a
+// phone. site-motion.browser.test.js tests motion, site-offline.browser.test.js opens the pages offline.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
@@ -24,7 +24,7 @@ before(async () => {
   server = await serveSite(5340, '/some/folder/')
   url = server.resolvedUrls.local[0]
   const files = walk(folder, /\.html$/).map((file) => file.slice(folder.length + 1))
-  // Those that a frame shows are sketches and nothing else.
+  // Pages shown in a frame contain only a sketch.
   pages = files.filter(
     (file) => !/^(?:examples|playground\/host|bench\/(?:driven|p5-sketch))/.test(file),
   )
@@ -35,8 +35,8 @@ after(async () => {
 })
 
 /**
- * Beside its usual rules those that axe leaves to choose, but for contrast above what WCAG's AA asks for, and for the one that
- * wants no focus where another wants it: on a table that scrolls.
+ * Runs axe's default and optional rules, except for contrast beyond WCAG's level AA, and for a rule that forbids focus where another
+ * requires it: on a table that scrolls.
  */
 const findings = (page) =>
   page.evaluate(async () => {
@@ -50,13 +50,13 @@ const findings = (page) =>
       'td-has-header',
     ]
     const rules = Object.fromEntries(optional.map((id) => [id, { enabled: true }]))
-    // Of what is right nothing is told, which is most of the work.
+    // Reporting only violations saves most of the work.
     const told = { resultTypes: ['violations'], selectors: false, ancestry: false }
     const { violations } = await window.axe.run(document, { iframes: false, rules, ...told })
     return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)}`)
   })
 
-/** What a key leads to: each is to be seen, with a ring, once it has the focus. */
+/** Finds focusable elements that are not visible, or have no focus ring, while they have the focus. */
 const unseen = (page) =>
   page.evaluate(() => {
     const wrong = []
@@ -75,7 +75,7 @@ const unseen = (page) =>
     return wrong
   })
 
-/** Tables of figures may be wider than a phone; what is written in words is not. */
+/** Finds tables of words that are wider than the page. Tables of figures may be wider than a phone. */
 const wideTables = (page) =>
   page.evaluate(() =>
     [...document.querySelectorAll('.table:not(.figures)')]
@@ -87,7 +87,7 @@ for (const [name, size, colorScheme] of [
   ['a desktop', desktop, 'light'],
   ['a phone', phone, 'dark'],
 ])
-  test(`on ${name} every page has nothing that axe finds, shows where the focus is, prints nothing, and fits`, async () => {
+  test(`on ${name} every page has no axe findings, shows the focus, prints nothing, and fits`, async () => {
     const context = await browser.newContext({ ...calm(size), colorScheme })
     await context.addInitScript(withoutWorker)
     await drawLittle(context)
@@ -117,7 +117,7 @@ for (const file of [
   'drop/index.html',
   'bench/results.html',
 ])
-  test(`the Tab key goes through ${file}, stops at all that can be used, and leaves it`, async () => {
+  test(`the Tab key goes through ${file}, stops at every control, and leaves it`, async () => {
     const context = await browser.newContext(calm(desktop))
     await context.addInitScript(withoutWorker)
     await drawLittle(context)
@@ -129,7 +129,7 @@ for (const file of [
         (stop) => stop.tabIndex >= 0 && !stop.disabled && stop.checkVisibility(),
       )
       for (const [i, stop] of all.entries()) stop.dataset.stop = i
-      // Of buttons of one choice the key stops at the chosen one alone.
+      // In a group of radio buttons, the key stops only at the checked one.
       return all
         .filter((stop) => stop.type !== 'radio' || stop.checked)
         .map((stop) => stop.dataset.stop)
@@ -152,20 +152,20 @@ for (const file of [
     assert.deepEqual(missed, [], `${reached}`)
   })
 
-test('every page has a policy that lets it run no foreign script, and nothing written into it', () => {
+test('every page has a policy that blocks foreign and injected scripts', () => {
   for (const file of walk(folder, /\.html$/)) {
     const html = readFileSync(path(file), 'utf8')
     const [, policy] =
       /<meta\s+http-equiv="Content-Security-Policy"\s+content="([^"]*)"/.exec(html) ?? []
     assert.ok(policy, `${file} has no policy`)
-    // It counts for what stands behind it.
+    // A policy applies only to content after it.
     assert.ok(
       html.indexOf('Content-Security-Policy') < html.search(/<(?:script|link|style)\b/),
       file,
     )
     const [, scripts] = /script-src ([^;]*)/.exec(policy)
     assert.match(policy, /default-src 'none'/)
-    // The host of sketches has no script; the sketches' own policy is tightened by the playground.
+    // The host page of sketches has no script; the playground tightens the policy of each sketch.
     if (file.endsWith('playground/host.html')) {
       assert.doesNotMatch(html, /<script/)
       assert.match(policy, /frame-src 'none'/)
@@ -192,7 +192,7 @@ describe('the first page', () => {
 
   const looks = () => page.locator('.hero canvas').screenshot()
 
-  test('has a warp that moves by itself', async () => {
+  test('has an animated warp', async () => {
     await page.waitForSelector('.hero canvas', patience)
     const first = await looks()
     await page.waitForTimeout(500)
@@ -232,7 +232,7 @@ describe('the first page', () => {
     assert.equal(await tiles.count(), all)
   })
 
-  test('is walked by keyboard: past the bar, into the search, and to what was found', async () => {
+  test('works by keyboard: past the bar, into the search, and to a result', async () => {
     await page.goto(url, patience)
     await page.keyboard.press('Tab')
     assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Skip to the page')
@@ -256,7 +256,7 @@ describe('the first page', () => {
     ['waving flag', /how-to-flag/],
     ['melting bunny', /tutorial-5|deformers\.html#melt/],
   ])
-    test(`answers “${question}” first of all`, async () => {
+    test(`answers “${question}” with the first result`, async () => {
       await page.goto(url, patience)
       await page.locator('#search').fill(question)
       const first = page.locator('#found a').first()
@@ -268,7 +268,7 @@ describe('the first page', () => {
   test('has printed nothing', () => assert.deepEqual(messages, []))
 })
 
-test('the list beside a page of the docs shows where one is, and the page begins at its top', async () => {
+test('the list beside a page of the docs shows the current page, and the page starts at its top', async () => {
   const context = await browser.newContext(desktop)
   await context.addInitScript(withoutWorker)
   const { page, messages } = await openPage(context, `${url}docs/develop.html`)
@@ -283,7 +283,7 @@ test('the list beside a page of the docs shows where one is, and the page begins
   assert.deepEqual(messages, [])
 })
 
-test('the pages with a head of their own lead to the docs, and to the search, where one can write at once', async () => {
+test('the pages with their own header link to the docs and to the search, whose field gets the focus', async () => {
   const context = await browser.newContext(calm(desktop))
   await context.addInitScript(withoutWorker)
   await drawLittle(context)

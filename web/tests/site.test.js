@@ -1,4 +1,5 @@
-// The pages of the site: what they link to is there, what they run comes back from its link, and what is named has its page.
+// Tests the pages of the site: links lead to existing files, sketches survive the round trip through their link, and every listed file has
+// its page.
 import assert from 'node:assert/strict'
 import { existsSync, readFileSync, readdirSync } from 'node:fs'
 import { dirname, join } from 'node:path/posix'
@@ -24,12 +25,12 @@ before(async () => {
   html = [...pages].filter(([path]) => path.endsWith('.html'))
 })
 
-test('every file of the docs is in the navigation, once, and nothing else is', () => {
+test('the navigation lists every file of the docs once, and nothing else', () => {
   assert.deepEqual(listed.map(({ file }) => `${file}.md`).sort(), markdown.sort())
 })
 
-/** What Vite makes or hands on at that path. */
-const isMade = (path) =>
+/** Returns true if Vite generates or serves a file at that path. */
+const isServed = (path) =>
   /^(?:playground|bench|drop)\/\w+\.html$/.test(path)
     ? existsSync(new URL(`web/${path}`, root))
     : /^site\/\w+\.(?:js|css|webp)$/.test(path) || /^(?:posters|docs)\/[\w-]+\.\w+$/.test(path)
@@ -38,7 +39,7 @@ const isMade = (path) =>
         ? existsSync(new URL(path, root))
         : /^examples\/[\w-]+\/\w+\.(?:obj|woff)$/.test(path)
 
-test('every link and picture of every page leads to something, anchors too', () => {
+test('every link and picture of every page exists, including anchors', () => {
   const wrong = []
   for (const [path, text] of html)
     for (const [, link] of text.matchAll(/(?:href|src)="([^"]+)"/g)) {
@@ -48,29 +49,29 @@ test('every link and picture of every page leads to something, anchors too', () 
       const there = pages.get(target)
       const hasAnchor =
         !anchor || /^(?:sketch|example)=/.test(anchor) || there?.includes(`id="${anchor}"`)
-      if (!(there || isMade(target)) || !hasAnchor) wrong.push(`${path}: ${link}`)
+      if (!(there || isServed(target)) || !hasAnchor) wrong.push(`${path}: ${link}`)
     }
   assert.deepEqual(wrong, [])
 })
 
-test('a folder is named by its slash, since some hosts lead from x/index.html to x', () => {
+test('links to folders end with a slash, since some hosts redirect x/index.html to x', () => {
   const wrong = html.filter(([, text]) => /href="(?!https:)[^"]*\bindex\.html/.test(text))
   assert.deepEqual(wrong, [])
 })
 
-test('no page names a place from the top of a server', () => {
+test('no page uses an absolute path', () => {
   const wrong = html.filter(([, text]) => /(?:href|src)="\//.test(text))
   assert.deepEqual(wrong, [])
 })
 
-test('a block comes back from its link as it stands', async () => {
+test('a block survives the round trip through its link', async () => {
   const text = read('web/docs/tutorial-1-first-warp.md')
   const [{ text: block, sketch }] = blocksOf(text)
   assert.equal(sketch.text, block)
   assert.deepEqual(await sketchOf(linkTo(sketch)), { text: block, host: 'p5', chosen: [] })
 })
 
-test('a part of a sketch gets the rest', () => {
+test('a part of a sketch is completed', () => {
   const { text } = runnable('createWarp(({ position }) => position)\n', 'js')
   assert.match(text, /^let warp\n[^]*\n  warp = createWarp\([^]*\n  warp\(\)\n/)
   const framed = runnable('b()\n', 'js', 'deformers\nfunction setup() {\n  …\n}\n')
@@ -93,7 +94,7 @@ test('in a table a figure keeps its unit and its exponent, and only long code br
   )
 })
 
-test('a table of words says for each cell what it is, and stays a table where its rows are cards', () => {
+test('a table of words has a heading for each cell, and keeps its roles when its rows are cards', () => {
   const render = (...lines) => makeMarkdown().render(`${lines.join('\n')}\n`)
   const words = render('| a | `b` c | d |', '| - | - | - |', '| `x` | one | |', '| `y` | 2 | two |')
   assert.match(words, /class="table words"/)
@@ -109,7 +110,7 @@ test('a table of words says for each cell what it is, and stays a table where it
   assert.doesNotMatch(figures, /role="(?:table|cell)"|data-head/)
 })
 
-test('no sketch leaves a warp on for what the next frame draws before it', () => {
+test('no sketch leaves a warp active for shapes that the next frame draws first', () => {
   const blocks = markdown.flatMap((file) =>
     [...read(`web/docs/${file}`).matchAll(/```js\n([^]*?)```/g)].map(([, text]) => ({
       file,
@@ -140,7 +141,7 @@ test('every example has a page and a picture of at most 20 KB', () => {
   }
 })
 
-test('what is copied from an example has the script tags that the sketch needs', () => {
+test('the HTML copied from an example has the script tags that the sketch needs', () => {
   const page = pages.get('gallery/deformer-twist/index.html')
   const { page: copied } = JSON.parse(/id="sketch">([^]*?)<\/script>/.exec(page)[1])
   for (const file of ['p5.min.js', 'p5.warpjet.min.js', 'warpjet.deformers.min.js'])
@@ -151,7 +152,7 @@ test('what is copied from an example has the script tags that the sketch needs',
   assert.ok(copied.includes(read('examples/deformer-twist/sketch.js').trimEnd()))
 })
 
-test('each example has a slider, of a number of its sketch, that begins within its range', () => {
+test('each example has a slider for a number of its sketch, which starts within its range', () => {
   for (const name of names) {
     const sketch = read(`examples/${name}/sketch.js`)
     const found = sliders(name, sketch)
@@ -163,7 +164,7 @@ test('each example has a slider, of a number of its sketch, that begins within i
   }
 })
 
-test('the search looks through headings of the docs and through examples', () => {
+test('the search covers headings of the docs and examples', () => {
   const parts = JSON.parse(pages.get('site/search.json'))
   const urls = parts.map(({ url }) => url)
   assert.equal(new Set(urls).size, urls.length)
@@ -176,7 +177,7 @@ test('the search looks through headings of the docs and through examples', () =>
     assert.ok(urls.includes(url), url)
 })
 
-describe('the search answers, first of all,', () => {
+describe('the first search result answers', () => {
   let search
   before(async () => {
     const { fetch } = globalThis
@@ -204,7 +205,7 @@ describe('the search answers, first of all,', () => {
       else assert.equal(first.url, answer)
     })
 
-  test('with text as one reads it', () => {
+  test('with plain text', () => {
     const { text } = JSON.parse(pages.get('site/search.json')).find(
       ({ url }) => url === 'docs/how-to-rotate.html',
     )
@@ -213,7 +214,7 @@ describe('the search answers, first of all,', () => {
   })
 })
 
-test('a build is one for production and leaves NODE_ENV as it was, so that servers before and after it do not matter', async () => {
+test('a build is a production build and restores NODE_ENV, whatever servers run before and after it', async () => {
   const { NODE_ENV } = process.env
   const seen = []
   const entry = {

@@ -1,12 +1,11 @@
-// Other names that people bring along, from three's TSL, p5.strands, p5 and GLSL: each is an alias of what there is, and no
-// operation of its own.
+// Other names for operations, from three's TSL, p5.strands, p5 and GLSL: aliases, and compositions of existing operations.
 import type { Expression } from './expression.js'
 import { vectorMethods } from './vector-methods.js'
 
 type Methods = Record<string, (...operands: unknown[]) => Expression>
 
-/** Names of one operation. */
-export const sameAs = {
+/** Maps an alias → operation. */
+export const aliases = {
   mul: 'mult',
   multiply: 'mult',
   times: 'mult',
@@ -39,8 +38,8 @@ export const sameAs = {
   perlin: 'noise',
 } as const
 
-/** Of an expression and what follows it. */
-export const madeOf: Readonly<
+/** Maps a name → function that composes it from methods of its first operand. */
+export const compositions: Readonly<
   Record<string, (x: Expression & Methods, ...others: unknown[]) => Expression>
 > = {
   oneMinus: (x) => methodsOf(x.neg!()).add!(1),
@@ -55,7 +54,7 @@ export const madeOf: Readonly<
 
 export const methodsOf = (expression: Expression) => expression as Expression & Methods
 
-/** What is no alias, but has a way. */
+/** Maps an unknown method → what to write instead, for "did you mean". */
 export const meantByMethods: Readonly<Record<string, string>> = {
   map: 'x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow)',
   smoothStep: 'glsl.smoothstep(low, high, x)',
@@ -73,6 +72,7 @@ export const meantByMethods: Readonly<Record<string, string>> = {
   clampToZero: 'v.abs().lt(1e-6).ifElse(0, v)',
 }
 
+/** Maps an unknown function of `glsl` → what to write instead, for "did you mean". */
 export const meantByFunctions: Readonly<Record<string, string>> = {
   time: 'millis, as in ({ glsl, millis }) => …',
   PI: 'Math.PI',

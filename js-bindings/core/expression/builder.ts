@@ -1,11 +1,11 @@
-// `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function. Operations are also
-// methods of expressions.
+// `glsl`, the builder: makes inputs and constants, and has every operation as a function. Operations are also methods of
+// expressions.
 import { WarpError } from '../../errors/errors.js'
 import { frontEndKey } from '../../errors/front-end.js'
-import { didYouMean, refusing } from '../../errors/nearest.js'
+import { didYouMean, throwingPrototype } from '../../errors/nearest.js'
 import { Place } from '../../options/place.js'
 import { lazyObject } from '../lazy-object.js'
-import { madeOf, meantByFunctions, methodsOf, operationLists, sameAs } from './aliases.js'
+import { aliases, compositions, meantByFunctions, methodsOf, operationLists } from './aliases.js'
 import { gatherNumbers } from './by-component.js'
 import { type Expression, toExpression } from './expression.js'
 import { declareFunction } from './host-functions.js'
@@ -34,24 +34,24 @@ type BuilderFunction = (...given: unknown[]) => unknown
 /** Makes one function of `glsl` for a session. */
 type Maker = (session: Session, glsl: Builder) => BuilderFunction
 
-/** Maps name → maker, once the first builder is made. */
+/** Maps name → maker. Filled when the first builder is made. */
 const makers = new Map<string, Maker>()
-/** Maps name → whether lists have it; functions that only shader text calls are in none. */
+/** Maps name → whether it is enumerable, which functions for GLSL source only are not. */
 const listed = new Map<string, boolean>()
 
-/** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */
+/** Makes `glsl`. Its functions need no `this`, so that `const { vec3, sin } = glsl` works. */
 export function createBuilder(session: Session): Builder {
-  if (makers.size === 0) install()
-  const refuse = (name: string) =>
+  if (makers.size === 0) installMakers()
+  const message = (name: string) =>
     `glsl.${name}: there is no such function; ${didYouMean(name, Object.keys(glsl), operationLists, meantByFunctions)}`
-  const glsl = lazyObject(refusing(refuse), {
+  const glsl = lazyObject(throwingPrototype(message), {
     names: listed,
     make: (name) => makers.get(name)!(session, glsl),
   }) as Builder
   return glsl
 }
 
-function install() {
+function installMakers() {
   const add = (name: string, make: Maker, isListed = true) => {
     makers.set(name, make)
     listed.set(name, isListed)
@@ -77,9 +77,9 @@ function install() {
         frontEnd()(glsl, ...given),
   )
   for (const [name, shape] of Object.entries(params)) add(name, parameter(name, shape))
-  // For front ends, which record functions in sessions of their own: no list has it.
+  // For front ends, which record functions in sessions of their own; not enumerable.
   add('of', () => createBuilder as BuilderFunction, false)
-  for (const each of getOperations().values()) add(each.name, operation(each), each.isListed)
+  for (const each of getOperations().values()) add(each.name, functionOf(each), each.isListed)
   for (const kind of noiseKinds)
     add(
       kind,
@@ -87,15 +87,15 @@ function install() {
         (...given) =>
           callNoise(session, kind, given),
     )
-  for (const [alias, name] of Object.entries(sameAs)) add(alias, (_, glsl) => glsl[name]!)
-  for (const alias of Object.keys(madeOf)) add(alias, composition(alias))
+  for (const [alias, name] of Object.entries(aliases)) add(alias, (_, glsl) => glsl[name]!)
+  for (const alias of Object.keys(compositions)) add(alias, composition(alias))
   installMethods()
 }
 
 function frontEnd(): (builder: Builder, ...given: unknown[]) => unknown {
   const read = Reflect.get(globalThis, frontEndKey) as ReturnType<typeof frontEnd> | undefined
   if (read) return read
-  throw new WarpError("source: import 'warpjet/glsl' first, which reads shader text.")
+  throw new WarpError("source: import 'warpjet/glsl' first, which reads GLSL source.")
 }
 
 const val = new Place('val')
@@ -118,18 +118,19 @@ const parameter =
     return session.input(label, shape, name)
   }
 
-const operation =
-  ({ number, name, place }: Operation): Maker =>
+const functionOf =
+  (operation: Operation): Maker =>
   (session) =>
   (...given) => {
+    const { name, place } = operation
     const operands = given.map((operand, i) => toExpression(session, operand, place, i + 1))
-    return session.call(number, name, gatherNumbers(session, name, operands))
+    return session.call(operation, gatherNumbers(session, name, operands))
   }
 
-/** A function that is made of operations, as a method of its first operand is. */
+/** Makes the function of a composed method. */
 function composition(alias: string): Maker {
   const place = new Place(alias)
-  const compose = madeOf[alias]!
+  const compose = compositions[alias]!
   return (session) =>
     (operand, ...others) =>
       compose(methodsOf(toExpression(session, operand, place, 1)), ...others)

@@ -1,12 +1,12 @@
-// p5.Vector's methods take a vector as its numbers too: `v.mult(x, y, z)` is `v.mult(glsl.vec3(x, y, z))`.
-import { WarpError } from '../../errors/errors.js'
+// Vectors as separate numbers, as methods of p5.Vector take them: `v.mult(x, y, z)` is `v.mult(glsl.vec3(x, y, z))`.
 import { describeShape } from '../../errors/describe.js'
+import { WarpError } from '../../errors/errors.js'
 import type { Expression } from './expression.js'
-import { operationNumber } from './operations.js'
+import { operationNamed } from './operations.js'
 import type { Session } from './session.js'
 
-/** Maps an operation to the number of operands that follow the numbers. */
-const following: Readonly<Record<string, number>> = {
+/** Maps an operation → the number of operands that follow the numbers. */
+const trailingOperands: Readonly<Record<string, number>> = {
   add: 0,
   sub: 0,
   mult: 0,
@@ -19,23 +19,23 @@ const following: Readonly<Record<string, number>> = {
   mix: 1,
 }
 
-/** Operations that take any number of operands: there, too few numbers for a vector would each count for all components. */
+/** Tests for an operation with any number of operands, where each of too few numbers would apply to all components. */
 const isChained = (name: string) => /^(?:add|sub|mult|div)$/.test(name)
 
 /**
- * The operands of an operation, with one vector in place of the numbers for its components. Throws a `WarpError` for another
- * number of them than the vector has.
+ * Replaces numbers among the operands by one vector. Throws a `WarpError` if there are not as many numbers as the first operand has
+ * components.
  */
 export function gatherNumbers(session: Session, name: string, operands: Expression[]) {
-  const after = following[name]
+  if (operands.length < 3) return operands
+  const after = trailingOperands[name]
   if (after === undefined || operands.length < 3 + after) return operands
   const [columns, rows] = session.shapeOf(operands[0]!)
   const numbers = operands.slice(1, operands.length - after)
   const isNumber = (each: Expression) => session.shapeOf(each).join() === '1,1'
   if (columns > 1 || rows < 2 || !numbers.every(isNumber)) return operands
   if (numbers.length === rows) {
-    const constructor = `vec${rows}`
-    const vector = session.call(operationNumber(constructor), constructor, numbers)
+    const vector = session.call(operationNamed(`vec${rows}`), numbers)
     return [operands[0]!, vector, ...operands.slice(1 + rows)]
   }
   if (!isChained(name)) return operands

@@ -1,5 +1,4 @@
-// What a sketch holds while it writes an offset: the handle of a number, vector or matrix in the wasm. Its methods come
-// from `builder.ts`; `types.ts` names them.
+// An expression: the handle of a number, vector or matrix in the wasm. methods.ts installs its methods; core/types has their types.
 import { describeShape, isExpression, vectorOfNumbers } from '../../errors/describe.js'
 import { WarpError, describe } from '../../errors/errors.js'
 import { operatorsKey } from '../../errors/operators.js'
@@ -8,12 +7,12 @@ import type { Shape } from './shapes.js'
 
 const largestFloat32 = 3.4028234663852886e38
 
-/** Nothing that a shader could read, so that it is refused wherever a name is asked for. */
+/** An expression as a string: not a valid name in a shader, so that it is rejected wherever a name is expected. */
 export const expressionAsText = 'an expression of warpjet'
 
-/** The session that an expression is of. */
+/** The session of an expression. */
 export interface Origin {
-  constant(value: number, method: string): Expression
+  constant(value: number, place: Place): Expression
   shapeOf(value: Expression): Shape
 }
 
@@ -24,8 +23,8 @@ export class Expression {
   ) {}
 
   /**
-   * JavaScript asks for this where an operator of its own meets an expression, and as "string" where only a text is wanted:
-   * in messages, and by the friendly errors of p5 1.11, which read what they are handed as if it were a number.
+   * JavaScript calls this if an operand of its own operators is an expression. The hint is "string" if only a string is needed: in
+   * messages, and by the friendly errors of p5 1.11, which read arguments as if they were numbers.
    */
   [Symbol.toPrimitive](hint: string): string {
     if (hint === 'string') return expressionAsText
@@ -38,17 +37,17 @@ export class Expression {
     )
   }
 
-  /** The components of a vector, as in `const [x, y, z] = position`. */
+  /** Yields the components of a vector, as in `const [x, y, z] = position`. */
   *[Symbol.iterator](): Generator<Expression> {
     const [columns, rows] = this.session.shapeOf(this)
     if (columns !== 1 || rows < 2)
       throw new WarpError(
-        `An expression is taken apart as in const [x, y, z] = position: expected a vector, got ${describeShape([columns, rows])}.`,
+        `An expression is destructured as in const [x, y, z] = position: expected a vector, got ${describeShape([columns, rows])}.`,
       )
     for (const name of [...'xyzw'].slice(0, rows)) yield Reflect.get(this, name) as Expression
   }
 
-  /** What Node's console prints. */
+  /** Returns the string that Node's console prints. */
   [Symbol.for('nodejs.util.inspect.custom')](): string {
     return expressionAsText
   }
@@ -56,7 +55,7 @@ export class Expression {
 
 const isVector = (value: unknown) => Array.isArray(value) || describe(value) === vectorOfNumbers
 
-/** An operand as an expression of this session. `place` is the call, or with `argument`, that argument of it. */
+/** Converts an operand to an expression of the session. `place` is the call; with `argument`, the operand is that argument of it. */
 export function toExpression(
   session: Origin,
   operand: unknown,
@@ -70,7 +69,7 @@ export function toExpression(
       throw is(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
     if (operand !== 0 && Math.fround(operand) === 0)
       throw is(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
-    return session.constant(operand, place.method)
+    return session.constant(operand, place)
   }
   if (!isExpression(operand)) {
     const advice = isVector(operand) ? 'write glsl.vec3(x, y, z) for a vector' : undefined
@@ -78,7 +77,7 @@ export function toExpression(
   }
   if (!(operand instanceof Expression))
     throw is(
-      'was made by another copy of warpjet; this page loads two, so take all of warpjet from one place.',
+      'was made by another copy of warpjet; this page loads two copies, so load all of warpjet from one place.',
     )
   if (operand.session !== session)
     throw is(

@@ -1,16 +1,16 @@
-// `glsl.fn`: functions of the host's shader, used like built-in ones.
-import type { Session } from './session.js'
+// `glsl.fn`: functions of the host's shader, called like built-in ones.
 import { describe } from '../../errors/describe.js'
 import { kind, optional, text, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { rejectUnknownOptions } from '../../options/schema.js'
-import { type Expression, expressionAsText, toExpression } from './expression.js'
 import { languages } from '../../wasm/tables.js'
+import { type Expression, expressionAsText, toExpression } from './expression.js'
+import type { Session } from './session.js'
 
 const families = [...new Set(Object.values(languages))]
 
-/** A text by itself is one of the language that is asked for. */
-function sourcesOf(source: unknown, language: string): [language: string, text: string][] {
+/** Returns the source in each language that has one. A plain string is source of `language`. */
+function sourcesOf(source: unknown, language: string): [language: string, source: string][] {
   const all = source && typeof source === 'object' ? source : { [language]: source }
   return families
     .map((family): [string, unknown] => [family, Reflect.get(all, family)])
@@ -22,7 +22,7 @@ const names = ['name', 'source', 'arity', 'derivatives']
 const functionName = text()
 const arityKind = wholeNumber({ min: 1, max: 16 })
 
-/** Declares a function of the host, and gives the function that the sketch calls. */
+/** Declares a function of the host, and returns the function that the user calls. */
 export function declareFunction(session: Session, options: unknown) {
   if (options === undefined)
     throw place.expected('an object { name, source, arity, derivatives }', 'undefined')
@@ -35,12 +35,12 @@ export function declareFunction(session: Session, options: unknown) {
   const sources = new Map(sourcesOf(given.source, language))
   if (!sources.has(language))
     throw at('source').expected(
-      `a text of ${language.toUpperCase()} for the target ${session.target}, or an object { ${language}: … } with one,`,
+      `${language.toUpperCase()} source for the target ${session.target}, or an object { ${language}: … } with it,`,
       describe(given.source),
     )
-  if ([...sources.values()].some((text) => text.includes(expressionAsText)))
+  if ([...sources.values()].some((code) => code.includes(expressionAsText)))
     throw at('source').error(
-      `the option "source" of ${name} has an expression in its text; make it an argument of the function.`,
+      `the option "source" of ${name} contains an expression; make it an argument of the function.`,
     )
   const derivatives = optional(
     kind<readonly unknown[]>(

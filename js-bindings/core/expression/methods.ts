@@ -1,144 +1,160 @@
-// The methods of expressions: components, operations, noises, and what p5.Vector and glsl-autodiff have.
+// The methods of expressions: components, operations, noises, and methods of p5.Vector and glsl-autodiff.
 import { describe } from '../../errors/describe.js'
 import { WarpError } from '../../errors/errors.js'
-import { didYouMean, refusing } from '../../errors/nearest.js'
+import { didYouMean, throwingPrototype } from '../../errors/nearest.js'
 import { Place } from '../../options/place.js'
-import { madeOf, meantByMethods, methodsOf, operationLists, sameAs } from './aliases.js'
+import { aliases, compositions, meantByMethods, methodsOf, operationLists } from './aliases.js'
 import { gatherNumbers } from './by-component.js'
 import { Expression, toExpression } from './expression.js'
 import { callNoise, noiseKinds } from './noise.js'
-import { type Operation, getOperations, operationNumber } from './operations.js'
+import { type Operation, getOperations, operationNamed } from './operations.js'
 import type { Session } from './session.js'
-import { isVec2, partsOf, rotated } from './vector-methods.js'
+import { componentsOf, isVec2, rotateVec2 } from './vector-methods.js'
 
 /**
- * What every expression inherits. It begins as an object without a prototype, which is a mere dictionary to an engine: a
- * thousand swizzles take a twentieth of what they take where `Expression.prototype` gets them one by one.
+ * The prototype of `Expression.prototype`. It starts without a prototype of its own, so that engines treat it as a dictionary: adding
+ * hundreds of properties to `Expression.prototype` one by one takes far longer.
  */
 const methods = Object.create(null) as object
 
-/** Only a session makes expressions. */
+/** Returns the session, which is the only maker of expressions. */
 const sessionOf = (expression: Expression) => expression.session as Session
 
 export function installMethods() {
-  for (const [name, indices] of swizzles()) defineComponents(name, indices)
+  for (const letter of alphabets.join('')) defineSwizzle(letter)
   for (const operation of getOperations().values())
     if (operation.isMethod) defineOperation(operation)
   for (const kind of noiseKinds)
     define(kind, function (...operands) {
       return callNoise(sessionOf(this), kind, [this, ...operands], true)
     })
-  for (const [name, method] of Object.entries(others)) define(name, method)
-  for (const [alias, name] of Object.entries(sameAs))
+  for (const [name, method] of Object.entries(otherMethods)) define(name, method)
+  for (const [alias, name] of Object.entries(aliases))
     if (Object.hasOwn(methods, name))
       define(alias, function (...operands) {
         return methodsOf(this)[name]!(...operands)
       })
-  for (const [alias, make] of Object.entries(madeOf))
+  for (const [alias, make] of Object.entries(compositions))
     define(alias, function (...others) {
       return make(methodsOf(this), ...others)
     })
-  Object.setPrototypeOf(methods, refusing(unknownMethod))
+  Object.setPrototypeOf(methods, new Proxy(throwingPrototype(unknownMethod), lazySwizzles))
   Object.setPrototypeOf(Expression.prototype, methods)
 }
 
-/** Swizzles are not offered: any two letters are near to one. */
+/** Words the error for an unknown method. Swizzles are not suggested, since any two letters are near to one. */
 function unknownMethod(name: string) {
-  const names = Object.getOwnPropertyNames(methods).filter(
-    (each) => !/^([xyzwrgba]{1,4}|[stpquv]{1,4})$/.test(each),
-  )
+  const names = Object.getOwnPropertyNames(methods).filter((each) => !indicesOf(each))
   return `${name}: an expression has no such method; ${didYouMean(name, [...names, 'x', 'y', 'z', 'w'], operationLists, meantByMethods)}`
 }
 
-function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {
+type Method = (this: Expression, ...operands: unknown[]) => unknown
+
+function define(name: string, method: Method) {
   const value = function (this: unknown, ...operands: unknown[]) {
-    if (this instanceof Expression) {
-      const result = method.apply(this, operands)
-      sessionOf(this).followCopy(this, name, result)
-      return result
-    }
-    throw new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
+    if (!(this instanceof Expression)) throw notOnExpression(name)
+    const result = method.apply(this, operands)
+    sessionOf(this).followCopy(this, name, result)
+    return result
   }
   Object.defineProperty(methods, name, { value, configurable: true, writable: true })
 }
 
-function defineOperation({ name, number, place }: Operation) {
-  const isTurn = /^rotate[XYZ]$/.test(name)
+const notOnExpression = (name: string) =>
+  new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
+
+function defineOperation(operation: Operation) {
+  const { name, place } = operation
+  const isRotation = /^rotate[XYZ]$/.test(name)
   define(name, function (...given) {
     const session = sessionOf(this)
-    if (name === 'rotate' && isVec2(this)) return rotated(this, ...given)
-    if (isTurn && given.length > 0)
+    if (name === 'rotate' && isVec2(this)) return rotateVec2(this, ...given)
+    if (isRotation && given.length > 0)
       throw place.error(
-        `a turn is a matrix, and gives where a vertex goes; write glsl.${name}(angle).mult(v).sub(v).`,
+        `a rotation is a matrix, and its product with a vertex is the new position, not the offset; write glsl.${name}(angle).mult(v).sub(v).`,
       )
     const operands: Expression[] = [this]
     for (const operand of given)
       operands.push(toExpression(session, operand, place, operands.length))
-    return session.call(number, name, gatherNumbers(session, name, operands), true)
+    return session.call(operation, gatherNumbers(session, name, operands), true)
   })
 }
 
+const outputPlace = new Place('output')
 const outputDeriv = new Place('outputDeriv')
 
-/** Methods that give no expression: the numbers of a vector as p5 has them, and those that ask for results, as glsl-autodiff does. */
-const others = {
+/** Methods that do not return an expression: `array()` of p5.Vector, and those of glsl-autodiff that request results. */
+const otherMethods = {
   array(this: Expression) {
-    return partsOf(this)
+    return componentsOf(this)
   },
   output(this: Expression, name: unknown) {
-    sessionOf(this).ask(name, this, 'output')
+    sessionOf(this).requestOutput(name, this, outputPlace)
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const session = sessionOf(this)
     const by = toExpression(session, input, outputDeriv, 2)
-    session.ask(
-      name,
-      session.call(operationNumber('derivative'), 'outputDeriv', [this, by]),
-      'outputDeriv',
-    )
+    const derivative = session.call(operationNamed('derivative'), [this, by])
+    session.requestOutput(name, derivative, outputDeriv)
   },
 }
 
-/** All selections of components: `x`, `xy`, `zyx`, `rgba`, `st`, `uv`, with their indices. */
-function* swizzles(): Generator<[name: string, indices: number[]]> {
-  for (const letters of ['xyzw', 'rgba', 'stpq', 'uv']) {
-    let names: [string, number[]][] = [['', []]]
-    for (let length = 1; length <= 4; length++) {
-      names = names.flatMap(([name, indices]) =>
-        [...letters].map((letter, i): [string, number[]] => [name + letter, [...indices, i]]),
-      )
-      yield* names
-    }
-  }
+/** The letters of components: as coordinates, as colors and as texture coordinates. */
+const alphabets = ['xyzw', 'rgba', 'stpq', 'uv']
+
+/** Returns the indices of the components that a swizzle such as `zyx` or `rg` selects; `undefined` for another name. */
+function indicesOf(name: string): number[] | undefined {
+  const letters = [...name]
+  const alphabet = alphabets.find((each) => letters.every((letter) => each.includes(letter)))
+  return alphabet && letters.length <= 4
+    ? letters.map((letter) => alphabet.indexOf(letter))
+    : undefined
 }
 
-/** `v.y` is the component, and so is `v.y()`. */
-function defineComponents(name: string, indices: readonly number[]) {
-  Object.defineProperty(methods, name, {
+/** Defines a swizzle: `v.y` and `v.y()` are the component. Returns `false` if the name is not that of a swizzle. */
+function defineSwizzle(name: PropertyKey): boolean {
+  const indices = typeof name === 'string' && name ? indicesOf(name) : undefined
+  if (!indices) return false
+  const swizzle = name as string
+  Object.defineProperty(methods, swizzle, {
     configurable: true,
     get(this: unknown) {
       if (this instanceof Expression)
-        return callable(name, sessionOf(this).swizzle(name, this, indices))
+        return callable(swizzle, sessionOf(this).swizzle(swizzle, this, indices))
       return () => {
-        throw new WarpError(`${name}: call it on an expression, as in v.${name}().`)
+        throw new WarpError(`${swizzle}: call it on an expression, as in v.${swizzle}().`)
       }
     },
     set(this: unknown) {
       throw new WarpError(
-        `${name}: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).`,
+        `${swizzle}: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).`,
       )
     },
   })
+  return true
 }
 
+/**
+ * The end of the prototype chain. There are 1,050 swizzles, of which a warp reads a few: each longer one is defined when
+ * it is first looked up, which takes 3 ms from the first warp of a page.
+ */
+const lazySwizzles: ProxyHandler<object> = {
+  get: (target, name, receiver) =>
+    Reflect.get(defineSwizzle(name) ? methods : target, name, receiver) as unknown,
+  set: (target, name, value, receiver) =>
+    Reflect.set(defineSwizzle(name) ? methods : target, name, value, receiver),
+  has: (target, name) => defineSwizzle(name) || Reflect.has(target, name),
+}
+
+/** Throws if there are further arguments. */
 export function rejectMore(name: string, others: readonly unknown[]) {
   if (others.length > 0)
     throw new WarpError(`${name}: it takes fewer arguments; ${describe(others[0])} is too many.`)
 }
 
 /**
- * An expression that gives itself when it is called. A console prints the source of a function, which so begins with what it is:
- * as the name of a property, since minifiers keep those.
+ * Makes an expression callable: the call returns the expression. A console prints the source of a function, which begins with its
+ * description here: as the name of a property, which minifiers do not change.
  */
 export function callable(name: string, expression: Expression): Expression {
   const [component] = Object.values({
@@ -147,7 +163,7 @@ export function callable(name: string, expression: Expression): Expression {
       return expression
     },
   })
-  // They are methods of expressions.
+  // `length` and `name` would hide methods of expressions.
   Reflect.deleteProperty(component!, 'length')
   Reflect.deleteProperty(component!, 'name')
   Object.setPrototypeOf(component, Expression.prototype)

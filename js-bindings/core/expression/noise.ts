@@ -1,9 +1,9 @@
-// `glsl.noise` and its kin. The functions themselves are in src/noise; here their options are read.
+// `glsl.noise` and the other noises: reads their options. src/noise implements them.
 import { describe, describeShape } from '../../errors/describe.js'
 import { kind, oneOf, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { type KindsOf, type ValuesOf, object } from '../../options/schema.js'
-import { mostOctaves, mostSeed, noises } from '../../wasm/tables.js'
+import { maxOctaves, maxSeed, noises } from '../../wasm/tables.js'
 import type { BaseNoise, CurlOptions, FractalOptions, NoiseOptions } from '../types/noise.js'
 import type { Operand } from '../types/types.js'
 import { Expression, toExpression } from './expression.js'
@@ -11,16 +11,16 @@ import type { Session } from './session.js'
 
 type NoiseKind = keyof typeof noises
 
-/** In the order of their numbers in the wasm. */
+/** The noises, in the order of their numbers in the wasm. */
 export const noiseKinds = Object.keys(noises) as readonly NoiseKind[]
 
-/** Noises that others may be made of. */
+/** Noises from which others can be composed. */
 const bases = noiseKinds.filter((name): name is BaseNoise => noises[name] === 'base')
 
 const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
 
 const factorName = 'a number above 0, or an expression of one number,'
-/** The factor from one octave to the next. */
+/** The kind of a factor from one octave to the next. */
 const factor = (standard: number) =>
   kind<Expression | number, Operand>(
     factorName,
@@ -29,11 +29,11 @@ const factor = (standard: number) =>
   )
 
 const seeded = {
-  seed: wholeNumber({ min: -mostSeed, max: mostSeed, default: 0 }),
+  seed: wholeNumber({ min: -maxSeed, max: maxSeed, default: 0 }),
 } satisfies KindsOf<NoiseOptions>
 const made = { noise: oneOf(bases, 'noise'), ...seeded } satisfies KindsOf<CurlOptions>
 const fractal = {
-  octaves: wholeNumber({ min: 1, max: mostOctaves, default: 5 }),
+  octaves: wholeNumber({ min: 1, max: maxOctaves, default: 5 }),
   lacunarity: factor(2),
   gain: factor(0.5),
   ...made,

@@ -1,22 +1,24 @@
-// The operations of the graph, as the wasm lists them.
+// The operations of the graph, which the wasm lists.
 import { Place } from '../../options/place.js'
 import { core } from '../../wasm/core.js'
 
 export interface Operation {
   name: string
-  /** Its number in the wasm. */
+  /** The number in the wasm. */
   number: number
-  /** Vectors and matrices are made by functions only. */
+  /** `true` if expressions have it as a method; constructors of vectors and matrices are functions only. */
   isMethod: boolean
-  /** `false` for what only shader text calls. */
+  /** `false` for an operation of GLSL source only. */
   isListed: boolean
-  /** Its calls, for messages. */
+  /** `true` if its result is a condition: for comparisons and logical operations. */
+  isCondition: boolean
+  /** The call, for messages. */
   place: Place
 }
 
 let operations: ReadonlyMap<string, Operation> | undefined
 
-/** Maps name → operation. The names are in the wasm, which so starts with the first warp. */
+/** Maps name → operation. The first call starts the wasm, which has the names. */
 export const getOperations = (): ReadonlyMap<string, Operation> => (operations ??= readOperations())
 
 function readOperations() {
@@ -26,10 +28,13 @@ function readOperations() {
     instance.operationNames().map((name, number) => {
       const isMethod = (flags[number]! & 1) !== 0
       const isListed = (flags[number]! & 2) !== 0
-      return [name, { name, number, isMethod, isListed, place: new Place(name) }]
+      const isCondition = conditions.has(name)
+      return [name, { name, number, isMethod, isListed, isCondition, place: new Place(name) }]
     }),
   )
 }
 
-/** The number of the operation of that name. */
-export const operationNumber = (name: string): number => getOperations().get(name)!.number
+/** Returns the operation of a name, which must exist. */
+export const operationNamed = (name: string): Operation => getOperations().get(name)!
+
+const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'])

@@ -1,11 +1,11 @@
-// `glsl.repeat`: its function is called once, and what it made of the state becomes the body of a loop.
-import type { Session } from './session.js'
+// `glsl.repeat`: its function is called once, and the expressions that it returns become the body of a loop.
 import { describe, describeShape, isExpression } from '../../errors/describe.js'
 import { callable, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { type Expression, toExpression } from './expression.js'
+import type { Session } from './session.js'
 
-/** A state: one operand, or a record of them. */
+/** A state: an operand, or a record of operands. */
 type State = unknown
 
 const isRecord = (state: State): state is Record<string, unknown> =>
@@ -25,7 +25,7 @@ export function repeat(
     )
   if (isExpression(steps))
     throw place.error(
-      'argument 1 is an expression, but how often a loop runs must be a number; give the most it can be, and let ifElse keep the state from then on.',
+      'argument 1 is an expression, but the number of steps must be a number; pass its maximum, and keep the state by ifElse after the last step.',
     )
   const times = count.read(steps, place.argument(1))
   const next = body.read(step, place.argument(3))
@@ -36,9 +36,9 @@ export function repeat(
   return state.from(results)
 }
 
-/** The shape of a loop's state: one expression, or several by name. */
+/** The shape of a loop's state: an expression, or several by name. */
 class StateShape {
-  /** Missing for a state without names. */
+  /** Missing for a state that is one expression. */
   private readonly names: readonly string[] | undefined
   /** The names of the parts in messages. */
   private readonly labels: readonly string[]
@@ -59,7 +59,7 @@ class StateShape {
     return this.names ? Object.fromEntries(this.names.map((name, i) => [name, parts[i]])) : parts[0]
   }
 
-  /** The parts of the state that the function returned. */
+  /** Returns the parts of the state that the function returned. */
   partsOfNext(state: State): Expression[] {
     const { names } = this
     if (state === undefined)
@@ -68,20 +68,20 @@ class StateShape {
       )
     if (names && !isRecord(state))
       throw place.error(
-        `the function must return an object with ${names.join(', ')}, as the state starts, but returns ${describe(state)}.`,
+        `the function must return an object with ${names.join(', ')}, like the start, but returns ${describe(state)}.`,
       )
     if (!names && isRecord(state))
       throw place.error(
-        `the function must return one state, as it starts, but returns ${describe(state)}.`,
+        `the function must return one state, like the start, but returns ${describe(state)}.`,
       )
     const keys = names ? Object.keys(state as object) : []
     const missing = names?.find((name) => !keys.includes(name))
     if (missing !== undefined)
-      throw place.error(`the function must return "${missing}" too, which the state starts with.`)
+      throw place.error(`the function must return "${missing}" too, which is part of the start.`)
     const unknown = keys.find((key) => !names!.includes(key))
     if (unknown !== undefined)
       throw place.error(
-        `the function returns "${unknown}", but the state starts with ${names!.join(', ')}; start with it too.`,
+        `the function returns "${unknown}", but the start has ${names!.join(', ')}; add it there too.`,
       )
     const nexts = this.partsOf(state, 'next value')
     nexts.forEach((next, i) => this.rejectOtherShape(next, i))
@@ -94,11 +94,11 @@ class StateShape {
     )
     if (from !== to)
       throw place.error(
-        `${this.labels[i]} starts as ${from}, but the function makes it ${to}; start with ${to}.`,
+        `${this.labels[i]} starts as ${from}, but the function returns ${to} for it; start with ${to}.`,
       )
   }
 
-  /** The parts of a state, in the order in which it starts. */
+  /** Returns the parts of a state, in the order of the start. */
   private partsOf(state: State, what: string): Expression[] {
     const parts = this.names
       ? this.names.map((name) => (state as Record<string, unknown>)[name])

@@ -1,12 +1,12 @@
-// The sampling of an image by its host, which the adapter passes to the shader beside the image.
+// How the host samples an image: wrapping and filter, which the adapter passes to the shader with the image.
 
-/** The sampling that an adapter passes to the shader beside an image. */
+/** The parts of the sampling that an adapter passes to the shader. */
 export interface HostSampling {
   /** `true` if the host multiplies texture coordinates by a mat3 first. */
   hasTransform: boolean
 }
 
-/** Names of the uniforms that carry it. `settings` is a vec3: the wrap number in u, the one in v, and 1 for the filter 'nearest'. */
+/** Returns the names of the uniforms for the sampling. `settings` is a vec3: the wrap numbers in u and in v, and 1 for the filter 'nearest'. */
 export const samplingUniforms = (image: string) => ({
   settings: `${image}Sampling`,
   transform: `${image}Transform`,

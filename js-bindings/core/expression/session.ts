@@ -1,112 +1,50 @@
-// One run of a sketch's function: the session in the wasm, which holds all that the sketch built so far. It is closed when
-// the callback is over, whatever happened.
-import { type Core, type Session as CoreSession, core as instance } from '../../wasm/core.js'
+// Records one call of a callback: every operation is a call into the wasm, and results in an expression.
 import { WarpError, describe } from '../../errors/errors.js'
-import { Expression } from './expression.js'
-import type { KeptModule, Target } from '../module/kept-module.js'
+import { text } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
-import type { ReadAsFloats, Shape } from './shapes.js'
-import { callerOutside } from '../../errors/source-lines.js'
-import { type HostFunction, partialsOf } from './partials.js'
-import type { HostSampling } from './sampling.js'
-import { UnusedExpressions } from './unused.js'
+import type { Core } from '../../wasm/core.js'
 import { failed, needsPartials } from '../../wasm/tables.js'
+import type { SerializedModule, Target } from '../module/serialized-module.js'
+import { Expression } from './expression.js'
+import type { Operation } from './operations.js'
+import { type HostFunction, HostFunctions } from './partials.js'
+import type { HostSampling } from './sampling.js'
+import type { ReadAsFloats, Shape } from './shapes.js'
+import { type Recording, WasmSession } from './wasm-session.js'
 
-/** A function of shader text, recorded by itself: numbers go in and come out. */
-export interface Recorded {
+/** A function of GLSL source, recorded in a session of its own, from numbers to numbers. */
+export interface RecordedFunction {
   name: string
-  /** How many of its arguments, the first ones, it has derivatives by. */
+  /** The number of arguments, from the first, by which it is differentiated. */
   variables: number
   results: number
-  module: KeptModule
+  module: SerializedModule
 }
 
-/** How a run is recorded. */
-export interface Recording {
-  /** Whether expressions ask for results by `.output(name)`, as `gen` alone has it. */
-  asks?: boolean
-  /** Whether statements say which lines of the sketch they are from. */
-  debug?: boolean
-}
+const resultName = text()
 
-export class Session {
-  /** The inputs that are no floats of the host, by their number. */
-  private readonly others = new Map<number, ReadAsFloats>()
+export class Session extends WasmSession {
+  /** Maps the number of an input that is not a float in the host → how it is read as floats. */
+  private readonly conversions = new Map<number, ReadAsFloats>()
   /** Maps the shader's name of an image → the sampling that its host passes. */
   readonly samplings = new Map<string, HostSampling>()
-  /** Maps the shader's name of an input of a warp → the input that it is. */
+  /** Maps the shader's name of a warp's input → the input's own name. */
   readonly inputNames = new Map<string, string>()
-  /** The functions of the host, by their number. */
-  readonly functions: HostFunction[] = []
-  private readonly core: Core = instance.get()
-  private readonly recorded = new Map<Recorded, number>()
-  private session: CoreSession | undefined
-  /** Of `session`, for plain exports. */
-  private readonly address: number
-  private readonly unused = new UnusedExpressions()
+  private readonly hostFunctions = new HostFunctions(this)
+  /** Maps a recorded function → its number in the session. */
+  private readonly recorded = new Map<RecordedFunction, number>()
   /** The handles of conditions. */
   private readonly conditions = new Set<number>()
-  /** How many functions' derivatives are being asked for at this moment. */
-  private nesting = 0
 
   constructor(
-    /** The language of texts of the sketch that do not say theirs. */
+    /** The language of sources of `glsl.fn` that are plain strings. */
     readonly target: Target,
-    private readonly recording: Recording = {},
+    recording: Recording = {},
   ) {
-    this.session = new this.core.Session()
-    this.address = this.session.address()
+    super(recording)
   }
 
-  close() {
-    if (!this.core.isBroken) this.session?.delete()
-    this.session = undefined
-  }
-
-  private open(method: string): CoreSession {
-    if (!this.session)
-      throw new WarpError(
-        `${method}: the function that made this expression is over; use expressions only inside it.`,
-      )
-    if (this.core.isBroken)
-      throw new WarpError(
-        `${method}: the compiler ran out of memory, and this warp was lost with it; make it again.`,
-      )
-    return this.session
-  }
-
-  /** The address of the open session. */
-  private at(method: string): number {
-    this.open(method)
-    return this.address
-  }
-
-  private refuse(): never {
-    throw new WarpError(this.open('problem').problem())
-  }
-
-  private expression(handle: number): Expression {
-    if (handle === failed) this.refuse()
-    if (this.recording.debug) this.open('debug').comment(callerOutside())
-    return new Expression(this, handle)
-  }
-
-  shapeOf(value: Expression): Shape {
-    const shape = this.core._shapeOf(this.at('shape'), value.handle)
-    return [shape >> 4, shape & 15]
-  }
-
-  /** The number of an input in the module. */
-  numberOf(input: Expression): number {
-    return this.core._inputOf(this.at('number'), input.handle)
-  }
-
-  /** A number that float32 can hold; see `toExpression`. */
-  constant(value: number, method: string): Expression {
-    return this.expression(this.core._constant(this.at(method), value))
-  }
-
-  /** A variable of the host, by the expression that reads it there. */
+  /** Adds a variable of the host. `label` is the expression that reads it there. */
   input(label: unknown, [columns, rows]: Shape, method: string): Expression {
     const session = this.open(method)
     if (typeof label !== 'string')
@@ -114,54 +52,51 @@ export class Session {
     return this.expression(session.input(method, label, columns, rows))
   }
 
-  /** A variable of the host that has another type than floats. */
+  /** Adds a variable of the host that does not consist of floats. */
   inputOf(read: ReadAsFloats, shape: Shape, method: string): Expression {
     const input = this.input(read.texts[this.target], shape, method)
-    this.others.set(this.numberOf(input), read)
+    this.conversions.set(this.numberOf(input), read)
     return input
   }
 
-  private push(operands: readonly Expression[]) {
-    for (const operand of operands) {
-      this.core._push(this.address, operand.handle)
-      this.unused.use(operand)
-    }
-  }
-
-  /** Returns whether a value is a condition: the result of a comparison, or of logic. */
+  /** Tests for a condition: the result of a comparison or of a logical operation. */
   isCondition({ handle }: Expression): boolean {
     return this.conditions.has(handle)
   }
 
-  /** Copies the handle, so that a later call on the copy whose result is unused can be noted, as for a p5.Vector. */
+  /** Copies an expression, so that unused results of methods of the copy are found. */
   copyOf({ handle }: Expression): Expression {
     const copy = new Expression(this, handle)
     this.unused.addCopy(copy)
     return copy
   }
 
-  /** To be called with what a method gave. */
-  followCopy(copy: Expression, method: string, result: unknown) {
-    this.unused.follow(copy, method, result)
+  /** Must be called with the result of every method, to find unused results of copies. */
+  followCopy(copy: Expression, name: string, result: unknown) {
+    this.unused.follow(copy, name, result)
   }
 
-  /** An operation by its number; a method's first operand is what it is called on. */
-  call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
-    const at = this.at(method)
-    const few = operands.length <= 3 ? operands.length : 0
-    const handle = (i: number) => (i < few ? operands[i]!.handle : 0)
+  /** Applies an operation. The first operand of a method is the expression that it is called on. */
+  call(operation: Operation, operands: readonly Expression[], isMethod = false): Expression {
+    const { name, number, isCondition } = operation
+    const at = this.at(name)
+    // Up to three operands are arguments of the call; more are pushed before it.
+    const count = operands.length <= 3 ? operands.length : 0
+    const a = count > 0 ? operands[0]!.handle : 0
+    const b = count > 1 ? operands[1]!.handle : 0
+    const c = count > 2 ? operands[2]!.handle : 0
     for (;;) {
-      if (few < operands.length) this.push(operands)
-      else if (this.unused.size) operands.forEach((operand) => this.unused.use(operand))
-      const result = this.core._call(at, operation, +isMethod, few, handle(0), handle(1), handle(2))
+      if (count < operands.length) this.push(operands)
+      else if (this.unused.size > 0) for (const operand of operands) this.unused.use(operand)
+      const result = this.core._call(at, number, +isMethod, count, a, b, c)
       if (result !== needsPartials) {
-        if (conditions.has(method)) {
+        if (isCondition) {
           this.unused.watch(result)
           this.conditions.add(result)
         }
         return this.expression(result)
       }
-      this.givePartials()
+      this.addPartials()
     }
   }
 
@@ -174,12 +109,12 @@ export class Session {
     return this.expression(result)
   }
 
-  /** With its text in each language that there is one in. */
+  /** Declares a function of the host. `sources` maps a language → source. */
   addFunction(hostFunction: HostFunction, sources: ReadonlyMap<string, string>): number {
     const { name, arity } = hostFunction
     const number = this.open('fn').addFunction(name, [...sources], arity)
-    if (number === failed) this.refuse()
-    this.functions[number] = hostFunction
+    if (number === failed) this.fail()
+    this.hostFunctions.add(number, hostFunction)
     return number
   }
 
@@ -189,8 +124,8 @@ export class Session {
     return this.expression(this.core._callFunction(at, number))
   }
 
-  /** Functions that a front end recorded; no sketch writes them. */
-  callRecorded(recorded: Recorded, operands: readonly Expression[]): Expression[] {
+  /** Calls a function that a front end recorded. */
+  callRecorded(recorded: RecordedFunction, operands: readonly Expression[]): Expression[] {
     const { name, variables, results, module } = recorded
     const session = this.open(name)
     let number = this.recorded.get(recorded)
@@ -201,7 +136,7 @@ export class Session {
     return Array.from({ length: results }, (_, i) => this.expression(first + i))
   }
 
-  /** A kind of noise by its number, of a point, a seed and, for fractals, lacunarity and gain. */
+  /** Calls a noise by number. The operands are a point, a seed and, for fractals, lacunarity and gain. */
   callNoise(
     kind: number,
     base: number,
@@ -215,7 +150,7 @@ export class Session {
     return this.expression(this.core._callNoise(at, kind, base, octaves, +isMethod))
   }
 
-  /** A loop: what its states are in the end, from what `body` makes of them in one step. */
+  /** Adds a loop, and returns the final states. `body` returns the next states from those of one step. */
   repeat(
     count: number,
     starts: readonly Expression[],
@@ -238,7 +173,7 @@ export class Session {
     }
   }
 
-  /** The host's image of that name at a vec2; `settings` is a vec3 that filter and wrap may read. */
+  /** Reads an image of the host at a vec2. `settings` is a vec3 for a filter or wrap of 'host'. */
   callTexture(
     image: string,
     uv: Expression,
@@ -252,73 +187,48 @@ export class Session {
     return this.expression(session.callTexture(image, Filter[filter], Wrap[wrap]))
   }
 
-  /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
-  private givePartials() {
-    for (const call of this.open('derivative').pendingCalls()) this.givePartialsOf(call)
-  }
-
-  private givePartialsOf(call: number) {
+  /** Adds the partial derivatives of the calls of the host's functions that a derivative depends on. */
+  private addPartials() {
     const session = this.open('derivative')
-    const called = this.functions[session.functionOfCall(call)]!
-    const operands = Array.from(
-      { length: called.arity },
-      (_, i) => new Expression(this, session.argumentOfCall(call, i)),
-    )
-    if (this.nesting === 100)
-      throw new WarpError(
-        `${called.name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
-      )
-    this.nesting++
-    let partials: Expression[]
-    try {
-      partials = partialsOf(this, called, operands)
-    } finally {
-      this.nesting--
+    for (const call of session.pendingCalls()) {
+      this.push(this.hostFunctions.partialsOf(session, call))
+      if (!session.setPartials(call)) this.fail()
     }
-    this.push(partials)
-    if (!session.setPartials(call)) this.refuse()
   }
 
-  /** Asks for a result by the method of an expression. */
-  ask(name: unknown, value: Expression, method: string) {
-    if (!this.recording.asks)
-      throw new WarpError(
-        `${method}: only gen takes results this way; return the expression from the function instead.`,
+  /** Adds a result by a method of an expression, which only `gen` allows. */
+  requestOutput(name: unknown, value: Expression, place: Place) {
+    if (!this.recording.hasOutputMethods)
+      throw place.error(
+        'only gen takes results this way; return the expression from the function instead.',
       )
-    this.output(name, value, method)
+    this.output(name, value, place)
   }
 
-  /** Adds a result under a name. */
-  output(name: unknown, value: Expression, method: string) {
+  /** Adds a result. The module checks the name when shader code is written, since languages have different reserved words. */
+  output(name: unknown, value: Expression, place: Place) {
     this.unused.use(value)
-    this.open(method).output(method, resultName(name, method), value.handle)
+    const label = resultName.read(name, place.part('the name of a result'))
+    this.open(place.method).output(place.method, label, value.handle)
   }
 
-  /** Asks for all results of a warp, from its offset and what src/warp calls its inputs. */
-  warp(method: string, operands: readonly Expression[], turns: boolean, isFlat: boolean) {
-    const session = this.open(method)
+  /** Adds all results of a warp. The operands are its offset and the `warpOperands` of wasm/tables.ts. */
+  warp(place: Place, operands: readonly Expression[], hasNormals: boolean, isFlat: boolean) {
+    const session = this.open(place.method)
     for (;;) {
       this.push(operands)
-      const result = session.warp(method, turns, isFlat)
-      if (result === failed) this.refuse()
+      const result = session.warp(place.method, hasNormals, isFlat)
+      if (result === failed) this.fail()
       if (result !== needsPartials) return { varies: !!result }
-      this.givePartials()
+      this.addPartials()
     }
   }
 
-  /** All that was built, as plain words. */
-  finish(): KeptModule {
+  /** Returns all results as a serialized module. */
+  finish(): SerializedModule {
     const words = this.open('finish').finish()
-    if (!words.length) this.refuse()
-    this.unused.noteAll()
-    return Object.assign(words as KeptModule, { others: this.others })
+    if (!words.length) this.fail()
+    this.unused.warnAll()
+    return Object.assign(words as SerializedModule, { conversions: this.conversions })
   }
-}
-
-const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'])
-
-/** The name of a result must be a text; whether it will do, a language says. */
-export function resultName(name: unknown, method: string): string {
-  if (typeof name === 'string') return name
-  throw new Place(method, 'the name of a result').expected('a text', describe(name))
 }

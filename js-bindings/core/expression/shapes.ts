@@ -1,36 +1,36 @@
-// How the numbers of a value are arranged.
+// The shapes and types of values.
 
-/** Columns and rows; a number has one of each, a vector one column, an image none. */
+/** Columns and rows: 1 and 1 for a number, 1 column for a vector, 0 columns for an image. */
 export type Shape = readonly [columns: number, rows: number]
 
 export const imageShape: Shape = [0, 1]
 
-/** An input by its number in a module. */
+/** An input or result of a module. */
 export interface Variable {
   name: string
   shape: Shape
   number: number
-  /** Unless the host has floats there. */
+  /** Present if the variable does not consist of floats in the host. */
   read?: ReadAsFloats
 }
 
 type Whole = 'int' | 'uint' | 'ivec2' | 'ivec3' | 'ivec4' | 'uvec2' | 'uvec3' | 'uvec4'
 type Condition = 'bool' | 'bvec2' | 'bvec3' | 'bvec4'
 
-/** In no language's words, though GLSL has the same. */
+/** The name of a type, as in GLSL. */
 export type TypeName = ShapeName | Whole | Condition
 export type ShapeName = 'float' | 'vec2' | 'vec3' | 'vec4' | 'mat2' | 'mat3' | 'mat4' | 'sampler2D'
 
-/** An input that the host has as numbers of another type: whole numbers as two inputs, since a float tells only 24 of their bits. */
+/** How an input is converted to floats: a whole number becomes two inputs, since a float represents only 24 of its bits. */
 export interface ReadAsFloats {
   name: string
   type: TypeName
   half: 'low' | 'high' | undefined
-  /** How each language does. */
+  /** Maps a language → source of the conversion. */
   texts: Readonly<Record<string, string>>
 }
 
-/** What such an input is of a number of the host. */
+/** Converts a number of the host to the float of such an input. */
 export function asFloat({ half }: ReadAsFloats, value: number): number {
   if (half === 'low') return value & 0xffff
   return half === 'high' ? value >> 16 : value

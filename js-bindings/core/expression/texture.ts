@@ -1,13 +1,13 @@
-// `glsl.texture`: an image of the host as a function of texture coordinates. The interpolation is in src/texture.
-import type { Session } from './session.js'
+// `glsl.texture`: an image of the host as a function of texture coordinates. src/texture implements the interpolation.
 import { describe, describeShape } from '../../errors/describe.js'
 import { boolean, oneOf, optional, text } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { type KindsOf, object } from '../../options/schema.js'
 import type { TextureOptions } from '../types/types.js'
-import { type Expression, toExpression } from './expression.js'
 import { filters, wraps } from '../../wasm/tables.js'
+import { type Expression, toExpression } from './expression.js'
 import { samplingUniforms } from './sampling.js'
+import type { Session } from './session.js'
 
 const isForUsers = <Name extends string>(name: Name | 'host'): name is Exclude<Name, 'host'> =>
   name !== 'host'

@@ -1,4 +1,4 @@
-// Methods of p5.Vector that are no operation of their own. Expressions never change, so each gives a new one.
+// Methods of p5.Vector that are composed of operations. Expressions never change, so each method returns a new one.
 import { describeShape } from '../../errors/describe.js'
 import { Place } from '../../options/place.js'
 import { type Expression, toExpression } from './expression.js'
@@ -11,7 +11,7 @@ const methodsOf = (expression: Expression) => expression as Operand
 
 const shapeOf = (x: Expression) => x.session.shapeOf(x)
 
-/** The operand of a method as an expression. */
+/** Converts the operand of a method to an expression. */
 const operandOf = (x: Expression, place: Place, value: unknown) =>
   methodsOf(toExpression(x.session, value, place, 1))
 
@@ -21,7 +21,7 @@ function rejectOtherCount(place: Place, given: readonly unknown[], counts: reado
     throw place.expected(`${count} argument${count === 1 ? '' : 's'}`, `${given.length}`)
 }
 
-/** The number of components of a vector, which must be one of these sizes. */
+/** Returns the number of components of a vector. Throws if it is not one of `sizes`. */
 function rowsOf(x: Expression, place: Place, sizes: readonly number[]) {
   const [columns, rows] = shapeOf(x)
   if (columns === 1 && sizes.includes(rows)) return rows
@@ -35,7 +35,7 @@ type Composition = (x: Operand, ...others: unknown[]) => Expression
 
 const allSizes = [2, 3, 4]
 
-/** A method of vectors that takes one operand, or none. */
+/** Makes a method of vectors with one operand or none. */
 function ofVector(
   name: string,
   count: 0 | 1,
@@ -66,12 +66,12 @@ export const vectorMethods: Readonly<Record<string, Composition>> = {
     const { x, y } = v as unknown as Record<'x' | 'y', Operand>
     return y.atan!(x)
   }),
-  // A limit of 0 makes 0 of a zero vector, too.
+  // 1e-30 prevents 0 / 0 for a zero vector and a limit of 0.
   limit: ofVector('limit', 1, (v, max) =>
     v.mult!(max.div!(methodsOf(max.max!(v.length!())).max!(1e-30))),
   ),
   setMag: ofVector('setMag', 1, (v, length) => methodsOf(v.normalize!()).mult!(length)),
-  /** p5 gives the angle the sign of the z of the cross product. */
+  /** The angle has the sign of the cross product's z, as in p5. */
   angleBetween: ofVector(
     'angleBetween',
     1,
@@ -82,9 +82,9 @@ export const vectorMethods: Readonly<Record<string, Composition>> = {
         const { yx } = b as unknown as { yx: Operand }
         return methodsOf(a.dot!(yx.mult!(1, -1))).atan!(cosine)
       }
-      const turn = methodsOf(a.cross!(b))
-      const z = methodsOf(partsOf(turn)[2]!)
-      const angle = methodsOf(methodsOf(turn.length!()).atan!(cosine))
+      const normal = methodsOf(a.cross!(b))
+      const z = methodsOf(componentsOf(normal)[2]!)
+      const angle = methodsOf(methodsOf(normal.length!()).atan!(cosine))
       return methodsOf(z.lt!(0)).ifElse!(angle.neg!(), angle)
     },
     [2, 3],
@@ -93,8 +93,8 @@ export const vectorMethods: Readonly<Record<string, Composition>> = {
 
 const rotate = new Place('rotate')
 
-/** A vec2 turned, as p5 turns it. */
-export function rotated(v: Expression, ...given: unknown[]): Expression {
+/** Rotates a vec2, as p5 does. */
+export function rotateVec2(v: Expression, ...given: unknown[]): Expression {
   rejectOtherCount(rotate, given, [1])
   const angle = operandOf(v, rotate, given[0])
   const sine = methodsOf(angle.sin!())
@@ -108,9 +108,9 @@ const letters = ['x', 'y', 'z', 'w'] as const
 
 const array = new Place('array')
 
-/** The components of a vector, in a list of JavaScript's. */
-export function partsOf(v: Expression): Expression[] {
+/** Returns the components of a vector as an array. */
+export function componentsOf(v: Expression): Expression[] {
   const rows = rowsOf(v, array, allSizes)
-  const parts = v as unknown as Record<string, Expression>
-  return letters.slice(0, rows).map((letter) => parts[letter]!)
+  const components = v as unknown as Record<string, Expression>
+  return letters.slice(0, rows).map((letter) => components[letter]!)
 }

@@ -1,12 +1,14 @@
-// The option `uniforms`: values that a sketch names once, where it makes its warp. Their types come from the values.
-import { WarpError, describe } from '../../errors/errors.js'
-import { isCallable, isList, own } from '../../options/options.js'
+// The option `uniforms`: named values, whose types follow from the values given where the warp is made.
+import { type WarpError, describe } from '../../errors/errors.js'
+import { isCallable, own } from '../../options/guards.js'
+import { type Kind, record } from '../../options/kinds.js'
+import { finiteDouble, readNumbers } from '../../options/numbers.js'
+import type { Place } from '../../options/place.js'
 import type { HostSampling } from '../expression/sampling.js'
 import { type Shape, imageShape } from '../expression/shapes.js'
-import type { ImageLike, UniformValue } from '../types/types.js'
+import type { ImageLike } from '../types/types.js'
 import { inputSizes } from './inputs.js'
 import {
-  checkFinite,
   imageFor,
   isImage,
   numbersFor,
@@ -15,84 +17,81 @@ import {
   shapeFor,
 } from './uniform-values.js'
 
-type Given = UniformValue | (() => UniformValue)
-
 /** A uniform as the option declares it. */
 export interface DeclaredUniform {
   shape: Shape
-  /** Its numbers now; a function is called. Throws if they are not of the same type any more. */
-  numbers: (method: string) => number[]
-  /** What it is now, unchecked, where that can be had without making an array. */
+  /** Returns its numbers now, and calls its function, if it has one. Throws if they no longer have the declared type. */
+  numbers: (place: Place) => number[]
+  /** Returns its value now, unchecked. Present if that makes no array. */
   value?: (() => unknown) | undefined
   isFunction: boolean
-  /** Of an image, which has no numbers: what it is now. */
+  /** Present for an image, which has no numbers: returns the image that it is now. */
   image?: (() => ImageLike) | undefined
   /** Present for an image if the host passes its wrapping and filter to the shader. */
   sampling?: HostSampling | undefined
 }
 
-/** By the sketch's name. */
+/** Maps the user's name → uniform. */
 export type DeclaredUniforms = ReadonlyMap<string, DeclaredUniform>
 
-const example = '{ amount: 0.5, center: [0, 0, 0], follow: () => [mouseX, mouseY] }'
+const optionRecord = record<object>(
+  'an object, such as { amount: 0.5, center: [0, 0, 0], follow: () => [mouseX, mouseY] },',
+)
 
 const expected =
-  'a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them'
+  'a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that returns one of them,'
 
-/** Checks the option. Lists are copied, and functions called once for their type. */
-export function readDeclared(method: string, option: unknown): DeclaredUniforms {
-  if (option === undefined) return new Map()
-  if (typeof option !== 'object' || option === null || isList(option))
-    throw new WarpError(
-      `${method}: the option "uniforms" must be an object, such as ${example}, but is ${describe(option)}.`,
-    )
-  return new Map(
-    Object.entries(option).map(([name, given]) => [name, declare(method, name, given as Given)]),
-  )
+/** The option `uniforms`. Arrays are copied, and functions called once for their type. */
+export const uniformsKind: Kind<DeclaredUniforms, object> = {
+  read: (option, place) =>
+    new Map(
+      option === undefined
+        ? []
+        : Object.entries(optionRecord.read(option, place.option('uniforms'))).map(
+            ([name, given]: [string, unknown]) => [name, declare(name, given, place.uniform(name))],
+          ),
+    ),
 }
 
-function declare(method: string, name: string, given: Given): DeclaredUniform {
+function declare(name: string, given: unknown, place: Place): DeclaredUniform {
   if (Object.hasOwn(inputSizes, name))
-    throw new WarpError(
-      `${method}: the uniform "${name}" has the name of an input; give it another one, such as "my${name[0]!.toUpperCase()}${name.slice(1)}".`,
+    throw place.error(
+      `the uniform "${name}" has the name of an input; give it another one, such as "my${name[0]!.toUpperCase()}${name.slice(1)}".`,
     )
   const isFunction = isCallable(given)
-  const first = isFunction ? given() : given
-  const place = `the uniform "${name}"`
+  const first: unknown = isFunction ? given() : given
   if (isImage(first))
     return {
       shape: imageShape,
       numbers: () => [],
       isFunction,
-      image: () => (isFunction ? imageFor(`The warp's uniform "${name}"`, given()) : first),
+      image: () => (isFunction ? imageFor(place, given()) : first),
     }
   const numbers = numbersOf(first)
   const shape = shapeFor(numbers)
-  if (!numbers || !shape) {
-    const came = `${isFunction ? 'its function gives' : 'is'} ${describe(first)}`
-    // As three.js has its own uniforms.
-    const advice =
+  if (!numbers || !shape)
+    throw place.expected(
+      expected,
+      isFunction ? `a function that returns ${describe(first)}` : describe(first),
+      // Uniforms of three.js are objects with a value.
       typeof first === 'object' && first !== null && 'value' in first
-        ? '; give its value itself'
-        : ''
-    throw new WarpError(
-      `${method}: the uniform "${name}" must be ${expected}, but ${came}${advice}.`,
+        ? 'pass its value itself'
+        : undefined,
     )
-  }
-  checkFinite(`${method}: ${place}`, numbers)
+  readNumbers(place, numbers, numbers.length, { test: finiteDouble, given: first })
   const value = scalarOrArray(numbers)
   if (!isFunction) return { shape, numbers: () => numbers, value: () => value, isFunction: false }
   return {
     shape,
     value: given,
-    numbers: (method) => numbersFor(`${method}: ${place}`, shape, given(), true),
+    numbers: (call) => numbersFor(call.uniform(name), shape, given(), true),
     isFunction: true,
   }
 }
 
-/** For many evaluations in a row, which must agree: the functions' values of this moment, but for what is given. */
+/** Adds to `given` the present values of all functions, so that many evaluations in a row agree. */
 export function snapshotUniforms<Values extends object>(
-  method: string,
+  place: Place,
   declared: DeclaredUniforms | undefined,
   given: Values | undefined,
 ): Values | undefined {
@@ -100,16 +99,16 @@ export function snapshotUniforms<Values extends object>(
   const functions = [...declared].filter(
     ([name, { isFunction, image }]) => isFunction && !image && own(given ?? {}, name) === undefined,
   )
-  const now = functions.map(([name, { numbers }]) => [name, scalarOrArray(numbers(method))])
+  const now = functions.map(([name, { numbers }]) => [name, scalarOrArray(numbers(place))])
   return { ...given, ...Object.fromEntries(now) } as Values
 }
 
-/** What the sketch calls its uniforms, for a message. */
+/** Lists the user's names for a message. */
 export const listNames = (declared: DeclaredUniforms) => [...declared.keys()].join(', ')
 
-/** For the CPU: what is given, and for the rest of what is declared its present value, as far as it is `read`. */
+/** For the CPU: returns the given values, and the present values of the declared uniforms that are in `read` and not given. */
 export function withDeclared(
-  method: string,
+  place: Place,
   declared: DeclaredUniforms,
   given: Readonly<Record<string, unknown>> = {},
   read: ReadonlySet<string>,
@@ -120,17 +119,15 @@ export function withDeclared(
     const isRead = read.has(name)
     if (uniform.image) delete all[name]
     else if (value !== undefined)
-      all[name] = scalarOrArray(
-        numbersFor(`${method}: the uniform "${name}"`, uniform.shape, value),
-      )
-    else if (isRead) all[name] = scalarOrArray(uniform.numbers(method))
+      all[name] = scalarOrArray(numbersFor(place.uniform(name), uniform.shape, value))
+    else if (isRead) all[name] = scalarOrArray(uniform.numbers(place))
     if (!isRead) delete all[name]
   }
   return all
 }
 
-/** That a host is asked for a uniform which the option "uniforms" does not declare; `names` are those that it does. */
-export const unknownUniform = (method: string, name: string, names: readonly string[]) =>
-  new WarpError(
-    `${method}: the warp has no uniform "${name}"; ${names.length ? `there ${names.length > 1 ? 'are' : 'is'} ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
+/** Makes the error for a uniform that the warp does not have. `names` are those that it has. */
+export const unknownUniform = (place: Place, name: string, names: readonly string[]): WarpError =>
+  place.error(
+    `the warp has no uniform "${name}"; ${names.length ? `there ${names.length > 1 ? 'are' : 'is'} ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
   )

@@ -1,6 +1,6 @@
-// Geometries of three.js as flat arrays. They are known by their shape: three.js is the application's own.
+// Geometries of three.js as flat arrays. They are recognized by their properties, since three.js is not a dependency.
 
-/** What is used of a BufferAttribute or an InterleavedBufferAttribute. */
+/** The used members of a BufferAttribute or an InterleavedBufferAttribute. */
 export interface Attribute {
   count: number
   itemSize: number
@@ -12,7 +12,7 @@ export interface Attribute {
   getW(i: number): number
 }
 
-/** What is used of a BufferGeometry. */
+/** The used members of a BufferGeometry. */
 export interface Geometry {
   readonly isBufferGeometry: true
   attributes: Record<string, unknown>
@@ -22,7 +22,7 @@ export interface Geometry {
 export const isGeometry = (value: unknown): value is Geometry =>
   (value as Partial<Geometry> | null | undefined)?.isBufferGeometry === true
 
-/** By what a mesh has of a vertex: three.js' name of it, and how many numbers. */
+/** Maps an array of a mesh → its attribute in three.js, and its count of numbers per vertex. */
 export const geometryAttributes = {
   positions: ['position', 3],
   normals: ['normal', 3],
@@ -31,7 +31,7 @@ export const geometryAttributes = {
   tangents: ['tangent', 4],
 } as const
 
-/** Its arrays, which are the geometry's own where they fit. */
+/** Returns the arrays of a geometry: its own arrays, not copies, if they have the right type and size. */
 export function arraysOf({ attributes, index }: Geometry) {
   const arrays: Record<string, Float32Array | Uint32Array> = {}
   for (const [name, [attribute, size]] of Object.entries(geometryAttributes)) {
@@ -43,7 +43,7 @@ export function arraysOf({ attributes, index }: Geometry) {
   return arrays
 }
 
-/** An attribute's numbers, as floats; `missing` is what it has too few of. */
+/** Returns the numbers of an attribute as floats, `size` per vertex; `missing` fills up a smaller attribute. */
 export function attributeNumbers(attribute: Attribute, size: number, missing = 0): Float32Array {
   const { count, itemSize } = attribute
   if (isPlain(attribute, size)) return attribute.array as Float32Array

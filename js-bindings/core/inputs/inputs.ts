@@ -1,8 +1,8 @@
-// What an offset function may read, and how many numbers that is.
+// The inputs of an offset function, with their counts of numbers.
 
 /**
- * The gradients over the surface of x, y and z of the normal and of u and v, in this order: how these vary decides the turn of
- * an offset that depends on them.
+ * The gradients over the surface of the normal's x, y and z and of u and v, in this order. The warped normal of an offset that
+ * depends on normal or uv depends on them.
  */
 export const variationInputs = {
   normalXGradient: 3,
@@ -15,13 +15,13 @@ export const variationInputs = {
 export type VariationInput = keyof typeof variationInputs
 export const variationNames = Object.keys(variationInputs) as VariationInput[]
 
-/** The attribute of a p5 shape that carries one. */
+/** Returns the name of the attribute that carries a gradient in p5's shapes. */
 export const variationAttribute = (name: string) => `aWarpjet_${name}`
 
-/** Where `uniforms` of an offset function takes the name of one that a text reads as whole numbers. */
+/** The key of a function of `uniforms` that marks the uniform of a name as one that GLSL source reads as whole numbers. */
 export const markWhole = Symbol.for('warpjet.whole')
 
-/** Of each vertex. The offset function does not get the tangent, which is only turned, nor how the surface varies. */
+/** Inputs that differ by vertex. The offset function gets neither the tangent, which is only transformed, nor the gradients. */
 export const vertexInputs = {
   position: 3,
   normal: 3,
@@ -31,7 +31,7 @@ export const vertexInputs = {
   ...variationInputs,
 }
 
-/** The same for a whole draw call, or for all of one instance. */
+/** Inputs that are constant in a draw call or, for `instance`, in an instance. */
 export const drawInputs = { millis: 1, mouse: 2, size: 2, pixelDensity: 1, instance: 1 }
 
 export const inputSizes = { ...vertexInputs, ...drawInputs }

@@ -1,8 +1,8 @@
-// The argument `uniforms` of an offset function: an expression or an image's name for each uniform that the option declares.
-import type { Session } from '../expression/session.js'
-import { WarpError } from '../../errors/errors.js'
+// The argument `uniforms` of an offset function: an expression or, for an image, its name, by the name of a declared uniform.
 import { asOwn, readOperators } from '../../errors/operators.js'
+import type { Place } from '../../options/place.js'
 import type { Expression } from '../expression/expression.js'
+import type { Session } from '../expression/session.js'
 import { imageShape } from '../expression/shapes.js'
 import { lazyObject } from '../lazy-object.js'
 import type { OffsetFunction, WarpInputs } from '../types/types.js'
@@ -10,30 +10,33 @@ import { type DeclaredUniforms, listNames } from './declared-uniforms.js'
 import { markWhole } from './inputs.js'
 import { checkWhole, readAsWhole } from './uniform-values.js'
 
-/** The offset function, with its operators read, and with `uniforms` among its inputs; `labelOf` gives what the shader calls them. */
+/**
+ * Wraps an offset function: translates its operators, and adds `uniforms` to its inputs. `labelOf` returns the name of a uniform
+ * in the shader.
+ */
 export function withUniforms(
-  method: string,
+  place: Place,
   offset: OffsetFunction,
   declared: DeclaredUniforms,
   labelOf: (name: string) => string,
 ): OffsetFunction {
-  const read = readOperators(offset, { method })
+  const read = readOperators(offset, { method: place.method })
   return asOwn((inputs: WarpInputs) => {
     const strings = Reflect.ownKeys(inputs).filter((name) => typeof name === 'string')
     const names = new Map([...strings, 'uniforms'].map((name) => [name, true]))
     const make = (name: string) => {
       if (name !== 'uniforms') return inputs[name as keyof WarpInputs]
       const { session } = inputs.position as unknown as Expression
-      return expressions(method, session as Session, declared, labelOf)
+      return uniformExpressions(place, session as Session, declared, labelOf)
     }
     // The prototype throws for names that are no inputs.
     return read(lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs)
   })
 }
 
-/** An object of expressions, and of images' names, which says so where there is none of that name. */
-function expressions(
-  method: string,
+/** Makes an object of expressions and names of images that throws for an undeclared name. */
+function uniformExpressions(
+  place: Place,
   session: Session,
   declared: DeclaredUniforms,
   labelOf: (name: string) => string,
@@ -45,28 +48,30 @@ function expressions(
     Object.defineProperty(known, name, {
       enumerable: true,
       get: () =>
-        shape === imageShape ? label : session.input(label, shape, `${method} uniforms.${name}`),
+        shape === imageShape
+          ? label
+          : session.input(label, shape, `${place.method} uniforms.${name}`),
     })
   }
   Object.defineProperty(known, markWhole, {
     value: (name: string) => {
       const { shape, isFunction, numbers } = declared.get(name)!
       readAsWhole(shape)
-      if (!isFunction) checkWhole(`${method}: the uniform "${name}"`, numbers(method))
+      if (!isFunction) checkWhole(place.uniform(name), numbers(place))
     },
   })
   return new Proxy(known, {
     get(target, name) {
       if (name in target || typeof name === 'symbol') return Reflect.get(target, name)
-      throw new WarpError(
+      throw place.error(
         declared.size
-          ? `${method}: the option "uniforms" declares no "${name}"; there are ${listNames(declared)}.`
-          : `${method}: the offset reads uniforms.${name}, which nothing declares; add the option { uniforms: { ${name}: 0.5 } }.`,
+          ? `the option "uniforms" declares no "${name}"; there are ${listNames(declared)}.`
+          : `the offset reads uniforms.${name}, which nothing declares; add the option { uniforms: { ${name}: 0.5 } }.`,
       )
     },
     set(_, name) {
-      throw new WarpError(
-        `${method}: uniforms.${String(name)} cannot be set in the offset function; give its value in the option "uniforms", or where the warp is used.`,
+      throw place.error(
+        `uniforms.${String(name)} cannot be set in the offset function; set its value in the option "uniforms", or where the warp is used.`,
       )
     },
   })

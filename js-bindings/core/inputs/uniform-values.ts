@@ -1,10 +1,12 @@
-// The value of a uniform as numbers: a number, a list, a vector or a colour of p5; or as an image.
-import { WarpError, describe } from '../../errors/errors.js'
-import { isList } from '../../options/options.js'
-import { type Shape, typeOf } from '../expression/shapes.js'
+// The value of a uniform as numbers (a number, an array, a vector or colour of p5), or as an image.
+import { describe } from '../../errors/errors.js'
+import { isList } from '../../options/guards.js'
+import { finiteDouble, readNumbers } from '../../options/numbers.js'
+import type { Place } from '../../options/place.js'
+import type { Shape } from '../expression/shapes.js'
 import type { ImageLike } from '../types/types.js'
 
-/** Maps the count of a value's numbers to its shape. */
+/** Maps a count of numbers → the shape of a uniform that has them. */
 const shapes: Record<number, Shape> = {
   1: [1, 1],
   2: [1, 2],
@@ -14,62 +16,60 @@ const shapes: Record<number, Shape> = {
   16: [4, 4],
 }
 
-/** Makes the shape of a uniform; `undefined` if none has that count of numbers. `readAsWhole` marks one uniform by it, so no two share it. */
+/**
+ * Makes the shape of a uniform; `undefined` if no shape has that count of numbers. Each uniform has its own object, by which
+ * `readAsWhole` marks it.
+ */
 export function shapeFor(numbers: readonly number[] | undefined): Shape | undefined {
   const shape = numbers && shapes[numbers.length]
   return shape && [...shape]
 }
 
-/**
- * The numbers of a value for a uniform that is there already. `place` opens the message; `isOwn` says that the uniform's
- * own function gave the value.
- */
-export function numbersFor(place: string, shape: Shape, value: unknown, isOwn = false): number[] {
-  const count = shape[0] * shape[1]
-  const numbers = numbersOf(value, count)
-  if (numbers?.length !== count) {
-    const came = numbers && shapes[numbers.length]
-    const is = came ? `a ${typeOf(came)}` : describe(value)
-    throw new WarpError(
-      isOwn
-        ? `${place} was a ${typeOf(shape)} when the warp was made, but its function now gives ${is}; it must stay what it was.`
-        : `${place} is a ${typeOf(shape)} and takes ${count === 1 ? 'a number' : `an array of ${count} numbers${shape[0] > 1 ? ', column by column' : ''}`}, but ${is} came.`,
-    )
-  }
-  checkFinite(place, numbers)
-  if (wholes.has(shape)) checkWhole(place, numbers)
+/** Reads a new value of a declared uniform. `isOwn` says that the uniform's own function returned it. */
+export function numbersFor(place: Place, shape: Shape, value: unknown, isOwn = false): number[] {
+  const [columns, rows] = shape
+  const list = numbersOf(value, columns * rows)
+  const numbers = readNumbers(place, list, columns * rows, {
+    test: finiteDouble,
+    layout: columns > 1 ? ', column by column,' : '',
+    given: value,
+    advice: isOwn ? 'its function must always return what it returned at first' : undefined,
+  })
+  if (wholeShapes.has(shape)) checkWhole(place, numbers)
   return numbers
 }
 
-/** The shapes, each of one uniform, of those that shader text reads as whole numbers. */
-const wholes = new WeakSet<Shape>()
+/** The shapes of uniforms that shader source reads as whole numbers. */
+const wholeShapes = new WeakSet<Shape>()
 
-export const isWhole = ({ shape }: { shape: Shape }) => wholes.has(shape)
+export const isWhole = ({ shape }: { shape: Shape }) => wholeShapes.has(shape)
 
-export const readAsWhole = (shape: Shape) => void wholes.add(shape)
+export const readAsWhole = (shape: Shape) => void wholeShapes.add(shape)
 
-/** They reach it as floats, which tell no larger ones apart. */
-export function checkWhole(place: string, numbers: readonly number[]) {
+/** Rejects numbers beyond 2^24: uniforms are float32, which cannot represent every larger whole number. */
+export function checkWhole(place: Place, numbers: readonly number[]) {
   const large = numbers.find((number) => Math.abs(number) > 2 ** 24)
-  if (large)
-    throw new WarpError(`${place} is read as a whole number, at most 16777216, but is ${large}.`)
+  if (large !== undefined)
+    throw place.expected(
+      'a number from -16777216 to 16777216',
+      `${large}`,
+      'the shader reads it as a whole number',
+    )
 }
 
-/** Tests for a width and a height, as p5's images, graphics, framebuffers and videos have, and elements of the page. */
+/** Tests for a width and a height, which p5's images, graphics, framebuffers and videos have, and elements of the page. */
 export const isImage = (value: unknown): value is ImageLike =>
   typeof value === 'object' && value !== null && 'width' in value && 'height' in value
 
-/** A value for an image that is there already. */
-export function imageFor(place: string, value: unknown): ImageLike {
+/** Reads a new value of a uniform that is an image. */
+export function imageFor(place: Place, value: unknown): ImageLike {
   if (isImage(value)) return value
-  throw new WarpError(
-    `${place} must be an image, such as one of loadImage or createGraphics, but is ${describe(value)}.`,
-  )
+  throw place.expected('an image, such as one of loadImage or createGraphics,', describe(value))
 }
 
 /**
- * `undefined` if it is no value of a uniform. A p5.Vector has three numbers and a p5.Color four, of which the first are taken
- * where a shorter vector is wanted.
+ * Returns the numbers of a value; `undefined` if it cannot be that of a uniform. A p5.Vector has 3 numbers and a p5.Color 4; if
+ * `count` is smaller, the first ones are taken.
  */
 export function numbersOf(value: unknown, count = Infinity): number[] | undefined {
   if (typeof value === 'number') return [value]
@@ -82,22 +82,11 @@ export function numbersOf(value: unknown, count = Infinity): number[] | undefine
   return count > 1 ? numbers.slice(0, count) : numbers
 }
 
-/** The numbers of a p5.Vector or p5.Color; of anything else itself. */
+/** Returns the numbers of a p5.Vector or p5.Color, and any other value itself. */
 export function componentsOf(value: object): unknown {
   if ('x' in value && 'y' in value && 'z' in value) return [value.x, value.y, value.z]
   return '_array' in value ? value._array : value
 }
 
-export function checkFinite(place: string, numbers: readonly unknown[]) {
-  const wrong = numbers.find((number) => !Number.isFinite(number))
-  if (wrong === undefined && !numbers.includes(undefined)) return
-  const came = typeof wrong === 'number' ? wrong : describe(wrong)
-  throw new WarpError(
-    numbers.length === 1
-      ? `${place} must be a finite number, but is ${came}.`
-      : `${place} must have finite numbers, but has ${came} among them.`,
-  )
-}
-
-/** A list of one number becomes the number. */
+/** Turns an array of one number into the number. */
 export const scalarOrArray = (numbers: number[]) => (numbers.length === 1 ? numbers[0]! : numbers)

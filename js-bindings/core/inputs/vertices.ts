@@ -1,25 +1,26 @@
-// What a warp on the CPU is handed: arrays of vertices, uniforms, a box. Checked here, all in one sentence each.
+// What a warp on the CPU reads, and its checks: arrays of vertices, uniforms, a box.
 import { describe } from '../../errors/errors.js'
-import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
-import { finiteFloat, firstWrong, inWords, readNumbers } from '../../options/numbers.js'
 import { isList } from '../../options/guards.js'
-import { Place } from '../../options/place.js'
+import { describeNumber, finiteFloat, firstWrong, readNumbers } from '../../options/numbers.js'
+import type { Place } from '../../options/place.js'
 import { rejectUnknownOptions } from '../../options/schema.js'
+import { unknownUniform } from './declared-uniforms.js'
+import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
 
-/** Flat arrays, so many numbers a vertex. */
+/** Flat arrays of vertices. */
 export interface Vertices {
-  /** Three. */
+  /** 3 numbers per vertex. */
   positions: ArrayLike<number>
-  /** Three, usually of length 1. */
+  /** 3 numbers per vertex, normally of length 1. */
   normals?: ArrayLike<number>
-  /** Two. */
+  /** 2 numbers per vertex. */
   uvs?: ArrayLike<number>
-  /** Four, red, green, blue and alpha from 0 to 1. */
+  /** 4 numbers per vertex: red, green, blue and alpha from 0 to 1. */
   colors?: ArrayLike<number>
-  /** Four, as in glTF: a direction, and 1 or -1 for the side of the bitangent. */
+  /** 4 numbers per vertex, as in glTF: a direction, and 1 or -1 for the side of the bitangent. */
   tangents?: ArrayLike<number>
-  /** Three each: how normals and uvs vary over the surface, as `surfaceVariation` of 'warpjet/mesh' gives it. An offset that
-   * depends on them needs it for right normals; what is missing counts as 0. */
+  /** 3 numbers per vertex each: how normals and uvs vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes it.
+   * Needed for exact normals of an offset that depends on normals or uvs. Default: 0. */
   normalXGradients?: ArrayLike<number>
   normalYGradients?: ArrayLike<number>
   normalZGradients?: ArrayLike<number>
@@ -27,18 +28,19 @@ export interface Vertices {
   vGradients?: ArrayLike<number>
 }
 
-/** By name: a number, or the numbers of a vector or, column by column, of a matrix. */
+/** Maps a name → a number, or the numbers of a vector or, column by column, of a matrix. */
 export type Uniforms = Readonly<Record<string, number | ArrayLike<number>>>
 
 export interface Box {
-  /** The least x, y and z. */
+  /** The minimum x, y and z. */
   min: ArrayLike<number>
+  /** The maximum x, y and z. */
   max: ArrayLike<number>
-  /** The range of texture coordinates, if they are not from 0 to 1. */
+  /** The range of texture coordinates. Default: 0 to 1. */
   uvs?: { min: ArrayLike<number>; max: ArrayLike<number> }
 }
 
-/** The arrays of a mesh, by what the offset function calls them. */
+/** Maps an input of the offset function → its array in a mesh. */
 export const arrayNames: Record<VertexInput, keyof Vertices> = {
   position: 'positions',
   normal: 'normals',
@@ -57,13 +59,13 @@ const sizes = Object.entries(arrayNames).map(([input, name]) => ({
   size: vertexInputs[input as VertexInput],
 }))
 
-/** Arrays that held finite numbers when they were checked, or that a warp wrote; others of the same kind can get longer. */
+/** Arrays that held finite numbers when they were checked, or that a warp wrote. Only a Float32Array cannot grow afterwards. */
 const checked = new WeakSet<Float32Array>()
 
-/** What a warp has written is not checked when it comes back. */
+/** Marks an array as checked: results of a warp need no check when they are passed to another one. */
 export const noteChecked = (numbers: Float32Array) => void checked.add(numbers)
 
-/** Lets `evaluate` accept numbers that are not finite, for hosts that draw such vertices all the same. Copies their arrays. */
+/** Makes `evaluate` accept numbers that are not finite, for hosts that draw such vertices all the same. Copies their arrays. */
 export function allowNonFinite(mesh: Vertices): Vertices {
   const arrays = Object.entries(mesh).map(([name, numbers]: [string, ArrayLike<number>]) => {
     const isFinite = numbers instanceof Float32Array && checked.has(numbers)
@@ -75,14 +77,14 @@ export function allowNonFinite(mesh: Vertices): Vertices {
   return Object.fromEntries(arrays) as unknown as Vertices
 }
 
-/** Counts the vertices. Throws for arrays that do not fit, or hold something else than finite numbers when they come for the
- * first time. */
-export function checkVertices(at: Place | string, mesh: unknown): number {
+/** Counts the vertices. Throws for arrays of different lengths, and for those that hold anything but finite numbers when they are
+ * passed for the first time. */
+export function checkVertices(place: Place, mesh: unknown): number {
   if (typeof mesh !== 'object' || mesh === null || !('positions' in mesh))
-    throw Place.of(at).expected('a mesh with an array of positions', describe(mesh))
+    throw place.expected('a mesh with an array of positions', describe(mesh))
   if ('uniforms' in mesh)
-    throw Place.of(at).error(
-      `uniforms stand beside the mesh, not in it, as in ${Place.of(at).method}(mesh, { uniforms: { millis: 1200 } }).`,
+    throw place.error(
+      `uniforms are an option, not a part of the mesh, as in ${place.method}(mesh, { uniforms: { millis: 1200 } }).`,
     )
   const arrays = mesh as Record<string, unknown>
   let vertices = 0
@@ -90,24 +92,27 @@ export function checkVertices(at: Place | string, mesh: unknown): number {
     const numbers = arrays[name]
     if (numbers === undefined && name !== 'positions') continue
     if (!isList(numbers))
-      throw Place.of(at)
+      throw place
         .part(name)
-        .expected(`a flat array of ${size} numbers a vertex`, describe(numbers))
+        .expected(`a flat array of ${size} numbers per vertex`, describe(numbers))
     const { length } = numbers
     if (name === 'positions' && length % 3 !== 0)
-      throw Place.of(at).part(name).expected('three numbers a vertex', `${length} numbers`)
+      throw place.part(name).expected('3 numbers per vertex', `${length} numbers`)
     if (name === 'positions') vertices = length / 3
     if (length !== vertices * size)
-      throw Place.of(at)
+      throw place
         .part(name)
-        .expected(`${size} numbers a vertex, ${vertices * size} for these positions,`, `${length}`)
+        .expected(
+          `${size} numbers per vertex, ${vertices * size} for these positions,`,
+          `${length}`,
+        )
     const isFloats = numbers instanceof Float32Array
     if (isFloats && checked.has(numbers)) continue
     const wrong = firstWrong(numbers, finiteFloat)
     if (wrong >= 0)
-      throw Place.of(at)
+      throw place
         .part(`${name}[${wrong}], of vertex ${Math.floor(wrong / size)}`)
-        .expected('a finite number', `${inWords(numbers[wrong])}`)
+        .expected('a finite number', describeNumber(numbers[wrong]))
     if (isFloats) noteChecked(numbers)
   }
   return vertices
@@ -115,47 +120,42 @@ export function checkVertices(at: Place | string, mesh: unknown): number {
 
 const adviceForUniform = (name: string) => `if it is a uniform, write { uniforms: { ${name}: … } }.`
 
-/** The uniforms of options that hold only what is `known`. */
+/** Returns the uniforms of options. Throws for an option that is not `known`. */
 export function uniformsOf(
-  at: Place | string,
+  place: Place,
   options: unknown,
   known: readonly string[] = ['uniforms'],
 ): Uniforms | undefined {
-  rejectUnknownOptions(options, known, at, adviceForUniform)
+  rejectUnknownOptions(options, known, place, adviceForUniform)
   return (options as { uniforms?: Uniforms } | undefined)?.uniforms
 }
 
-/** Throws for a uniform that is none of the inputs of a draw call and no parameter of the warp. */
-export function checkUniforms(at: Place | string, given: unknown, parameters: ReadonlySet<string>) {
+/** Throws for a uniform that is neither an input of a draw call nor a parameter of the warp. */
+export function checkUniforms(place: Place, given: unknown, parameters: ReadonlySet<string>) {
   if (given === undefined) return
   if (typeof given !== 'object' || given === null || isList(given))
-    throw Place.of(at)
-      .part('uniforms')
-      .expected('an object, such as { millis: 1200 },', describe(given))
+    throw place.part('uniforms').expected('an object, such as { millis: 1200 },', describe(given))
   for (const name in given) {
     if (Object.hasOwn(drawInputs, name) || parameters.has(name)) continue
     if (!Object.hasOwn(given, name)) continue
     const known = new Set([...Object.keys(drawInputs), ...parameters])
-    throw Place.of(at).error(
-      `the warp has no uniform "${name}"; there are ${[...known].join(', ')}.`,
-    )
+    throw unknownUniform(place, name, [...known])
   }
 }
 
 export type Range = readonly [low: number, high: number]
 
-/** The range of each coordinate of a box of that name. */
-export function readRanges(at: Place | string, name: string, box: unknown, count: number): Range[] {
-  const place = Place.of(at).part(name)
+/** Reads `{ min, max }` as the range of each coordinate. */
+export function readRanges(place: Place, box: unknown, count: number): Range[] {
   if (typeof box !== 'object' || box === null)
     throw place.expected(`{ min, max }, each of ${count} numbers,`, describe(box))
   const { min, max } = box as Box
+  const name = place.subject
   const low = readNumbers(place.part(`${name}.min`), min, count)
   const high = readNumbers(place.part(`${name}.max`), max, count)
-  return low.map((least, i) => {
-    if (least <= high[i]!) return [least, high[i]!]
-    throw place.error(
-      `${name}.min[${i}] is ${least}, above ${name}.max[${i}], which is ${high[i]}.`,
-    )
+  return low.map((start, i) => {
+    const end = high[i]!
+    if (start <= end) return [start, end]
+    throw place.error(`${name}.min[${i}] is ${start}, above ${name}.max[${i}], which is ${end}.`)
   })
 }

@@ -1,4 +1,4 @@
-/** What `make` gives, made when it is first asked for. */
+/** Wraps `make` so that it is called at most once, when its result is first needed. */
 export function lazily<Value>(make: () => Value): () => Value {
   let made: { value: Value } | undefined
   return () => (made ??= { value: make() }).value

@@ -1,4 +1,4 @@
-/** Some results of programs, by number. What is known of a program for them is found by this object, so each set is made once. */
+/** Results of programs, by number. Caches use the object as a key, so that each set is made only once. */
 export class ResultSet {
   constructor(readonly numbers: readonly number[]) {}
 }

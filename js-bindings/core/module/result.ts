@@ -1,52 +1,54 @@
-// What every session takes and gives.
-import { Session, type Recording } from '../expression/session.js'
-import type { Target } from './kept-module.js'
+// The options and results of all compilers.
+import { Session } from '../expression/session.js'
 import { type TypeName, type Variable, typeOf } from '../expression/shapes.js'
+import type { Recording } from '../expression/wasm-session.js'
+import type { Target } from './serialized-module.js'
 
-/** How much work a result is. */
+/** The cost of shader code. */
 export interface Stats {
-  /** Graph nodes that the results need, constants and inputs included. */
+  /** The number of graph nodes that the results need, including constants and inputs. */
   nodes: number
-  /** Those of them that compute something. */
+  /** The number of nodes that compute something. */
   operations: number
-  /** Variables that hold what is read more than once, or what would be too long a line. */
+  /** The number of variables, which hold values that are read more than once, or that would make a line too long. */
   temporaries: number
-  /** Those of them that are vectors: what is done to several components at once. The others are single. */
+  /** The number of variables that are vectors, and so compute several components at once. */
   vectors: number
 }
 
-/** What a text reads, with the type that the host is to declare. */
+/** A variable that shader code reads, with the type that the host must declare. */
 export interface Declared {
   name: string
-  /** `'sampler2D'` is an image: a `texture_2d<f32>` of WGSL. */
+  /** `'sampler2D'` is an image: a `texture_2d<f32>` in WGSL. */
   type: TypeName
 }
 
-export const declared = ({ name, shape, read }: Variable): Declared => ({
+export const toDeclared = ({ name, shape, read }: Variable): Declared => ({
   name,
   type: read?.type ?? typeOf(shape),
 })
 
-/** Each once: the halves of a whole number are one variable. */
+/** Lists each variable once: the two halves of a whole number are one variable. */
 export const declaredOf = (variables: readonly Variable[]): Declared[] =>
-  [...new Map(variables.map((each) => [each.name, each])).values()].map(declared)
+  [...new Map(variables.map((each) => [each.name, each])).values()].map(toDeclared)
 
 export interface Compiled {
-  /** Statements for the inside of a function; they declare and assign the results. */
+  /** Statements for the body of a function, which declare and assign the results. */
   code: string
-  /** Functions that `code` calls, for above `main`: the sources of `glsl.fn`, each once. */
+  /** Functions that `code` calls, to be put above `main`, including the sources of `glsl.fn`. */
   declarations: string
-  /** The host's variables and expressions that the statements really read. */
+  /** The host's variables and expressions that the statements read. */
   uniforms: Declared[]
   stats: Stats
 }
 
 export interface CompileOptions {
-  /** The shading language; `'glsl300'` unless given. */
+  /** The shading language.
+   * @default 'glsl300' */
   target?: Target
 }
 
-/** Does some work with a session, and closes it whatever happens. */
+/** Does `work` with a session, and closes it whatever happens. */
 export function withSession<Result>(
   target: Target,
   work: (session: Session) => Result,

@@ -1,17 +1,17 @@
-// Other names of operations; js-bindings/core/expression/aliases.ts has them and says where they come from.
-import type { sameAs } from '../expression/aliases.js'
+// The types of aliases, which js-bindings/core/expression/aliases.ts defines.
+import type { aliases } from '../expression/aliases.js'
 import type { Operand, Scalar, Vec2, Vector } from './expressions.js'
 
-type Names = typeof sameAs
+type Names = typeof aliases
 
-/** Of the methods that there are. */
+/** The aliases of the given methods. */
 export type AliasesOf<Methods> = {
   [
     Alias in keyof Names as Names[Alias] extends keyof Methods ? Alias : never
   ]: Methods[Names[Alias] & keyof Methods]
 }
 
-/** Of numbers and vectors, by component. */
+/** Composed methods of numbers and vectors, by component. */
 export interface MadeMethods<Self> {
   /** 1 - x */
   oneMinus(): Self
@@ -23,40 +23,41 @@ export interface MadeMethods<Self> {
   pow2(): Self
   /** x * x * x */
   pow3(): Self
-  /** The same expression: none ever changes. */
+  /** The same expression, since expressions never change. */
   copy(): Self
-  /** The rest of a division, x - divisor * trunc(x / divisor), which has the sign of x as JavaScript's `%`. */
+  /** The remainder of a division, x - divisor * trunc(x / divisor), with the sign of x, like JavaScript's `%`. */
   rem(divisor: Self | Operand): Self
 }
 
+/** Composed methods of vectors. */
 export interface MadeVectorMethods<Self> {
   /** The square of the length. */
   magSq(): Scalar
   /** The square of the length. */
   lengthSq(): Scalar
-  /** The rest of a division, x - divisor * trunc(x / divisor), which has the sign of x as JavaScript's `%`. */
+  /** The remainder of a division, x - divisor * trunc(x / divisor), with the sign of x, like JavaScript's `%`. */
   rem(divisor: Self | Operand): Self
-  /** The rest of a division of each component by a number of its own. */
+  /** The remainder of the division of each component by its own divisor. */
   rem(x: Operand, y: Operand, ...zw: Operand[]): Self
-  /** The same direction, but no longer than that. */
+  /** The vector, shortened to a maximum length. */
   limit(length: Operand): Self
-  /** The same direction with that length. */
+  /** A vector with the same direction and the given length. */
   setMag(length: Operand): Self
   /** The angle of x and y, from -π to π. */
   heading(): Scalar
-  /** The angle to another vector, from -π to π, as p5 signs it; of a vec2 or vec3. */
+  /** The angle from a vec2 or vec3 to another one, from -π to π, with the sign that p5 gives it. */
   angleBetween(v: Self): Scalar
-  /** Its components. */
+  /** The components. */
   array(): Scalar[]
 }
 
-/** Of a vec2. */
+/** Methods of a vec2 only. */
 export interface Vec2Methods {
-  /** The vector turned by an angle in radians. */
+  /** The vector rotated by an angle in radians. */
   rotate(angle: Operand): Vec2
 }
 
-/** The same as functions of the builder. */
+/** The composed methods as functions of `glsl`. */
 export interface MadeFunctions {
   /** 1 - x */
   oneMinus<Value extends object>(x: Value): Value
@@ -74,11 +75,11 @@ export interface MadeFunctions {
   lengthSq(v: object): Scalar
   /** The same expression. */
   copy<Value extends object>(x: Value): Value
-  /** The rest of a division, which has the sign of x. */
+  /** The remainder of a division, with the sign of x. */
   rem<Value extends object>(x: Value, ...divisor: (Value | Operand)[]): Value
-  /** The same direction, but no longer than that. */
+  /** The vector, shortened to a maximum length. */
   limit<Value extends Vector>(v: Value, length: Operand): Value
-  /** The same direction with that length. */
+  /** A vector with the same direction and the given length. */
   setMag<Value extends Vector>(v: Value, length: Operand): Value
   /** The angle of x and y. */
   heading(v: Vector): Scalar

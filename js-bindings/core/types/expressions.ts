@@ -1,9 +1,9 @@
-// Expressions as a sketch sees them. At run time all are one class; see expression.ts. Operations come from the
-// tables, by way of methods.ts; what is no operation is here.
+// The types of expressions. At run time all are one class; see expression.ts. The types of operations are in methods.ts, which is
+// generated from the tables of operations; everything else is here.
 //
-// Every method throws a `WarpError` for an argument that is no finite number or expression of the same warp, for vectors
-// of different sizes, and where constants give no finite result.
-// What derivatives are at kinks is said at the top of src/ops/table.hpp, and for artists in web/docs/operations.md.
+// Every method throws a `WarpError` for an argument that is neither a finite number nor an expression of the same warp, for vectors
+// of different sizes, and if the result of constants is not finite.
+// The top of src/ops/table.hpp and, for artists, web/docs/operations.md define the derivatives at kinks.
 import type {
   MatrixMethods,
   ScalarMethods,
@@ -15,7 +15,7 @@ import type { AliasesOf, MadeMethods, MadeVectorMethods, Vec2Methods } from './a
 import type { CurlMethod, FieldMethods, NoiseMethods } from './noise.js'
 import type { MatrixOf, Shape, Size, VectorOf } from './signatures.js'
 
-/** An expression of one number a vertex. A condition is one too: 1 or 0 where it is used as a number. */
+/** An expression of one number. A condition is a scalar too: 1 or 0 where it is used as a number. */
 export interface Scalar
   extends
     Shape<1, 1>,
@@ -71,12 +71,12 @@ export interface Vec4
     STPQ,
     UV {}
 
-/** Of different numbers of columns and rows, as some Jacobians are; GLSL's matCxR. WebGL 1 has none. */
+/** A matrix, possibly with different numbers of columns and rows, as some Jacobians have: GLSL's matCxR, which WebGL 1 lacks. */
 export interface Matrix<Columns extends Size, Rows extends Size>
   extends Shape<Columns, Rows>, MatrixMethods<MatrixOf<Columns, Rows>>, Results {
-  /** The column of this number, from 0. */
+  /** The column with this index, from 0. */
   column(index: number): VectorOf<Rows>
-  /** The row of this number, from 0. */
+  /** The row with this index, from 0. */
   row(index: number): VectorOf<Columns>
 }
 
@@ -90,13 +90,13 @@ export type Expression = Scalar | Vector | AnyMatrix
 export type Operand = Scalar | number
 
 interface Results {
-  /** In `gen` alone: writes this expression into a shader variable of that name. */
+  /** Only in `gen`: writes this expression into a shader variable of that name. */
   output(name: string): void
-  /** In `gen` alone: writes the partial derivative by an input, such as `x` or `position.y()`. */
+  /** Only in `gen`: writes the partial derivative by an input, such as `x` or `position.y()`, into a shader variable. */
   outputDeriv(name: string, input: Scalar): void
 }
 
-/** `v.y` and `v.y()` are the same. */
+/** A component, which can be called: `v.y` and `v.y()` are the same. */
 type Component<Value> = Value & (() => Value)
 
 /** All selections of one to four components, such as `x`, `zy` and `xxx`. */

@@ -1,4 +1,4 @@
-// `glsl`, the builder, as a sketch sees it.
+// The types of `glsl`, the builder.
 import type {
   AnyMatrix,
   Expression,
@@ -21,16 +21,16 @@ import type { ImageName } from './offset.js'
 type Parts = (Scalar | Vector | number)[]
 
 interface FromColumns<Self, Column> {
-  /** A matrix from numbers, which go down the columns; from one number, it stands on the diagonal. */
+  /** A matrix from numbers, column by column; one number fills the diagonal. */
   (...numbers: Operand[]): Self
   /** A matrix from its columns. */
   (...columns: Column[]): Self
-  /** A matrix from one of another size, cut off or filled up with ones on the diagonal. */
+  /** A matrix from one of another size, truncated, or extended with ones on the diagonal. */
   (matrix: AnyMatrix): Self
 }
 
 interface FromRows<Self, Row> {
-  /** A matrix from numbers, which go along the rows; from one number, it stands on the diagonal. */
+  /** A matrix from numbers, row by row; one number fills the diagonal. */
   (...numbers: Operand[]): Self
   /** A matrix from its rows. */
   (...rows: Row[]): Self
@@ -66,33 +66,32 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
   mat2Rows: FromRows<Mat2, Vec2>
   mat3Rows: FromRows<Mat3, Vec3>
   mat4Rows: FromRows<Mat4, Vec4>
-  /** The column of a matrix, by its number from 0. */
+  /** The column of a matrix with an index, from 0. */
   column<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<R>
-  /** The row of a matrix, by its number from 0. */
+  /** The row of a matrix with an index, from 0. */
   row<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<C>
   /**
-   * The colour of an image at `uv`, from (0, 0) to (1, 1) across it, v down: red, green, blue and alpha. `sampler` is the
-   * image among `uniforms`, or the name of the shader's image: a `uniform sampler2D`, in WGSL a `texture_2d<f32>` variable, which your shader declares.
-   * `glsl100`, WebGL 1's language, cannot ask for its size: declare `uniform vec2 heightMapSize` too, in texels, for a
-   * `heightMap`. Works in the vertex and in the fragment stage, and only on the GPU.
+   * The color of an image at `uv`: red, green, blue and alpha. `uv` is (0, 0) at the top left and (1, 1) at the bottom right.
+   * `sampler` is the image among `uniforms`, or the name of an image that your shader declares: a `uniform sampler2D`, or in WGSL a
+   * `texture_2d<f32>` variable. `glsl100`, WebGL 1's language, cannot query its size: for a `heightMap`, declare
+   * `uniform vec2 heightMapSize` too, in texels. Works in vertex and fragment shaders, and only on the GPU.
    *
-   * It reads texels and mixes them itself, so that its derivatives are exactly those of what it gives, whatever filter is
-   * set for the image; mipmaps are not read.
+   * It reads texels and filters them itself, so that its derivatives are exactly those of its values, whatever filter is set for
+   * the image. It does not read mipmaps.
    */
   texture(sampler: ImageName, uv: Vec2, options?: TextureOptions): Vec4
   /**
-   * What `body` makes of a state when it is applied to its own result so often, as a loop of the shader: `body` is called
-   * once, with expressions of the state and of the step's number, from 0 on, and returns the next state of the same
-   * shape. A state is a number, a vector, or an object of them.
+   * Applies `body` to a state `count` times, as a loop of the shader. `body` is called once, with expressions of the state and of the
+   * number of the step, from 0, and returns the next state, of the same shape. A state is a number, a vector, or an object of them.
    *
    *     const { z } = glsl.repeat(8, { z: position.xy() }, ({ z }, i) => ({ z: z.mult(1.1).add(i) }))
    *
-   * JavaScript's own loops write their body into the shader as often as they run. Take those for a few steps, or
-   * where steps differ; take `repeat` where many steps are alike: the text stays short, and the shader starts sooner. `count` is a
-   * number of JavaScript, up to 10,000, those of repeats within each other multiplied; with 0, the start comes back.
+   * Loops of JavaScript are unrolled in the shader. Use them for a few steps, or for steps that differ; use `repeat` for many steps
+   * that are alike: the code stays short, and the shader compiles faster. `count` is a number, not an expression, up to 10,000, where
+   * the counts of nested repeats are multiplied; 0 returns the start.
    *
-   * Throws a `WarpError` if `count` is no such number, if `body` returns no state or one of another shape, and where an
-   * expression of its state is used after it is over.
+   * Throws a `WarpError` for another `count`, if `body` returns no state or one of another shape, and if an expression of its state
+   * is used outside of it.
    */
   repeat<State extends RepeatState>(
     count: number,
@@ -100,9 +99,9 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
     body: (state: RepeatExpressions<State>, i: Scalar) => RepeatNext<State>,
   ): RepeatExpressions<State>
   /**
-   * A function of a text in GLSL, to be called with numbers and expressions, with its exact derivatives; import
-   * 'warpjet/glsl' for it. It is `options.function`, or the one named `offset`, or the last. What the text's uniforms are,
-   * `options.uniforms` says: hand over `uniforms`.
+   * Makes a function of GLSL source callable with numbers and expressions, with its exact derivatives. Import 'warpjet/glsl' first.
+   * The function is `options.function`, or the one named `offset`, or the last one. `options.uniforms` has the values of the
+   * source's uniforms: pass `uniforms`.
    *
    *     const ripple = glsl.source('float ripple(vec2 p, float t) { return sin(length(p) - t); }')
    *     ripple(position.xy(), millis)
@@ -111,91 +110,92 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
     source: string,
     options?: SourceOptions,
   ): (...operands: readonly (Operand | Expression)[]) => Result
-  /** A function of your own, in the shader's language; used like a built-in one. */
+  /** Declares a function in the shader's language, which can be called like a built-in one. */
   fn<Arity extends FunctionArity>(options: FunctionOptions<Arity>): OwnFunction<Arity>
 }
 
 type RepeatPart = Operand | Vector
 
-/** What `glsl.repeat` starts with: a number, a vector, or an object of them. */
+/** The start of `glsl.repeat`: a number, a vector, or an object of them. */
 export type RepeatState = RepeatPart | { readonly [name: string]: RepeatPart }
 
 /** A number that a state starts as becomes an expression. */
 type RepeatExpression<Part> = Part extends Operand ? Scalar : Part
 
-/** The state as `glsl.repeat` hands it on. */
+/** The state that `glsl.repeat` passes to its function, and returns. */
 export type RepeatExpressions<State extends RepeatState> = State extends RepeatPart
   ? RepeatExpression<State>
   : { [Name in keyof State]: RepeatExpression<State[Name]> }
 
-/** The state as the function of `glsl.repeat` returns it: of numbers too. */
+/** The state that the function of `glsl.repeat` returns, which may contain numbers. */
 export type RepeatNext<State extends RepeatState> = State extends RepeatPart
   ? RepeatNextPart<State>
   : { [Name in keyof State]: RepeatNextPart<State[Name]> }
 
 type RepeatNextPart<Part> = Part extends Operand ? Operand : Part
 
-/** What `glsl.source` takes. */
+/** The options of `glsl.source`. */
 export interface SourceOptions {
-  /** The name of the function. */
+  /** The name of the function. Default: `offset`, or the last function. */
   function?: string
-  /** How often a loop runs whose end depends on what only the shader knows; without it such a loop is refused. */
+  /** The number of iterations of a loop whose end only the shader knows. Without it, such a loop throws. */
   maxIterations?: number
-  /** As an offset function gets them. */
+  /** The `uniforms` of an offset function. */
   uniforms?: object
 }
 
-/** What `glsl.texture` takes. */
+/** The options of `glsl.texture`. */
 export interface TextureOptions {
   /**
-   * How it goes on between the centres of texels.
-   * - `'bilinear'`: the mix of four texels. Its slope jumps at every row and column of texels, and so does light.
-   * - `'bicubic'`, of 16 texels: goes through the texels without such jumps, and a little beyond them beside edges (the
+   * The interpolation between the centers of texels.
+   * - `'bilinear'`, of 4 texels. Its slope jumps at every row and column of texels, and so does the lighting.
+   * - `'bicubic'`, of 16 texels: passes through the texels without such jumps, and overshoots a little beside edges (the
    *   Catmull-Rom spline; Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2).
-   * - `'bspline'`, of 16 texels: smooths the image by about a texel, and is smooth up to its second derivatives; for
-   *   heights of 8 bits and for light that shows no texels (the uniform cubic B-spline; Sigg and Hadwiger, "Fast
+   * - `'bspline'`, of 16 texels: blurs the image by about a texel, and has continuous second derivatives; for heights of 8 bits and
+   *   for lighting that does not show texels (the uniform cubic B-spline; Sigg and Hadwiger, "Fast
    *   Third-Order Texture Filtering", GPU Gems 2, chapter 20, 2005).
    * - `'nearest'`: the texel itself, for images that hold data. Its derivative is 0.
    *
-   * Default: for an image among the `uniforms` of `createWarp`, `warp` and `BabylonWarp` the magnification filter that the host
-   * has set for it, `'nearest'` or `'bilinear'`; elsewhere `'bilinear'`.
+   * Default: the magnification filter that the host has set for an image among the `uniforms` of `createWarp`, `warp` and
+   * `BabylonWarp`, which is `'nearest'` or `'bilinear'`; for other images `'bilinear'`.
    */
   filter?: 'bilinear' | 'bicubic' | 'bspline' | 'nearest'
   /**
-   * Beyond 0 and 1: the colour of the edge, the image again, or its mirror image. `'sampler'` leaves it to the sampler of your own
-   * shader; in WGSL, where an image has none, that is `'clamp'`.
+   * The color outside of the image: that of the edge, the image repeated, or mirrored. `'sampler'` uses the sampler of your own shader;
+   * in WGSL, where an image has none, that is `'clamp'`.
    *
-   * Default: for an image among the `uniforms` of `createWarp`, `warp` and `BabylonWarp` what the host has set for it, as by p5's
-   * `textureWrap`; in GLSL that warpjet reads, `'sampler'`; elsewhere `'clamp'`.
+   * Default: the mode that the host has set for an image among the `uniforms` of `createWarp`, `warp` and `BabylonWarp`, such as by
+   * p5's `textureWrap`; in GLSL source `'sampler'`; for other images `'clamp'`.
    */
   wrap?: 'clamp' | 'repeat' | 'mirror' | 'sampler'
   /**
-   * `false`: `uv` as it is. Otherwise a texture of three.js or Babylon.js among the `uniforms` moves, scales and rotates it first, by
-   * its `offset`, `repeat` and `rotation`, or by its matrix. `texture()` in GLSL never does.
+   * `true`: a texture of three.js or Babylon.js among the `uniforms` first transforms `uv` by its `offset`, `repeat` and `rotation`, or
+   * by its matrix. `texture()` in GLSL source never does.
+   * @default true
    */
   transform?: boolean
 }
 
 export type FunctionArity = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 | 10 | 11 | 12 | 13 | 14 | 15 | 16
 
-/** What `glsl.fn` takes. */
+/** The options of `glsl.fn`. */
 export interface FunctionOptions<Arity extends FunctionArity> {
-  /** As the source has it. */
+  /** The name of the function in the source. */
   name: string
-  /** The text of the function, from floats to a float, with all that it calls. An object if the same sketch is compiled
-   * for both languages. */
+  /** The source of the function, from floats to a float, and of all functions that it calls. Use an object if the same code is
+   * compiled for both languages. */
   source: string | { glsl?: string; wgsl?: string }
-  /** How many floats the function takes. */
+  /** The number of arguments. */
   arity: Arity
-  /** The partial derivatives, one by each argument. Only needed where something is derived, as a warp's normal is. */
+  /** The partial derivatives, one by each argument. Only needed where a derivative is taken, such as for a warp's normal. */
   derivatives?: Readonly<Arguments<FunctionDerivative<Arity>, Arity>>
 }
 
-/** What `glsl.fn` gives. TypeScript wants it written out where a derivative calls the function itself:
+/** The result of `glsl.fn`. TypeScript needs the annotation if a derivative calls the function itself:
  * `const bump: OwnFunction<1> = glsl.fn({ … })`. */
 export type OwnFunction<Arity extends FunctionArity> = ByComponent<Arguments<Operand, Arity>>
 
-/** A number, an expression, or a function of all arguments that gives one, such as another `glsl.fn`. */
+/** A number, an expression, or a function of all arguments that returns one, such as another `glsl.fn`. */
 export type FunctionDerivative<Arity extends FunctionArity> =
   Operand | ((...numbers: Arguments<Scalar, Arity>) => Operand)
 

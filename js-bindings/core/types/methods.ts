@@ -1,5 +1,5 @@
-// Written by `npm run reference` from the tables of operations, src/ops/table.hpp and
-// src/builder/compositions.hpp. What is not in them is in types.ts.
+// Written by `npm run reference` from the tables of operations: src/ops/declarations.hpp, src/ops/documentation.hpp and
+// src/builder/compositions.hpp. Everything else is in types.ts.
 import type {
   ColumnsOf,
   IfSquare,

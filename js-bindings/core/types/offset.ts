@@ -1,4 +1,4 @@
-// What an offset function is given, and the uniforms that a sketch names.
+// The types of an offset function, its inputs and its uniforms.
 import type { Mat3, Mat4, Scalar, Vec2, Vec3, Vec4, Vector } from './expressions.js'
 import type { Glsl } from './glsl.js'
 import type { VectorOf } from './signatures.js'
@@ -16,7 +16,7 @@ export type UniformValue =
   | ColorLike
   | ImageLike
 
-/** A p5.Vector, or another with these. */
+/** A p5.Vector, or another object with these properties. */
 export interface VectorLike {
   readonly x: number
   readonly y: number
@@ -28,7 +28,7 @@ export interface ColorLike {
   setAlpha(alpha: number): unknown
 }
 
-/** A p5.Image, p5.Graphics, p5.Framebuffer or video, for `glsl.texture`; only p5's createWarp can show it to the shader. */
+/** A p5.Image, p5.Graphics, p5.Framebuffer or video, for `glsl.texture`; only p5's createWarp can pass it to the shader. */
 export interface ImageLike {
   readonly width: number
   readonly height: number
@@ -36,12 +36,12 @@ export interface ImageLike {
 
 export type UniformValues = Readonly<Record<string, UniformValue>>
 
-/** The option `uniforms`: by name a value, or a function that gives it, which is asked again whenever the warp is used. */
+/** The option `uniforms`: maps a name → value, or a function that returns it, which is called whenever the warp is used. */
 export type UniformOptions<Values extends UniformValues = UniformValues> = {
   [Name in keyof Values]: Values[Name] | (() => Values[Name])
 }
 
-/** What the offset function gets for a value; an array of which TypeScript does not know the length may be any. */
+/** The expression of a uniform with a type of value. An array whose length TypeScript does not know may be of any size. */
 export type UniformExpression<Value> = Value extends number | boolean
   ? Scalar
   : Value extends ImageLike
@@ -54,7 +54,7 @@ export type UniformExpression<Value> = Value extends number | boolean
         ? Vec4
         : Vec3
 
-/** An image among the uniforms, as `glsl.texture` takes it: the shader's name of it. */
+/** The shader's name of an image among the uniforms, for `glsl.texture`. */
 export type ImageName = string
 
 type OfLength<Length> = Length extends 2 | 3 | 4
@@ -65,12 +65,12 @@ type OfLength<Length> = Length extends 2 | 3 | 4
       ? Mat4
       : never
 
-/** What the offset function gets as `uniforms`. */
+/** The input `uniforms` of an offset function. */
 export type UniformExpressions<Values> = {
   readonly [Name in keyof Values]: UniformExpression<Values[Name]>
 }
 
-/** What a call may give in place of the declared values. */
+/** Values that a call may pass in place of the declared ones. */
 export type UniformOverrides<Values> = {
   readonly [Name in keyof Values]?: UniformExpression<Values[Name]> extends Scalar
     ? number | boolean
@@ -79,43 +79,43 @@ export type UniformOverrides<Values> = {
       : ArrayLike<number> | VectorLike | ColorLike
 }
 
-/** What an offset function is given. */
+/** The inputs of an offset function. */
 export interface WarpInputs<Uniforms extends UniformValues = {}> {
-  /** By the names of the option `uniforms`; reading another one throws. */
+  /** The uniforms that the option `uniforms` declares. Reading another name throws. */
   uniforms: UniformExpressions<Uniforms>
   /** The builder: `glsl.vec3(x, y, z)`, `glsl.val(2)`, and every operation as a function. */
   glsl: Glsl
-  /** The vertex, in the space of the warp: a `sphere()` of p5 goes from -1 to 1 there, whatever its radius, unless
-   * `space: 'world'` makes it pixels. */
+  /** The position of the vertex, in the space of the warp: a `sphere()` of p5 ranges from -1 to 1 there, whatever its radius; with
+   * `space: 'world'`, positions are in pixels. */
   position: Vec3
-  /** The vertex's normal as the mesh has it, usually of length 1. That it varies over the surface, as `uv` does, counts
-   * where the mesh says how (`surfaceVariation` of 'warpjet/mesh'); `color` counts as constant. */
+  /** The vertex's normal in the mesh, normally of length 1. The warped normal takes into account how it and `uv` vary over the
+   * surface, if the mesh says how (`surfaceVariation` of 'warpjet/mesh'); `color` counts as constant. */
   normal: Vec3
   /** Texture coordinates. */
   uv: Vec2
-  /** Red, green, blue and alpha from 0 to 1: of the vertex if it has one, otherwise the fill. */
+  /** Red, green, blue and alpha from 0 to 1: the color of the vertex if it has one, otherwise the fill. */
   color: Vec4
   /** Milliseconds since the sketch started. */
   millis: Scalar
-  /** The mouse in pixels from the canvas' top left corner, as p5's mouseX and mouseY. */
+  /** The position of the mouse in pixels from the top left corner of the canvas, like p5's mouseX and mouseY. */
   mouse: Vec2
   /** The first number of `mouse`. */
   mouseX: Scalar
   /** The second number of `mouse`. */
   mouseY: Scalar
-  /** The canvas in pixels, as p5's width and height: not multiplied by pixelDensity. */
+  /** The size of the canvas in CSS pixels, like p5's width and height: not multiplied by pixelDensity. */
   size: Vec2
   /** The first number of `size`. */
   width: Scalar
   /** The second number of `size`. */
   height: Scalar
-  /** Pixels of the screen for one of the canvas, as p5's `pixelDensity()`. */
+  /** The number of screen pixels per canvas pixel, like p5's `pixelDensity()`. */
   pixelDensity: Scalar
-  /** The number of the instance that is drawn, from 0, as of `model(shape, count)` in p5 2. Needs WebGL 2 or WebGPU. */
+  /** The index of the drawn instance, from 0, as of `model(shape, count)` in p5 2. Needs WebGL 2 or WebGPU. */
   instance: Scalar
 }
 
-/** From a vertex to the offset that moves it. Called once; loops and functions act as macros. */
+/** Returns the offset that moves a vertex. It is called once; its loops and functions act as macros. */
 export type OffsetFunction<Uniforms extends UniformValues = {}> = (
   inputs: WarpInputs<Uniforms>,
 ) => Vec3

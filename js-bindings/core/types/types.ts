@@ -1,4 +1,4 @@
-// The types that a sketch sees.
+// The types of offset functions and expressions, for users.
 export type * from './expressions.js'
 export type * from './glsl.js'
 export type * from './offset.js'

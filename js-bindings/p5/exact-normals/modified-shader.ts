@@ -1,4 +1,4 @@
-/** Shaders with hooks of a sketch, as p5's `modify` makes them. */
+/** The type of shaders that p5's `modify` makes. */
 
 /** A shader that p5's `modify` made. */
 export interface ModifiedShader {
@@ -6,17 +6,17 @@ export interface ModifiedShader {
     readonly vertex: Readonly<Record<string, string>>
     readonly helpers: Readonly<Record<string, string>>
     readonly uniforms: Readonly<Record<string, unknown>>
-    /** On WEBGPU. */
+    /** WEBGPU only. */
     readonly storageUniforms?: Readonly<Record<string, unknown>>
     readonly fragment?: Readonly<Record<string, string>>
     readonly declarations?: string
     readonly varyingVariables?: readonly string[]
     readonly modified: { readonly vertex: Readonly<Record<string, boolean>> }
   }
-  /** As p5 has it, with the places of hooks. */
+  /** p5's vertex source, with placeholders for the hooks. */
   _vertSrc: string
   modify(hooks: Record<string, string>): ModifiedShader
 }
 
-/** Whether the shader is of a WEBGPU canvas. */
+/** Returns whether the shader belongs to a WEBGPU canvas. */
 export const isWgsl = ({ _vertSrc }: ModifiedShader) => /\bfn main\b/.test(_vertSrc)

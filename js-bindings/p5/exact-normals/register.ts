@@ -1,4 +1,4 @@
-/** Makes `exactNormals` a function of sketches on a page whose scripts are warpjet's and p5's. */
+/** Adds `exactNormals` to p5's sketches on a page that loads warpjet and p5 by script tags. */
 import { exactNormals } from './exact-normals.js'
 
 const page = globalThis as unknown as { warpjet?: unknown; p5?: Function }

@@ -15,18 +15,18 @@ export function describeShader(given: unknown): string {
   const names = [...Object.keys(vertex), ...Object.keys(fragment)]
   const found = others.find(([pattern]) => names.some((name) => pattern.test(name)))
   if (found) return found[1]
-  // On 1.11 they have no hook of their own.
+  // On 1.11 shaders of lines have no hook of their own.
   if ('vec3 getLocalPosition' in vertex) return others[0]![1]
   return typeof shader?.vertSrc === 'function'
     ? 'one without hooks, such as createShader() and loadShader() make'
     : describe(given)
 }
 
-/** p5's own text, which it puts above all hooks, whichever calls it. */
+/** Removes p5's own random(), which p5 puts above every hook, called or not. */
 export const withoutRandom = (text: string) =>
   text.replace(/^float random\(float seed\) \{[^]*?^\}/m, '')
 
-/** Throws a `WarpError` for what makes a place that has no slope, or that the CPU and the derivative cannot see. */
+/** Throws a `WarpError` for hooks whose position has no derivative, or reads GPU memory that we cannot see. */
 export function checkReadable(shader: ModifiedShader, name: string, hook: string) {
   const word = name.split(' ')[1]
   const text = [hook, ...Object.values(shader.hooks.helpers)].join('\n')
@@ -35,23 +35,23 @@ export function checkReadable(shader: ModifiedShader, name: string, hook: string
   )
   if (isRandom && /\brandom\(/.test(text))
     throw new WarpError(
-      `random() in ${word} gives each vertex a number of its own, so that the surface has no slope between them; write noise(), which is smooth.`,
+      `random() in ${word} returns a different number for each vertex, so the surface has no derivative; write noise(), which is smooth.`,
     )
   const read = Object.keys(shader.hooks.storageUniforms ?? {})
     .map((key) => key.split(':')[0]!.trim())
     .find((storage) => new RegExp(`\\b${storage}\\s*\\[`).test(text))
   if (read)
     throw new WarpError(
-      `uniformStorage() "${read}" in ${word} is a list in the memory of the GPU, of which nothing is known here; hand over numbers by uniformFloat(), uniformVec3() and the like, or an image by uniformTexture().`,
+      `uniformStorage() "${read}" in ${word} is an array in GPU memory, which exactNormals cannot read; pass numbers by uniformFloat(), uniformVec3() and the like, or an image by uniformTexture().`,
     )
 }
 
-/** A sentence about the text that p5.strands made, which nobody wrote, without its lines. */
+/** Returns a message about source that p5.strands generated, without line numbers, since no user wrote those lines. */
 export const inStrandsWords = (message: string, word: string) =>
-  `p5.strands makes of ${word} what exactNormals cannot read (${message
+  `p5.strands generates source for ${word} that exactNormals cannot read (${message
     .replace(/^(?:glslOffset: )?line \d+, column \d+: /, '')
     .split('\n')[0]!
     .replace(/[.;]?$/, '')}); write the motion for createWarp.`
 
-/** Names that p5.strands gives. */
+/** Recognizes source of p5.strands by the names it generates. */
 export const isOfStrands = (hook: string) => /\b_p5_param_/.test(hook)

@@ -1,6 +1,6 @@
 /**
- * A warp that is called inside `buildGeometry()`, or after `beginGeometry()`: p5 collects vertices there and draws nothing, so the CPU
- * moves them, with the uniforms of that call.
+ * Bakes warps that are called inside `buildGeometry()` or after `beginGeometry()`: p5 collects vertices there and draws nothing, so the
+ * CPU moves them, with the uniforms of that call.
  */
 import { type Vertices, arrayNames, lazily, variationNames } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
@@ -18,19 +18,19 @@ import { variationOf } from '../variation/shape-variation.js'
 import type { CallValues, WarpUniforms } from '../sketch-uniforms.js'
 import { nameOf } from '../variation/variation-buffers.js'
 
-/** Moves the vertices of a shape, which p5 calls `name`. */
+/** Moves the vertices of a shape; `name` is p5's name of it. */
 type Bake = (shape: BuiltShape, name: string) => Pick<BuiltShape, 'vertices' | 'vertexNormals'>
 
 interface Baking {
   bake: Bake
-  /** True if the warp moves vertices that the model's transforms were applied to. */
+  /** True if the warp moves vertices after the model's transforms. */
   isOfWorld: boolean
 }
 
-/** Maps a builder to the shaders of the warps that were called since it began. */
-const baking = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
+/** Maps a builder to the warps called since it began, by their shaders. */
+const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
 
-/** To be called when a warp was put on; does nothing while no geometry is being built. Throws a `WarpError`. */
+/** Makes the geometry being built use the warp, if there is one. Called whenever a warp is applied. Throws a `WarpError`. */
 export function bakeIntoGeometry(
   made: MadeWarp,
   shader: Shader,
@@ -41,7 +41,7 @@ export function bakeIntoGeometry(
   const builder = renderer.geometryBuilder
   if (!builder) return
   checkBakeable(made)
-  const warps = baking.get(builder) ?? collect(builder, renderer)
+  const warps = warpsOf.get(builder) ?? collect(builder, renderer)
   warps.set(shader, {
     bake: bakeOf(made, given, values),
     isOfWorld: made.settings.space === 'world',
@@ -55,14 +55,14 @@ function checkBakeable({ settings: { space, shader } }: MadeWarp) {
     )
   if (Object.keys(shader?.hooks.modified.vertex ?? {}).length > 0)
     throw new WarpError(
-      'buildGeometry: the hooks of the option "shader" run on the GPU alone; call the warp before model(…), or make it without that option.',
+      'buildGeometry: the hooks of the option "shader" run only on the GPU; call the warp before model(…), or make it without that option.',
     )
 }
 
-/** From now on the builder moves what it collects while one of the warps is on. */
+/** Makes the builder move the shapes that it collects while a warp is in use. */
 function collect(builder: GeometryBuilder, renderer: Renderer) {
   const warps = new Map<Shader, Baking>()
-  baking.set(builder, warps)
+  warpsOf.set(builder, warps)
   const add = builder.addGeometry.bind(builder)
   builder.addGeometry = (shape) => {
     const { userFillShader } = stateOf(renderer)
@@ -74,7 +74,7 @@ function collect(builder: GeometryBuilder, renderer: Renderer) {
   return warps
 }
 
-/** p5 transforms what it collects: so in world space what it has added is moved. */
+/** p5 transforms shapes while it collects them, so warps in world space move the vertices that p5 has added. */
 function addMoved(
   { geometry }: GeometryBuilder,
   add: (shape: BuiltShape) => void,
@@ -119,7 +119,7 @@ function bakeOf(made: MadeWarp, given: WarpUniforms, values: CallValues): Bake {
       const variation = variationOf(shape, name)
       for (const each of variationNames) mesh[arrayNames[each]] = variation[each]
     }
-    const { positions, normals } = evaluated(() =>
+    const { positions, normals } = withBakeErrors(() =>
       cpu().evaluate(mesh, { uniforms: all() as never }),
     )
     const vectors = (vectors: Vector[], numbers: Float32Array) =>
@@ -150,7 +150,7 @@ function verticesOf(shape: BuiltShape, fill: readonly number[]): Vertices {
   return mesh
 }
 
-function evaluated<Result>(evaluate: () => Result): Result {
+function withBakeErrors<Result>(evaluate: () => Result): Result {
   try {
     return evaluate()
   } catch (error) {

@@ -1,2 +1,2 @@
-/** Loads the mesh module when it is first needed. A bundler makes it a file of its own. */
+/** Loads the mesh module on first use. A bundler makes it a separate file. */
 export const importMesh = (_method: string) => import('./with-mesh.js')

@@ -1,11 +1,11 @@
-/** `warpBox`, since p5's box has corners alone. */
+/** `warpBox`: p5's own box has no vertices besides its corners. */
 import { WarpError, describe } from '../../errors/errors.js'
 import type { Canvas } from '../host.js'
-import type { Makers, WarpModel } from './model.js'
+import type { P5Constructors, WarpModel } from './model.js'
 import { emptyModel } from './load-model.js'
 import type { Triple } from './triple.js'
 
-/** As p5's box has its faces: the first corner, and where the second and third lie from it. */
+/** The faces, in the order of p5's box: the first corner, and the edges from it to the second and third. */
 const faces: readonly (readonly [Triple, Triple, Triple])[] = [
   [
     [-0.5, -0.5, -0.5],
@@ -39,12 +39,12 @@ const faces: readonly (readonly [Triple, Triple, Triple])[] = [
   ],
 ]
 
-const mostDetail = 200
+const maxDetail = 200
 
-/** By renderer and detail, since p5 keeps what it draws for each. */
+/** Boxes by renderer and detail: p5 keeps the buffers of a shape per renderer. */
 const boxes = new WeakMap<object, Map<number, WarpModel>>()
 
-/** A sketch, where it draws. */
+/** The drawing functions of a sketch. */
 interface Drawing extends Canvas {
   push(): void
   pop(): void
@@ -52,9 +52,9 @@ interface Drawing extends Canvas {
   model(shape: WarpModel): void
 }
 
-/** `box(width, height, depth)` of p5, with `detail` squares along each edge. Throws a `WarpError` for other things than numbers. */
+/** Draws p5's `box(width, height, depth)`, with `detail` squares along each edge. Throws a `WarpError` if an argument is not a number. */
 export function drawBox(
-  p5: Makers,
+  p5: P5Constructors,
   canvas: object,
   width = 50,
   height = width,
@@ -63,15 +63,15 @@ export function drawBox(
 ) {
   for (const [name, value] of Object.entries({ width, height, depth, detail }))
     if (!Number.isFinite(value))
-      throw new WarpError(`warpBox: ${name} must be a number, but is ${describe(value)}.`)
-  if (!(Number.isInteger(detail) && detail >= 1 && detail <= mostDetail))
+      throw new WarpError(`warpBox: ${name}: expected a number, got ${describe(value)}.`)
+  if (!(Number.isInteger(detail) && detail >= 1 && detail <= maxDetail))
     throw new WarpError(
-      `warpBox: detail, how many squares lie along each edge, must be a whole number from 1 to ${mostDetail}, but is ${describe(detail)}.`,
+      `warpBox: detail, the number of squares along each edge: expected a whole number from 1 to ${maxDetail}, got ${describe(detail)}.`,
     )
   const { _renderer: renderer } = canvas as Drawing
   if (!renderer?.isP3D)
     throw new WarpError(
-      'warpBox: a 3D canvas is needed, made by createCanvas(width, height, WEBGL).',
+      'warpBox: needs a 3D canvas; call createCanvas(width, height, WEBGL) first.',
     )
   const known = boxes.get(renderer) ?? new Map<number, WarpModel>()
   boxes.set(renderer, known)
@@ -84,8 +84,8 @@ export function drawBox(
   drawing.pop()
 }
 
-/** Of size 1, as p5's own. */
-function makeBox(p5: Makers, renderer: object, detail: number): WarpModel {
+/** Makes a box of size 1, like p5's own. */
+function makeBox(p5: P5Constructors, renderer: object, detail: number): WarpModel {
   const box = emptyModel(p5, renderer)
   const steps = Array.from({ length: detail + 1 }, (_, i) => i / detail)
   faces.forEach(([corner, right, down], face) => {
@@ -106,7 +106,7 @@ function makeBox(p5: Makers, renderer: object, detail: number): WarpModel {
         box.faces.push([at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)])
       }),
     )
-    // Lines along the twelve edges of the box, each once: all of two faces, and between these two.
+    // Lines along the twelve edges of the box, each once: all edges of two opposite faces, and those between these faces.
     for (let i = 0; i < detail; i++)
       for (const end of [0, detail]) {
         if (face === 0 || face > 3) box.edges.push([at(i, end), at(i + 1, end)])

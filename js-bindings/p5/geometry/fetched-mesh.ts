@@ -1,26 +1,26 @@
 /**
- * Loads the mesh module for the page's main script: it is the file mesh.min.js beside that. A relative import would not do,
- * since a script from another server, such as a CDN, has no address of its own to start from.
+ * Loads the mesh module for the page's main script, from the file mesh.min.js in the same folder. A relative import would
+ * not work: in a script from another server, such as a CDN, it resolves against the page.
  */
 import { WarpError } from '../../errors/errors.js'
 import { version } from '../../generated/version.js'
 import { filesAreClosed } from '../../mesh/sources.js'
 
-/** What mesh.min.js of this build must be, as the attribute `integrity` has it. By .scripts/vite.library.mjs. */
+/** The hash of mesh.min.js in this build, for the attribute `integrity`. Defined by .scripts/vite.library.mjs. */
 declare const meshIntegrity: string
 
-// Only known while the script itself runs. One that stands in the page or in a bundle has no address.
+// Only available while the script itself runs. A script inline in the page or in a bundle has no address.
 const script =
   typeof document === 'object' ? (document.currentScript as HTMLScriptElement | null) : null
 const address = script?.src ?? ''
 
 /**
- * Whether the file beside this script is ours: not where the address only stands for the script, as a bare
- * `https://cdn.jsdelivr.net/npm/warpjet` does, beside which another package lies, nor where several files were made one.
+ * True if the file next to this script is ours. It is not if the address is an alias of the script, such as a bare
+ * `https://cdn.jsdelivr.net/npm/warpjet`, next to which are other packages, nor if several files were combined.
  */
 const isNamed = /^[^,?#]*\/p5\.warpjet\.min\.js([?#]|$)/.test(address)
 
-/** For `method`, which a sketch called. */
+/** `method` is the function that the sketch called, for messages. */
 export async function importMesh(method: string): Promise<typeof import('./with-mesh.js')> {
   const href = isNamed
     ? new URL('mesh.min.js', address).href
@@ -34,11 +34,11 @@ export async function importMesh(method: string): Promise<typeof import('./with-
       : isNamed
         ? "copy it there, from the package's folder dist"
         : 'check the connection, or copy it and this script, under their own names, from the package to a folder of yours'
-    throw new WarpError(`${method}: it needs ${href}, which cannot be loaded; ${why}.`)
+    throw new WarpError(`${method}: cannot load ${href}; ${why}.`)
   }
 }
 
-/** `import` checks no hash, but takes the module that a tag has fetched before it. */
+/** Fetches a module by a script tag, which checks its hash. `import` checks no hash, but reuses a module that a tag has fetched. */
 const fetchChecked = (src: string) =>
   new Promise((onload, onerror) => {
     const tag = document.createElement('script')

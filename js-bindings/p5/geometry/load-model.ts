@@ -1,12 +1,13 @@
-/** `loadWarpModel`: a file as a p5.Geometry. */
-import type { LoadModelOptions, Makers, WarpModel } from './model.js'
+/** `loadWarpModel`: loads a file as a p5.Geometry. */
+import type { LoadModelOptions, P5Constructors, WarpModel } from './model.js'
 import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
 
 export type { LoadModelOptions, WarpModel } from './model.js'
 
 /**
- * Found by what the sketch's own methods take, so that p5's types, those of @types/p5 and none at all will do.
+ * The type of models of a sketch, inferred from the parameters of its own methods, so that it works with p5's own types, with those of
+ * @types/p5 and without types.
  */
 export type ModelOf<Sketch> = Sketch extends {
   model: (geometry: infer Geometry, ...others: never) => unknown
@@ -17,18 +18,18 @@ export type ModelOf<Sketch> = Sketch extends {
 
 let made = 0
 
-/** An empty model of this sketch: p5 keeps what it draws under the model's id. */
-export function emptyModel({ Geometry }: Makers, renderer?: object): WarpModel {
+/** Makes an empty model with its own id, under which p5 keeps the buffers of the model. */
+export function emptyModel({ Geometry }: P5Constructors, renderer?: object): WarpModel {
   const model = new Geometry(undefined, undefined, undefined, renderer)
   model.gid = `warpjet|${made++}`
   model.warnings = []
   return model
 }
 
-/** Fills the model with what is in the file. */
+/** Reads a file into the model. */
 export const fillModel = (
   model: WarpModel,
-  p5: Makers,
+  p5: P5Constructors,
   url: string | URL,
   options?: LoadModelOptions,
 ): Promise<void> =>
@@ -37,16 +38,16 @@ export const fillModel = (
     await fillP5Model(model, p5, url, options)
   })
 
-/** What p5 1.x counts while it preloads. */
+/** The part of p5 1.x that counts pending loads in `preload()`. */
 export interface Preloading {
   _decrementPreload(): void
 }
 
 /**
- * For p5 1.x, where `loadModel` gives its model at once and fills it: the same, and it can be awaited. Awaiting ends with
- * the model, which therefore must not look like a promise any more by then.
+ * Makes the model a thenable, for p5 1.x: like p5's `loadModel`, ours returns the model at once and fills it later, but it can also be
+ * awaited. The promise resolves to the model, which must not have a `then` any more by that time.
  */
-export function awaitable(
+export function makeAwaitable(
   model: WarpModel,
   filling: Promise<void>,
   sketch: Preloading,

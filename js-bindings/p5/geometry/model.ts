@@ -1,6 +1,5 @@
-// For the p5 addon: files as what p5's `model()` draws, upright and of a size to be seen. Files have y upwards and linear colours, p5
-// has y downwards and sRGB, so both are turned into p5's. It stands here, and not in the addon, because it is of use only with this
-// module.
+// Converts model files to a p5.Geometry for p5's `model()`, upright and of visible size. Files have y upwards and linear colours, p5 has
+// y downwards and sRGB. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { describe } from '../../errors/errors.js'
 import { boolean } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
@@ -10,11 +9,17 @@ import { readModel } from '../../mesh/load.js'
 import type { Mesh, Picture } from '../../mesh/mesh-arrays.js'
 
 export interface LoadModelOptions {
-  /** Centered, and 200 units at its longest, as p5's `loadModel` does it; true unless given. */
+  /**
+   * Whether the model is centered and scaled to 200 units along its longest side, as by p5's `loadModel`.
+   * @default true
+   */
   normalize?: boolean
-  /** The file's y upwards on the canvas; true unless given. */
+  /**
+   * Whether the file's y axis points upwards on the canvas.
+   * @default true
+   */
   flipY?: boolean
-  /** For compressed glTF files, as `loadMesh` takes them. */
+  /** Decoders of compressed glTF files, as for `loadMesh`. */
   decoders?: Decoders
 }
 
@@ -24,23 +29,23 @@ export interface Vector {
   z: number
 }
 
-/** What is used of a p5.Geometry, and what is added to it. `ModelOf` has all of a p5.Geometry, where the types of p5 are known. */
+/** The members of a p5.Geometry that we use, and those that we add. With p5's types, `ModelOf` has all members of a p5.Geometry. */
 export interface WarpModel {
   gid: string
   vertices: Vector[]
   vertexNormals: Vector[]
-  /** Two numbers a vertex. */
+  /** 2 numbers per vertex. */
   uvs: number[]
-  /** Three vertices each. */
+  /** Triangles: 3 vertices each. */
   faces: number[][]
-  /** Four numbers a vertex, or none. They go before `fill`; `clearColors()` removes them. */
+  /** 4 numbers per vertex, or empty. They override `fill`; `clearColors()` removes them. */
   vertexColors: number[]
-  /** Lines between vertices, two each. */
+  /** Lines: 2 vertices each. */
   edges: number[][]
   normalize(): unknown
-  /** The picture of the file's material, a p5.Image for p5's `texture`. */
+  /** The base color texture of the file's material: a p5.Image for p5's `texture`. */
   texture?: object
-  /** What was left out of the file, in sentences. */
+  /** Messages about parts of the file that were left out. */
   warnings: string[]
 }
 
@@ -48,8 +53,8 @@ interface Image {
   drawingContext: CanvasRenderingContext2D
 }
 
-/** What of p5 makes things. */
-export interface Makers {
+/** The p5 constructors that we need. */
+export interface P5Constructors {
   Geometry: new (
     detailX?: number,
     detailY?: number,
@@ -68,12 +73,12 @@ const modelOptions = object({
 } satisfies Record<keyof LoadModelOptions, unknown>)
 
 /**
- * Fills the model with what is in the file. For the p5 addon's `loadWarpModel`, not for users.
+ * Reads a file into the model. For the p5 addon's `loadWarpModel`, not for users.
  * @internal
  */
 export async function fillP5Model(
   model: WarpModel,
-  p5: Makers,
+  p5: P5Constructors,
   url: string | URL,
   options?: LoadModelOptions,
 ): Promise<void> {
@@ -89,7 +94,7 @@ export async function fillP5Model(
   if (picture) await putTexture(model, p5, picture)
 }
 
-function putVertices(model: WarpModel, { Vector }: Makers, mesh: Mesh, flipY: boolean) {
+function putVertices(model: WarpModel, { Vector }: P5Constructors, mesh: Mesh, flipY: boolean) {
   const { positions, normals, uvs, indices } = mesh
   const up = flipY ? -1 : 1
   const count = positions.length / 3
@@ -112,8 +117,8 @@ function putVertices(model: WarpModel, { Vector }: Makers, mesh: Mesh, flipY: bo
 }
 
 /**
- * Vertex colours times the material's; empty if all are white, so that `fill` applies. If the materials of an .obj colour only
- * some vertices, the others get -1, which p5 draws in its fill colour, as with its own `loadModel`.
+ * Returns vertex colours times the material's colour; empty if all are white, so that `fill` applies. If the materials of an .obj
+ * colour only some vertices, the others get -1, which p5 draws in its fill colour, as after its own `loadModel`.
  */
 function colorsOf({ positions, colors, material }: Mesh, painted: Uint8Array): number[] {
   const base = material?.baseColor ?? [1, 1, 1, 1]
@@ -129,17 +134,21 @@ function colorsOf({ positions, colors, material }: Mesh, painted: Uint8Array): n
 const isTinted = (colors: Float32Array | undefined, vertex: number) =>
   !!colors && [0, 1, 2].some((k) => colors[4 * vertex + k] !== 1)
 
-/** Linear to sRGB (IEC 61966-2-1). */
+/** Converts linear to sRGB (IEC 61966-2-1). */
 const encode = (part: number) =>
   part <= 0.0031308 ? 12.92 * part : 1.055 * part ** (1 / 2.4) - 0.055
 
-async function putTexture(model: WarpModel, { Image }: Makers, { bytes, mimeType }: Picture) {
+async function putTexture(
+  model: WarpModel,
+  { Image }: P5Constructors,
+  { bytes, mimeType }: Picture,
+) {
   try {
     const bitmap = await createImageBitmap(new Blob([bytes as BlobPart], { type: mimeType }))
     const image = new Image(bitmap.width, bitmap.height)
     image.drawingContext.drawImage(bitmap, 0, 0)
     model.texture = image
   } catch {
-    model.warnings.push('The picture of the material cannot be decoded, and is left out.')
+    model.warnings.push('The image of the material cannot be decoded, and is left out.')
   }
 }

@@ -1,21 +1,21 @@
-// For the p5 addon: `subdivide` of a p5.Geometry. It stands here, and not in the addon, because it is of use only with this module.
+// Subdivides a p5.Geometry. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { describe } from '../../errors/errors.js'
 import { warpKind } from '../../mesh/bake.js'
 import { Place } from '../../options/place.js'
-import type { Makers, Vector, WarpModel } from './model.js'
+import type { P5Constructors, Vector, WarpModel } from './model.js'
 import { type AdaptiveOptions, type LevelsOptions, subdivide } from '../../mesh/subdivide.js'
 
 const place = new Place('subdivide')
 const warpOfP5 = warpKind('createWarp or compileWarp')
 
 /**
- * Fills the model `dense` with the surface of `shape` and more vertices: each triangle becomes four, so many times, or what `subdivide`
- * takes. For the p5 addon's `subdivide`, not for users. Throws a `WarpError`.
+ * Fills the model `dense` with a subdivision of `shape`: a number n splits each triangle into four, n times; other options are those of
+ * `subdivide`. For the p5 addon's `subdivide`, not for users. Throws a `WarpError`.
  * @internal
  */
 export function subdivideP5Model(
   dense: WarpModel,
-  { Vector }: Makers,
+  { Vector }: P5Constructors,
   shape: unknown,
   options: number | AdaptiveOptions | LevelsOptions,
 ) {

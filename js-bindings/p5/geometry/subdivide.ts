@@ -1,6 +1,6 @@
-/** `subdivide` of a p5.Geometry, by a number or by a warp: one of `compileWarp`, or what `createWarp` returned. */
+/** `subdivide` of a p5.Geometry, by a number or by a warp of `compileWarp` or `createWarp`. */
 import type { Evaluates } from '../../mesh/bake.js'
-import type { Makers, WarpModel } from './model.js'
+import type { P5Constructors, WarpModel } from './model.js'
 import type { AdaptiveOptions, LevelsOptions } from '../../mesh/subdivide.js'
 import { emptyModel } from './load-model.js'
 import { madeWarpOf } from '../made-warps.js'
@@ -8,14 +8,14 @@ import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
 import { inputsNow } from '../sketch-uniforms.js'
 
-/** What createWarp makes. */
+/** The function that createWarp returns. */
 type Distort = (uniforms?: never) => void
 
-/** As `subdivide` of 'warpjet/mesh' takes them, where the function that createWarp returned will do too. */
+/** The options of `subdivide` of 'warpjet/mesh', except that `warp` may also be a function that createWarp returned. */
 export type SubdivideOptions =
   LevelsOptions | (Omit<AdaptiveOptions, 'warp'> & { warp: Evaluates | Distort })
 
-/** As far as it is one of createWarp, with what the sketch's clock, mouse and canvas are now. */
+/** Replaces a warp of createWarp by its CPU version, with the current inputs of the sketch as uniforms. */
 function withWarpOnCpu(options: AdaptiveOptions): AdaptiveOptions {
   const made = madeWarpOf(options.warp)
   if (!made) return options
@@ -27,11 +27,11 @@ function withWarpOnCpu(options: AdaptiveOptions): AdaptiveOptions {
 }
 
 /**
- * A p5.Geometry with more vertices: each triangle becomes four, so many times, or with `{ warp, tolerance }` where the warp bends.
- * The one that comes in stays as it is. Throws a `WarpError`.
+ * Returns a copy of a p5.Geometry with more vertices: a number n splits each triangle into four, n times; `{ warp, tolerance }` splits
+ * triangles where the warp bends them. Throws a `WarpError`.
  */
 export const subdivideShape = (
-  p5: Makers,
+  p5: P5Constructors,
   renderer: object | undefined,
   shape: unknown,
   options: number | SubdivideOptions,

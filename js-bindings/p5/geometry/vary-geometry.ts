@@ -1,10 +1,10 @@
-// For the p5 addon: how a p5.Geometry varies, kept with it as properties of its vertices, which p5 2.x hands to shaders as
-// attributes. It stands here, and not in the addon, because it is of use only with this module.
+// Computes gradients of normal and uv on a p5.Geometry and stores them as vertex properties, which p5 2.x passes to shaders as
+// attributes. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { arrayNames, variationAttribute, variationNames } from '../../compile/hosts.js'
 import { WarpError, describe } from '../../errors/errors.js'
 import { type SurfaceVariation, findVariation } from '../../mesh/surface-variation.js'
 
-/** What is used of a p5.Geometry. */
+/** The members of a p5.Geometry that we use. */
 interface Geometry {
   vertices: { x: number; y: number; z: number }[]
   vertexNormals: { x: number; y: number; z: number }[]
@@ -16,7 +16,7 @@ interface Geometry {
 }
 
 /**
- * In place of what was there before. For the p5 addon's `addSurfaceVariation`, not for users.
+ * Computes and stores the gradients; replaces earlier ones. For the p5 addon's `addSurfaceVariation`, not for users.
  * @internal
  */
 export function varyGeometry(geometry: unknown) {
@@ -24,10 +24,10 @@ export function varyGeometry(geometry: unknown) {
   const shape = geometry as Geometry | undefined
   if (!Array.isArray(shape?.vertices))
     throw new WarpError(
-      `${method}: a p5.Geometry was expected, such as buildGeometry(() => sphere(100)), but ${describe(geometry)} came.`,
+      `${method}: expected a p5.Geometry, such as buildGeometry(() => sphere(100)), got ${describe(geometry)}.`,
     )
   if (!shape.vertexProperty)
-    throw new WarpError(`${method}: this p5 keeps no properties of vertices; use p5 2.`)
+    throw new WarpError(`${method}: this p5 has no vertex properties; use p5 2.`)
   const { vertices, vertexNormals, uvs, faces } = shape
   const flat = (vectors: typeof vertices) => vectors.flatMap(({ x, y, z }) => [x, y, z])
   const isWhole = (list: unknown[], size: number) => list.length === size * vertices.length
@@ -43,7 +43,7 @@ export function varyGeometry(geometry: unknown) {
     shape.userVertexProperties[attribute]?.resetSrcArray()
     for (let i = 0; i < vertices.length; i++)
       shape.vertexProperty(attribute, numbers ? [...numbers.subarray(3 * i, 3 * i + 3)] : [0, 0, 0])
-    // p5 has it on the GPU, if it drew the shape before.
+    // Makes p5 upload the attribute again if it has drawn the shape before.
     shape.dirtyFlags[`${attribute}Src`] = true
   }
 }

@@ -1,16 +1,16 @@
-/** Which style of hooks a canvas's shaders have, and p5's shaders with a warp in them. */
-import { beside } from './beside.js'
+/** Finds the style of hooks that a canvas's shaders have, and adds a warp to p5's shaders. */
+import { mergeHooks } from './merge-hooks.js'
 import type { HostText, Target } from '../../compile/hosts.js'
 import { forgetLastShape } from '../variation/variation-buffers.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import type { Shader } from '../host.js'
 import { inputUniforms } from '../sketch-uniforms.js'
 import { structHooks } from './struct-hooks.js'
-import type { HookStyle, Woven, WovenType } from './styles.js'
+import type { HookStyle, WarpCode, MaterialKind } from './styles.js'
 import { valueHooks } from './value-hooks.js'
 import { wgslHooks } from './wgsl-hooks.js'
 
-/** The style of p5's hooks in `base`; undefined where p5 has no hooks, before 1.11. */
+/** Returns the style of p5's hooks in `base`; `undefined` before p5 1.11, which introduced hooks. */
 export function hookStyleOf(base: Shader, target: Target): HookStyle | undefined {
   if (target === 'wgsl') return wgslHooks
   const hooks = base.hooks?.vertex ?? {}
@@ -18,23 +18,28 @@ export function hookStyleOf(base: Shader, target: Target): HookStyle | undefined
   return 'vec3 getWorldPosition' in hooks ? valueHooks : undefined
 }
 
-/** The expressions that `compileWarp` is to use for its inputs. */
+/** Returns the expressions that the warp's code uses for its inputs. */
 export const namesFor = ({ names }: HookStyle) => ({
   ...names,
   ...variationVariables,
   ...inputUniforms,
 })
 
-/** p5's shader `base` with the warp in it. */
-export function weave(base: Shader, style: HookStyle, woven: Woven, type: WovenType): Shader {
-  const ours = style.fill(woven, type, base)
-  const shader = base.modify(beside(base, ours, (name) => style.turnOf(name, woven)))
-  style.finish?.(shader, woven)
-  if (readsVariation(woven.text) && shader._renderer?.GL) forgetLastShape(shader)
-  // p5 1.11 draws with a shader of its own in place of one that looks unlit under lights or untextured under texture().
+/** Returns p5's shader `base` with the warp in it. */
+export function addWarp(
+  base: Shader,
+  style: HookStyle,
+  warpCode: WarpCode,
+  type: MaterialKind,
+): Shader {
+  const ours = style.fill(warpCode, type, base)
+  const shader = base.modify(mergeHooks(base, ours, (name) => style.orderOf(name, warpCode)))
+  style.finish?.(shader, warpCode)
+  if (readsVariation(warpCode.text) && shader._renderer?.GL) forgetLastShape(shader)
+  // p5 1.11 replaces a shader that looks unlit under lights, or untextured under texture(), by one of its own.
   return Object.assign(shader, { isLightShader: () => true, isTextureShader: () => true })
 }
 
-/** What lines have, which is a place alone: no surface with a normal, no fill. */
+/** Returns whether the warp can move lines, which have a position, but neither a normal nor a fill. */
 export const isOfLines = ({ attributes }: HostText) =>
   attributes.every(({ name }) => name === 'position')

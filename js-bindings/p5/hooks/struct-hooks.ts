@@ -1,10 +1,10 @@
-/** p5 2.x in WebGL: a vertex comes as one struct through a hook in each space. */
-import { type HookStyle, type Woven, glslDeclarations } from './styles.js'
-import type { Turn } from './beside.js'
-import { facingTheEye } from './facing.js'
+/** p5 2.x on WebGL: in each space, a hook takes and returns a vertex as one struct. */
+import { type HookStyle, type WarpCode, glslDeclarations } from './styles.js'
+import type { HookOrder } from './merge-hooks.js'
+import { zeroNormalHooks } from './zero-normals.js'
 import {
   readsVariation,
-  turnedVariation,
+  variationInGlsl,
   variationDeclarations,
 } from '../variation/variation-text.js'
 import type { WarpSpace } from '../settings.js'
@@ -15,23 +15,23 @@ export const hookIn: Record<WarpSpace, string> = {
   camera: 'getCameraInputs',
 }
 
-/** The sketch's hooks of vertices are the first, or as it wishes in the space of the warp; others go on from what ours made. */
-export const turnInStruct = (name: string, { space, hooks }: Woven): Turn =>
+/** The sketch's vertex hooks run first, unless the option `hooks` says otherwise for the warp's space; its other hooks run last. */
+export const orderInStruct = (name: string, { space, hooks }: WarpCode): HookOrder =>
   name.endsWith(hookIn[space]) ? hooks : name.startsWith('Vertex') ? 'first' : 'last'
 
-/** `exactNormals` declares it too. */
-const flat = 'bool warpjetFlat;'
+/** `exactNormals` declares this global too. */
+const flat = 'bool warpjetNormalIsZero;'
 
-/** What turns normals from the shape's own space to another. */
+/** Maps a space to the matrix that transforms normals from the shape's own space to it. */
 export const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
 
 /**
- * p5's normal shader normalizes at the end of main, hence the last word in `afterVertex`. Its lit shader does not
- * before it interpolates, and where a scale differs by axis, as for `plane(400, 400)`, the longest normals would rule.
+ * p5's normal shader normalizes at the end of `main`, so we zero collapsed normals in `afterVertex`. Its lit shader interpolates
+ * without normalizing first; under a scale that differs by axis, as for `plane(400, 400)`, the longest normals would dominate.
  */
 export const structHooks: HookStyle = {
   isOrdered: true,
-  turnOf: turnInStruct,
+  orderOf: orderInStruct,
   names: {
     position: 'warpjetInputs.position',
     normal: 'warpjetInputs.normal',
@@ -39,43 +39,43 @@ export const structHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill(woven, _type, base) {
-    const { text, space } = woven
+  fill(warpCode, _type, base) {
+    const { text, space } = warpCode
     const varies = readsVariation(text)
     return {
       vertexDeclarations: glslDeclarations(
-        woven,
+        warpCode,
         !base.hooks.vertex.declarations?.includes(flat) && flat,
         varies && variationDeclarations,
       ),
       [`Vertex ${hookIn[space]}`]: `(Vertex warpjetInputs) {
-${varies ? turnedVariation(normalMatrices[space]) : ''}${text.code}
-  warpjetFlat = warpjetNormal == vec3(0.0);
+${varies ? variationInGlsl(normalMatrices[space]) : ''}${text.code}
+  warpjetNormalIsZero = warpjetNormal == vec3(0.0);
   warpjetInputs.position = warpjetPosition;
   warpjetInputs.normal = warpjetNormal;
   return warpjetInputs;
 }`,
       'void afterVertex':
         'Inputs getPixelInputs' in base.hooks.fragment
-          ? '() { vNormal = warpjetFlat ? vec3(0.0) : normalize(vNormal); }'
-          : '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }',
-      ...facingTheEye(base),
+          ? '() { vNormal = warpjetNormalIsZero ? vec3(0.0) : normalize(vNormal); }'
+          : '() { if (warpjetNormalIsZero) vVertexNormal = vec3(0.0); }',
+      ...zeroNormalHooks(base),
     }
   },
-  stroke: (woven) => ({
-    vertexDeclarations: glslDeclarations(woven, 'vec3 warpjetIn, warpjetOut;'),
-    ...strokeHooks(woven),
+  stroke: (warpCode) => ({
+    vertexDeclarations: glslDeclarations(warpCode, 'vec3 warpjetTangentIn, warpjetTangentOut;'),
+    ...strokeHooks(warpCode),
   }),
 }
 
 /**
- * p5 works the directions of a line out from its attributes again in each space, and forgets what a hook made of them: so they
- * wait in globals until the last hook.
+ * p5 computes the directions of a line from its attributes again in each space, discarding the results of earlier hooks. Globals keep
+ * them until the last hook.
  */
-function strokeHooks({ text, space }: Woven) {
-  const turned = (direction: string, matrix: string) => {
+function strokeHooks({ text, space }: WarpCode) {
+  const transformTangent = (direction: string, matrix: string) => {
     const given = matrix ? `(${matrix} * vec4(${direction}, 0.0)).xyz` : direction
-    return `${given} + warpjetSlope * ${given}`
+    return `${given} + warpjetJacobian * ${given}`
   }
   const hook = (name: string, code: string): Record<string, string> => ({
     [`StrokeVertex ${name}`]: `(StrokeVertex warpjetInputs) {\n${code}\n  return warpjetInputs;\n}`,
@@ -85,8 +85,8 @@ function strokeHooks({ text, space }: Woven) {
     return hook(
       hookIn.camera,
       `${moved}
-  warpjetInputs.tangentIn += warpjetSlope * warpjetInputs.tangentIn;
-  warpjetInputs.tangentOut += warpjetSlope * warpjetInputs.tangentOut;`,
+  warpjetInputs.tangentIn += warpjetJacobian * warpjetInputs.tangentIn;
+  warpjetInputs.tangentOut += warpjetJacobian * warpjetInputs.tangentOut;`,
     )
   const [first, rest] =
     space === 'world' ? ['uModelMatrix', 'uViewMatrix'] : ['', 'uModelViewMatrix']
@@ -94,13 +94,13 @@ function strokeHooks({ text, space }: Woven) {
     ...hook(
       hookIn[space],
       `${moved}
-  warpjetIn = ${turned('aTangentIn', first)};
-  warpjetOut = ${turned('aTangentOut', first)};`,
+  warpjetTangentIn = ${transformTangent('aTangentIn', first)};
+  warpjetTangentOut = ${transformTangent('aTangentOut', first)};`,
     ),
     ...hook(
       hookIn.camera,
-      `  warpjetInputs.tangentIn = (${rest} * vec4(warpjetIn, 0.0)).xyz;
-  warpjetInputs.tangentOut = (${rest} * vec4(warpjetOut, 0.0)).xyz;`,
+      `  warpjetInputs.tangentIn = (${rest} * vec4(warpjetTangentIn, 0.0)).xyz;
+  warpjetInputs.tangentOut = (${rest} * vec4(warpjetTangentOut, 0.0)).xyz;`,
     ),
   }
 }

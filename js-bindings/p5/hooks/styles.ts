@@ -1,55 +1,56 @@
 /**
- * What p5's shaders are like: each kind of hooks is a style, which says by what names a warp reads a vertex, and which hooks
- * put its results back. All of our names in p5's shaders start with warpjet, so that they meet none of the sketch's. `struct-hooks.ts` is p5 2.x, `value-hooks.ts` p5 1.11, `wgsl-hooks.ts` p5 2.x on WebGPU.
+ * The kinds of hooks in p5's shaders. A style has the names by which a warp reads a vertex, and the hooks that pass its results to p5:
+ * `struct-hooks.ts` is for p5 2.x, `value-hooks.ts` for p5 1.11, `wgsl-hooks.ts` for p5 2.x on WebGPU. All our names in p5's shaders
+ * start with warpjet, so that they cannot clash with names of the sketch.
  */
 import type { Declared, HostText, Target } from '../../compile/hosts.js'
-import type { Turn } from './beside.js'
+import type { HookOrder } from './merge-hooks.js'
 import type { Modifications, Shader } from '../host.js'
 import type { WarpSpace, WarpType } from '../settings.js'
 
-/** A warp's text, to be put into a shader. */
-export interface Woven {
+/** A warp's code, and what a shader needs to contain it. */
+export interface WarpCode {
   text: HostText
   space: WarpSpace
-  /** Text of the sketch for above it. */
+  /** Source by the sketch to insert above the code. */
   defs: string
-  /** When hooks of the sketch's own run. */
+  /** When the sketch's own hooks run. */
   hooks: 'first' | 'last'
-  /** What the shader is to declare. */
+  /** Uniforms that the shader must declare. */
   uniforms: readonly Declared[]
 }
 
-/** What a shader draws; `own` is what the sketch's own shader makes of a surface. */
-export type WovenType = WarpType | 'own'
+/** The material that a shader draws; `own` is a shader of the sketch. */
+export type MaterialKind = WarpType | 'own'
 
 export interface HookStyle {
-  /** When a hook of the sketch's runs that the style has too. */
-  turnOf(name: string, woven: Woven): Turn
-  /** Whether the sketch's hooks can run after the warp. */
+  /** Returns when the sketch's hook runs, for a hook that the style has too. */
+  orderOf(name: string, warpCode: WarpCode): HookOrder
+  /** True if the sketch's hooks can also run after the warp. */
   isOrdered: boolean
   names: Record<'position' | 'normal' | 'uv' | 'color' | 'instance', string>
-  /** The hooks that run a text and hand its `warpjetPosition` and `warpjetNormal` to p5. */
-  fill(woven: Woven, type: WovenType, base: Shader): Modifications
-  /** What is beyond hooks. */
-  finish?(shader: Shader, woven: Woven): void
+  /** Returns the hooks that run a warp's code and pass its `warpjetPosition` and `warpjetNormal` to p5. */
+  fill(warpCode: WarpCode, type: MaterialKind, base: Shader): Modifications
+  /** Makes changes that hooks cannot make. */
+  finish?(shader: Shader, warpCode: WarpCode): void
   /**
-   * The same for lines, of `warpjetPosition` and `warpjetSlope`: each end of a line is moved, and the directions t in which lines
-   * come and go are turned, to t + J t.
+   * Returns the hooks for lines, from `warpjetPosition` and `warpjetJacobian`, the Jacobian J of the offset: they move both ends of a line
+   * and transform its incoming and outgoing tangents t to t + J t.
    */
-  stroke(woven: Woven, base: Shader): Modifications
-  /** For points, where they have a shader of their own. */
-  point?(woven: Woven): Modifications
+  stroke(warpCode: WarpCode, base: Shader): Modifications
+  /** Returns the hooks for points, if points have a shader of their own. */
+  point?(warpCode: WarpCode): Modifications
 }
 
-/** The language of a renderer's shaders. */
+/** Returns the language of a renderer's shaders. */
 export const targetOf = (renderer: { webglVersion?: string; GL?: unknown }): Target =>
   renderer.GL ? (renderer.webglVersion === 'webgl' ? 'glsl100' : 'glsl300') : 'wgsl'
 
 export const readsInstance = ({ uniforms }: HostText) =>
   uniforms.some(({ name }) => name === 'instance')
 
-/** GLSL for above the hooks. */
-export const glslDeclarations = ({ text, defs, uniforms }: Woven, ...own: (string | false)[]) =>
+/** Returns GLSL declarations to insert above the hooks. */
+export const glslDeclarations = ({ text, defs, uniforms }: WarpCode, ...own: (string | false)[]) =>
   [
     ...own,
     readsInstance(text) && '#define warpjetInstance float(gl_InstanceID)',
@@ -60,5 +61,5 @@ export const glslDeclarations = ({ text, defs, uniforms }: Woven, ...own: (strin
     .filter(Boolean)
     .join('\n')
 
-/** Images have low precision unless told otherwise, which cuts heights off. */
+/** Samplers have low precision by default, which would clip heights. */
 export const glslType = (type: Declared['type']) => (type === 'sampler2D' ? 'highp ' : '') + type

@@ -1,15 +1,15 @@
 /**
- * p5 1.11: separate hooks for position and normal, and those that it calls "world" are in view space. All happens in the hook
- * for the view space position, which p5 calls before the one for the normal: there every attribute and matrix is at hand, and
- * each space is a way in and a way back. Normals of world space come from p5's `uNormalMatrix`, inverse transpose of V M, as
- * Vᵀ times it; for the way back, V is rigid, so that its inverse transpose is its own rotation. GLSL 1.00 has neither
- * `transpose` (so `v * V`) nor `mat3(V)` (so `vec4(n, 0.0)`).
+ * p5 1.11 has separate hooks for position and normal, and those that it calls "world" are in view space. We do everything in the hook
+ * for the view-space position, which p5 calls before the one for the normal: every attribute and matrix is available there, and each
+ * space needs a transform into it and one back. World-space normals are Vᵀ times p5's `uNormalMatrix`, the inverse transpose of V M;
+ * back in view space, V is rigid, so its inverse transpose is its own rotation. GLSL 1.00 has neither `transpose` (hence `v * V`) nor
+ * `mat3(V)` (hence `vec4(n, 0.0)`).
  */
-import { given } from './beside.js'
-import { facingTheEye } from './facing.js'
+import { sketchHook } from './merge-hooks.js'
+import { zeroNormalHooks } from './zero-normals.js'
 import {
   readsVariation,
-  turnedVariation,
+  variationInGlsl,
   variationDeclarations,
 } from '../variation/variation-text.js'
 import type { WarpSpace } from '../settings.js'
@@ -17,7 +17,7 @@ import { type HookStyle, glslDeclarations } from './styles.js'
 
 export const valueHooks: HookStyle = {
   isOrdered: false,
-  turnOf: (name, { space }) =>
+  orderOf: (name, { space }) =>
     space !== 'camera' ? 'last' : name.endsWith('Position') ? 'first' : 'inside',
   names: {
     position: 'warpjetRestPosition',
@@ -26,77 +26,81 @@ export const valueHooks: HookStyle = {
     color: 'HOOK_getVertexColor(uUseVertexColor ? aVertexColor : uMaterialColor)',
     instance: 'warpjetInstance',
   },
-  fill(woven, _type, base) {
-    const { position, viewPosition } = positions[woven.space]
-    const { normal, viewNormal, matrix } = normals[woven.space]
+  fill(warpCode, _type, base) {
+    const { position, viewPosition } = positions[warpCode.space]
+    const { normal, viewNormal, matrix } = normals[warpCode.space]
     const source = base.vertSrc()
-    // In view space the sketch's hook comes first.
-    const isTurned = woven.space === 'camera' && base.hooks.modified.vertex[worldNormal]
-    const varies = readsVariation(woven.text)
+    // In view space the sketch's hook runs first.
+    const hasNormalHook = warpCode.space === 'camera' && base.hooks.modified.vertex[worldNormal]
+    const varies = readsVariation(warpCode.text)
     return {
-      // p5 gives its normal shader medium precision, too little for a warp where a phone takes that at its word.
+      // p5's normal shader has medium precision, too little for a warp on phones that really use 16 bits.
       vertexDeclarations: glslDeclarations(
-        woven,
+        warpCode,
         'precision highp float;\nvec3 warpjetSharedNormal;',
         hooksOfTheSketch,
-        isTurned && `vec3 ${given(worldNormal)}(vec3);`,
-        !source.includes('uniform mat4 uModelMatrix') && matrices(woven.space),
+        hasNormalHook && `vec3 ${sketchHook(worldNormal)}(vec3);`,
+        !source.includes('uniform mat4 uModelMatrix') && matrices(warpCode.space),
         varies && variationDeclarations,
       ),
-      'vec3 getWorldPosition': `(vec3 warpjetView) {
+      'vec3 getWorldPosition': `(vec3 warpjetViewPosition) {
   vec3 warpjetRestPosition = ${position.replace('aPosition.xyz', 'HOOK_getLocalPosition(aPosition)')};
-  warpjetSharedNormal = ${isTurned ? `${given(worldNormal)}(${normal})` : normal};
-${varies ? turnedVariation(matrix) : ''}${woven.text.code}
+  warpjetSharedNormal = ${hasNormalHook ? `${sketchHook(worldNormal)}(${normal})` : normal};
+${varies ? variationInGlsl(matrix) : ''}${warpCode.text.code}
   warpjetSharedNormal = ${viewNormal};
   return ${viewPosition};
 }`,
       'vec3 getWorldNormal':
         '(vec3 normal) { return warpjetSharedNormal == vec3(0.0) ? warpjetSharedNormal : normalize(warpjetSharedNormal); }',
-      ...facingTheEye(base),
+      ...zeroNormalHooks(base),
     }
   },
   /**
-   * p5 makes the directions of a line from attributes and a matrix after its last hook. So these are globals of ours from here on,
-   * which begin as what they were and end as directions in view space with no matrix left to apply.
+   * p5 computes the directions of a line from attributes and a matrix after its last hook. We redefine these names as globals: they
+   * start with the original values, and end as directions in view space with an identity matrix.
    */
-  stroke(woven) {
-    const { position, viewPosition, viewDirection } = positions[woven.space]
-    const turned = (name: string) => `  {
+  stroke(warpCode) {
+    const { position, viewPosition, viewDirection } = positions[warpCode.space]
+    const transformTangent = (name: string) => `  {
     vec3 warpjetDirection = ${viewDirection.from(name)};
-    warpjetDirection += warpjetSlope * warpjetDirection;
+    warpjetDirection += warpjetJacobian * warpjetDirection;
     ${name} = ${viewDirection.to('warpjetDirection')};
   }`
     return {
-      vertexDeclarations: glslDeclarations(woven, kept, matrices(woven.space)),
+      vertexDeclarations: glslDeclarations(warpCode, lineGlobals, matrices(warpCode.space)),
       'void beforeVertex': `() {
-  warpjetIn = warpjetGivenIn();
-  warpjetOut = warpjetGivenOut();
-  warpjetModelView = warpjetGivenModelView();
+  warpjetTangentIn = warpjetAttributeTangentIn();
+  warpjetTangentOut = warpjetAttributeTangentOut();
+  warpjetModelViewMatrix = warpjetUniformModelViewMatrix();
 }`,
-      'vec3 getWorldPosition': `(vec3 warpjetView) {
+      'vec3 getWorldPosition': `(vec3 warpjetViewPosition) {
   vec3 warpjetRestPosition = ${position};
-${woven.text.code}
-${turned('warpjetIn')}
-${turned('warpjetOut')}
-  vec3 warpjetEnd = ${viewPosition};
-  warpjetModelView = mat4(1.0);
-  return warpjetEnd;
+${warpCode.text.code}
+${transformTangent('warpjetTangentIn')}
+${transformTangent('warpjetTangentOut')}
+  vec3 warpjetLineEnd = ${viewPosition};
+  warpjetModelViewMatrix = mat4(1.0);
+  return warpjetLineEnd;
 }`,
     }
   },
-  point: (woven) => ({
-    vertexDeclarations: glslDeclarations(woven, 'precision highp float;', matrices(woven.space)),
-    'vec3 getWorldPosition': `(vec3 warpjetView) {
-  vec3 warpjetRestPosition = ${positions[woven.space].position};
-${woven.text.code}
-  return ${positions[woven.space].viewPosition};
+  point: (warpCode) => ({
+    vertexDeclarations: glslDeclarations(
+      warpCode,
+      'precision highp float;',
+      matrices(warpCode.space),
+    ),
+    'vec3 getWorldPosition': `(vec3 warpjetViewPosition) {
+  vec3 warpjetRestPosition = ${positions[warpCode.space].position};
+${warpCode.text.code}
+  return ${positions[warpCode.space].viewPosition};
 }`,
   }),
 }
 
 const worldNormal = 'vec3 getWorldNormal'
 
-/** p5 calls them later. */
+/** p5 defines these hooks below ours. */
 const hooksOfTheSketch = `vec3 HOOK_getLocalNormal(vec3);
 vec2 HOOK_getUV(vec2);
 vec4 HOOK_getVertexColor(vec4);`
@@ -104,14 +108,14 @@ vec4 HOOK_getVertexColor(vec4);`
 const matrices = (space: WarpSpace) =>
   space === 'world' && 'uniform mat4 uModelMatrix;\nuniform mat4 uViewMatrix;'
 
-const kept = `vec3 warpjetIn, warpjetOut;
-mat4 warpjetModelView;
-vec3 warpjetGivenIn() { return aTangentIn; }
-vec3 warpjetGivenOut() { return aTangentOut; }
-mat4 warpjetGivenModelView() { return uModelViewMatrix; }
-#define aTangentIn warpjetIn
-#define aTangentOut warpjetOut
-#define uModelViewMatrix warpjetModelView`
+const lineGlobals = `vec3 warpjetTangentIn, warpjetTangentOut;
+mat4 warpjetModelViewMatrix;
+vec3 warpjetAttributeTangentIn() { return aTangentIn; }
+vec3 warpjetAttributeTangentOut() { return aTangentOut; }
+mat4 warpjetUniformModelViewMatrix() { return uModelViewMatrix; }
+#define aTangentIn warpjetTangentIn
+#define aTangentOut warpjetTangentOut
+#define uModelViewMatrix warpjetModelViewMatrix`
 
 const by = (matrix: string) => (direction: string) => `(${matrix} * vec4(${direction}, 0.0)).xyz`
 const same = (direction: string) => direction
@@ -129,7 +133,7 @@ const positions = {
     viewDirection: { from: by('uModelMatrix'), to: by('uViewMatrix') },
   },
   camera: {
-    position: 'warpjetView',
+    position: 'warpjetViewPosition',
     viewPosition: 'warpjetPosition',
     viewDirection: { from: by('uModelViewMatrix'), to: same },
   },

@@ -1,6 +1,6 @@
 /**
- * p5 2.x on WebGPU: the hooks of WebGL in WGSL, where a parameter cannot be assigned and what `main` hands on is out of reach. So
- * the last hook keeps the normal in a varying of ours, and colours are worked out from that.
+ * p5 2.x on WebGPU has the hooks of WebGL in WGSL, where a parameter cannot be assigned and we cannot change the varyings that `main`
+ * writes. So the last hook stores the normal in a varying of ours, from which the fragment hooks compute colours.
  */
 import {
   type Declared,
@@ -12,10 +12,10 @@ import { WarpError } from '../../errors/errors.js'
 import { type TextOfVertex, variationIn, variationVariables } from '../variation/variation-text.js'
 import type { Modifications, Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { hookIn, turnInStruct } from './struct-hooks.js'
-import { type HookStyle, type Woven, readsInstance } from './styles.js'
+import { hookIn, orderInStruct } from './struct-hooks.js'
+import { type HookStyle, type WarpCode, readsInstance } from './styles.js'
 
-/** Of inputs, and of the option `uniforms`. */
+/** WGSL types of inputs and of the option `uniforms`. */
 const types: Partial<Record<Declared['type'], string>> = {
   float: 'f32',
   vec2: 'vec2<f32>',
@@ -29,7 +29,7 @@ const types: Partial<Record<Declared['type'], string>> = {
 
 export const wgslHooks: HookStyle = {
   isOrdered: true,
-  turnOf: turnInStruct,
+  orderOf: orderInStruct,
   names: {
     position: 'warpjetInputs.position',
     normal: 'warpjetInputs.normal',
@@ -37,80 +37,80 @@ export const wgslHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill: (woven, type, base) => ({
+  fill: (warpCode, type, base) => ({
     ...declarationsOf(
-      woven,
+      warpCode,
       base,
-      'var<private> warpjetFlat: bool;',
-      ...privatesFor(attributesOf(woven)),
+      'var<private> warpjetNormalIsZero: bool;',
+      ...privatesFor(attributesOf(warpCode)),
     ),
     varyingVariables: ['warpjetViewNormal: vec3<f32>', 'warpjetViewPosition: vec3<f32>'],
-    ...hooks('Vertex', fillHooks(woven)),
+    ...hooks('Vertex', fillHooks(warpCode)),
     ...(type === 'normal' ? colors : 'Inputs getPixelInputs' in base.hooks.fragment && lit),
   }),
-  finish: (shader, woven) =>
+  finish: (shader, warpCode) =>
     addAttributes(
       shader,
-      attributesOf(woven),
-      'createWarp: on WEBGPU an offset that depends on both normal and uv has more attributes than a shader may; write it with one of them, or add the option { surfaceVariation: false }, which lets both count as constant.',
+      attributesOf(warpCode),
+      'createWarp: on WEBGPU an offset that depends on both normal and uv needs more attributes than a shader may have; write it with one of them, or add the option { surfaceVariation: false }, which treats both as constant.',
     ),
-  stroke: (woven, base) => ({
+  stroke: (warpCode, base) => ({
     ...declarationsOf(
-      woven,
+      warpCode,
       base,
-      'var<private> warpjetIn: vec3<f32>;',
-      'var<private> warpjetOut: vec3<f32>;',
+      'var<private> warpjetTangentIn: vec3<f32>;',
+      'var<private> warpjetTangentOut: vec3<f32>;',
     ),
-    ...hooks('StrokeVertex', strokeHooks(woven)),
+    ...hooks('StrokeVertex', strokeHooks(warpCode)),
   }),
 }
 
-/** Where there is no normal, as if it faced the eye; see facing.ts. */
+/** Lights collapsed surfaces, whose normal is zero, as if they faced the eye; see zero-normals.ts. */
 const lit = {
-  'Inputs getPixelInputs': `(warpjetGiven: Inputs) {
-  var warpjetInputs = warpjetGiven;
+  'Inputs getPixelInputs': `(warpjetOriginalInputs: Inputs) {
+  var warpjetInputs = warpjetOriginalInputs;
   if (all(warpjetViewNormal == vec3<f32>())) { warpjetInputs.normal = normalize(-warpjetViewPosition); }
   else { warpjetInputs.normal = normalize(warpjetViewNormal); }
   return warpjetInputs;
 }`,
 }
 
-/** As p5's shader for normals does in WebGL; on WebGPU it has none. */
+/** Draws normals as colours, like p5's normal shader on WebGL; on WebGPU p5 has none. */
 const colors = {
   'vec4<f32> getFinalColor': `(color: vec4<f32>, texCoord: vec2<f32>) {
   return vec4<f32>(warpjetViewNormal, 1.0);
 }`,
 }
 
-function fillHooks(woven: Woven): Record<string, string> {
-  const warp = `${variation(woven)}${runs(woven)}
-  warpjetFlat = all(warpjetNormal == vec3<f32>());
+function fillHooks(warpCode: WarpCode): Record<string, string> {
+  const warp = `${variationInWgsl(warpCode)}${warpStatements(warpCode)}
+  warpjetNormalIsZero = all(warpjetNormal == vec3<f32>());
   warpjetInputs.position = warpjetPosition;
   warpjetInputs.normal = warpjetNormal;\n`
   const keep = `  warpjetViewPosition = warpjetInputs.position;
   warpjetViewNormal = vec3<f32>();
-  if (!warpjetFlat) { warpjetViewNormal = normalize(warpjetInputs.normal); }`
-  const name = hookIn[woven.space]
-  return { [name]: warp, getCameraInputs: woven.space === 'camera' ? warp + keep : keep }
+  if (!warpjetNormalIsZero) { warpjetViewNormal = normalize(warpjetInputs.normal); }`
+  const name = hookIn[warpCode.space]
+  return { [name]: warp, getCameraInputs: warpCode.space === 'camera' ? warp + keep : keep }
 }
 
-/** Besides p5's four there may be four more. */
-const mostBuffers = 4
+/** A WebGPU vertex shader may have 8 buffers, of which p5 uses 4. */
+const maxBuffers = 4
 
 const isOfNormal = (name: string) => name.startsWith('normal')
 
-/** Globals, since attributes come in a struct, which hooks do not get. */
+/** Declares globals for attributes: `main` takes attributes in a struct, which hooks cannot access. */
 export const privatesFor = (names: readonly VariationInput[]) =>
   names.map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`)
 
-/** Adds them to the struct, and hands them to the globals. Throws a `WarpError` with that sentence where they are too many. */
+/** Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if they are. */
 export function addAttributes(
   shader: Pick<Shader, '_vertSrc'>,
   names: readonly VariationInput[],
   tooMany: string,
 ) {
   if (names.length === 0) return
-  if (names.length > mostBuffers) throw new WarpError(tooMany)
+  if (names.length > maxBuffers) throw new WarpError(tooMany)
   const fields = names.map(
     (name, i) => `  @location(${4 + i}) ${variationAttribute(name)}: vec3<f32>,\n`,
   )
@@ -122,54 +122,57 @@ export function addAttributes(
     .replace('HOOK_beforeVertex();', `${globals.join('')}  HOOK_beforeVertex();`)
 }
 
-/** A text, and the space of the offset. */
+/** Code, and the space of its offset. */
 interface InSpace {
   text: TextOfVertex
   space: WarpSpace
 }
 
-/** What the text reads, and beyond a shape's own space all of the normal's, if it reads any. */
+/** Returns the attributes that the code reads; outside the shape's own space it needs all gradients of the normal, if any. */
 export function attributesOf({ text, space }: InSpace) {
   const read = variationIn(text)
   const isWhole = space !== 'local' && read.some(isOfNormal)
   return variationNames.filter((name) => read.includes(name) || (isWhole && isOfNormal(name)))
 }
 
-/** See `turnedVariation`. `ofCamera` turns normals to view space. */
-export function variation(woven: InSpace, ofCamera = 'model.uNormalMatrix'): string {
-  const { space } = woven
-  const names = attributesOf(woven)
+/** Does the same as `variationInGlsl`. The matrix `ofCamera` transforms normals to view space. */
+export function variationInWgsl(warpCode: InSpace, ofCamera = 'model.uNormalMatrix'): string {
+  const { space } = warpCode
+  const names = attributesOf(warpCode)
   if (names.length === 0) return ''
   const given = (name: string) => `${variationAttribute(name)}_`
   const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: ofCamera }[space]
   const lines = names.map((name) => {
     if (!matrix) return given(name)
-    if (!isOfNormal(name)) return `warpjetN * ${given(name)}`
+    if (!isOfNormal(name)) return `warpjetNormalMatrix * ${given(name)}`
     const row = 'XYZ'.indexOf(name[6]!)
     const all = ['X', 'Y', 'Z'].map((axis) => `normal${axis}Gradient`)
     const sum = all
-      .map((each, i) => names.includes(each as never) && `${given(each)} * warpjetN[${i}][${row}]`)
+      .map(
+        (each, i) =>
+          names.includes(each as never) && `${given(each)} * warpjetNormalMatrix[${i}][${row}]`,
+      )
       .filter(Boolean)
-    return `warpjetN * (${sum.join(' + ')})`
+    return `warpjetNormalMatrix * (${sum.join(' + ')})`
   })
   return (
-    (matrix && `  let warpjetN = ${matrix};\n`) +
+    (matrix && `  let warpjetNormalMatrix = ${matrix};\n`) +
     names.map((name, i) => `  let ${variationVariables[name]} = ${lines[i]};\n`).join('')
   )
 }
 
-/** Hooks by their bodies. */
+/** Makes hooks that take and return `struct` from their bodies. */
 function hooks(struct: string, bodies: Record<string, string>): Modifications {
   return Object.fromEntries(
     Object.entries(bodies).map(([name, body]) => [
       `${struct} ${name}`,
-      `(warpjetGiven: ${struct}) {\n  var warpjetInputs = warpjetGiven;\n${body}\n  return warpjetInputs;\n}`,
+      `(warpjetOriginalInputs: ${struct}) {\n  var warpjetInputs = warpjetOriginalInputs;\n${body}\n  return warpjetInputs;\n}`,
     ]),
   )
 }
 
-/** The text, with the uniforms under the names that they have in GLSL. */
-const runs = ({ text, uniforms }: Woven) =>
+/** Returns the code, below local variables that give uniforms the same names as in GLSL. */
+const warpStatements = ({ text, uniforms }: WarpCode) =>
   (readsInstance(text) ? '  let warpjetInstance = f32(instanceID);\n' : '') +
   uniforms
     .filter(({ type }) => type !== 'sampler2D')
@@ -177,7 +180,7 @@ const runs = ({ text, uniforms }: Woven) =>
     .join('') +
   text.code
 
-function declarationsOf({ text, defs, uniforms }: Woven, base: Shader, ...own: string[]) {
+function declarationsOf({ text, defs, uniforms }: WarpCode, base: Shader, ...own: string[]) {
   const images = uniforms.filter(({ type }) => type === 'sampler2D')
   const first = images.length
     ? base._renderer!.getNextBindingIndex!({
@@ -191,7 +194,7 @@ function declarationsOf({ text, defs, uniforms }: Woven, base: Shader, ...own: s
         .filter(({ type }) => type !== 'sampler2D')
         .map(({ name, type }) => [`${name}: ${types[type]}`, undefined]),
     ),
-    // Of both stages, or p5 would number their bindings apart.
+    // Declared in both stages, or p5 would number their bindings differently.
     declarations: images
       .map(
         ({ name, type }, i) => `@group(0) @binding(${first + 2 * i}) var ${name}: ${types[type]};
@@ -202,18 +205,19 @@ function declarationsOf({ text, defs, uniforms }: Woven, base: Shader, ...own: s
   }
 }
 
-/** See struct-hooks.ts. p5 gives the hook of world space directions that are moved too, so the first hook keeps them. */
-function strokeHooks(woven: Woven): Record<string, string> {
-  const { space } = woven
-  const moved = `${runs(woven)}\n  warpjetInputs.position = warpjetPosition;`
+/** See struct-hooks.ts. In world space, p5 passes directions that are translated too, so the first hook stores the originals. */
+function strokeHooks(warpCode: WarpCode): Record<string, string> {
+  const { space } = warpCode
+  const moved = `${warpStatements(warpCode)}\n  warpjetInputs.position = warpjetPosition;`
   if (space === 'camera')
     return {
       getCameraInputs: `${moved}
-  warpjetInputs.tangentIn += warpjetSlope * warpjetInputs.tangentIn;
-  warpjetInputs.tangentOut += warpjetSlope * warpjetInputs.tangentOut;`,
+  warpjetInputs.tangentIn += warpjetJacobian * warpjetInputs.tangentIn;
+  warpjetInputs.tangentOut += warpjetJacobian * warpjetInputs.tangentOut;`,
     }
-  const keep = '  warpjetIn = warpjetInputs.tangentIn;\n  warpjetOut = warpjetInputs.tangentOut;'
-  const turn = `  warpjetIn += warpjetSlope * warpjetIn;\n  warpjetOut += warpjetSlope * warpjetOut;`
+  const keep =
+    '  warpjetTangentIn = warpjetInputs.tangentIn;\n  warpjetTangentOut = warpjetInputs.tangentOut;'
+  const turn = `  warpjetTangentIn += warpjetJacobian * warpjetTangentIn;\n  warpjetTangentOut += warpjetJacobian * warpjetTangentOut;`
   const by = (matrix: string) => (name: string) => `(model.${matrix} * vec4<f32>(${name}, 0.0)).xyz`
   const world = by('uModelMatrix')
   const view = by(space === 'world' ? 'uViewMatrix' : 'uModelViewMatrix')
@@ -222,9 +226,9 @@ function strokeHooks(woven: Woven): Record<string, string> {
       ? { getObjectInputs: `${keep}\n${moved}\n${turn}` }
       : {
           getObjectInputs: keep,
-          getWorldInputs: `  warpjetIn = ${world('warpjetIn')};\n  warpjetOut = ${world('warpjetOut')};\n${moved}\n${turn}`,
+          getWorldInputs: `  warpjetTangentIn = ${world('warpjetTangentIn')};\n  warpjetTangentOut = ${world('warpjetTangentOut')};\n${moved}\n${turn}`,
         }),
-    getCameraInputs: `  warpjetInputs.tangentIn = ${view('warpjetIn')};
-  warpjetInputs.tangentOut = ${view('warpjetOut')};`,
+    getCameraInputs: `  warpjetInputs.tangentIn = ${view('warpjetTangentIn')};
+  warpjetInputs.tangentOut = ${view('warpjetTangentOut')};`,
   }
 }

@@ -1,10 +1,10 @@
-/** Mistakes in the option `defs`, told before p5 prints the whole of a broken shader. */
+/** Reports mistakes in the option `defs`, before p5 prints the whole source of a broken shader. */
 import { shorten } from '../../errors/describe.js'
 import { WarpError } from '../../errors/errors.js'
 import type { Renderer, Shader } from '../host.js'
 import { placeOf } from './places.js'
 
-/** What is used of a WebGL context. */
+/** The members of a WebGL context that we use. */
 interface Gl {
   VERTEX_SHADER: number
   COMPILE_STATUS: number
@@ -24,7 +24,7 @@ interface Device {
   }
 }
 
-/** A line of the shader, from 1, and what is wrong there. */
+/** A line number of the shader, from 1, and the compiler's message about it. */
 type Complaint = readonly [line: number, why: string]
 
 function complaintsOf(gl: Gl, text: string): Complaint[] {
@@ -38,8 +38,8 @@ function complaintsOf(gl: Gl, text: string): Complaint[] {
   return Array.from(found, ([, line, why]) => [+line!, why!])
 }
 
-/** The first complaint that is about `defs`, in a sentence; a word that is missing at its end comes up after it. */
-function sentence(text: string, defs: string, complaints: readonly Complaint[]) {
+/** Returns a message from the first complaint about `defs`; a token missing at its end is reported on the line after it. */
+function messageFor(text: string, defs: string, complaints: readonly Complaint[]) {
   const lines = defs.split('\n')
   const first = text.slice(0, text.indexOf(defs)).split('\n').length
   const [line, why] = complaints.find(([at]) => at >= first && at <= first + lines.length) ?? []
@@ -48,23 +48,23 @@ function sentence(text: string, defs: string, complaints: readonly Complaint[]) 
   return `createWarp: the option "defs" has a mistake in its line ${number + 1}, "${shorten(lines[number]!.trim())}": ${why}.`
 }
 
-/** Throws a `WarpError`, on WebGPU later, since it tells later. */
+/** Throws a `WarpError`; on WebGPU asynchronously, since it compiles asynchronously. */
 export function checkDefs(shader: Shader, defs: string, { GL, device }: Renderer) {
   const text = shader.vertSrc()
   if (GL) {
-    const said = sentence(text, defs, complaintsOf(GL as Gl, text))
-    if (said) throw new WarpError(said)
+    const failure = messageFor(text, defs, complaintsOf(GL as Gl, text))
+    if (failure) throw new WarpError(failure)
     return
   }
   const place = placeOf(new Error())
   const compiled = (device as Device).createShaderModule({ code: text }).getCompilationInfo()
   void compiled.then(({ messages }) => {
     const errors = messages.filter(({ type }) => type === 'error')
-    const said = sentence(
+    const failure = messageFor(
       text,
       defs,
       errors.map(({ lineNum, message }) => [lineNum, message]),
     )
-    if (said) throw new WarpError(said + place)
+    if (failure) throw new WarpError(failure + place)
   })
 }

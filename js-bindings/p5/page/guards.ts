@@ -1,6 +1,6 @@
 /**
- * Functions of p5 and of JavaScript's Math that work on numbers alone: while an offset function runs, each says what to write
- * instead where it is handed an expression. Afterwards they are what they were.
+ * Guards functions of p5 and of JavaScript's Math that work only on numbers: while an offset function runs, such a function
+ * throws if it gets an expression, with advice what to write instead. Afterwards the originals are restored.
  */
 import type { OffsetFunction } from '../../compile/hosts.js'
 import { isExpression } from '../../errors/describe.js'
@@ -11,7 +11,7 @@ import { type Canvas, sketchOf } from '../host.js'
 const alike =
   'sin cos tan asin acos atan sinh cosh tanh abs floor ceil round sign trunc sqrt exp log log2 fract degrees radians'
 
-/** By name, what to write. */
+/** Maps a function's name to what to write instead. */
 const instead: Record<string, string> = {
   ...Object.fromEntries(alike.split(' ').map((name) => [name, `x.${name}()`])),
   atan2: 'glsl.atan(y, x)',
@@ -30,7 +30,7 @@ const instead: Record<string, string> = {
   createVector: 'glsl.vec3(x, y, z)',
   color: 'glsl.vec4(red, green, blue, alpha)',
   millis: 'millis',
-  // Of p5.strands.
+  // Functions of p5.strands.
   vec2: 'glsl.vec2(x, y)',
   vec3: 'glsl.vec3(x, y, z)',
   vec4: 'glsl.vec4(x, y, z, w)',
@@ -38,17 +38,17 @@ const instead: Record<string, string> = {
 
 let isNoted = false
 
-/** Said once: nothing is wrong with a number of this moment, but seldom is it meant. */
+/** Warns once: a time that stays constant is valid, but seldom intended. */
 function noteClock() {
   if (isNoted) return
   isNoted = true
   console.warn(
-    "createWarp: p5's millis() stands still in a warp; take the millis that the offset function is given, as in ({ glsl, millis }) => ….",
+    "createWarp: p5's millis() is constant in a warp; use the millis that the offset function gets, as in ({ glsl, millis }) => ….",
   )
 }
 
-/** The offset function, guarded while it runs. */
-export const guarded =
+/** Returns the offset function with guards while it runs. */
+export const withGuards =
   (canvas: Canvas, offset: OffsetFunction): OffsetFunction =>
   (inputs) => {
     const sketch = sketchOf(canvas)

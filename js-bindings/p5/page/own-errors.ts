@@ -1,7 +1,7 @@
-/** Errors of 'warpjet/mesh', which is a module of its own. */
+/** Converts errors of 'warpjet/mesh', which is a separate module. */
 import { WarpError } from '../../errors/errors.js'
 
-/** The other module has a `WarpError` of its own. */
+/** Throws our `WarpError` for one of the other module, which has its own copy of the class. */
 export async function withOwnErrors<Result>(work: () => Result): Promise<Awaited<Result>> {
   try {
     return await work()

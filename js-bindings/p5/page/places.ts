@@ -1,17 +1,17 @@
-/** Where in the sketch a WarpError comes from, added to its sentence. */
+/** Adds the file and line of the sketch to the message of a WarpError. */
 import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
 import { WarpError } from '../../errors/errors.js'
 
-/** p5's own files, by whatever name they are served. */
+/** Recognizes p5's own files under the names of common servers. */
 const isOfP5 = (file: string) =>
   /\/(?:@?p5(?:@[\w.]+)?\/lib\/)?p5(?:\.\w+)*\.js\b|\/p5@?[^/]*\/lib\//.test(file)
 
 let ours: string | undefined
 
-/** Of a function that `new Function` makes. */
+/** Number of lines that `new Function` puts before a function's body. */
 const linesBefore = 3
 
-/** Such as ` (sketch.js, line 12)`; nothing where the browser does not tell. */
+/** Returns text such as ` (sketch.js, line 12)`; empty if the browser's stack trace lacks the line. */
 export function placeOf(error: Error): string {
   ours ??= fileOf(stackLines()[0] ?? '')
   const isSketch = (each: string) => {
@@ -23,7 +23,7 @@ export function placeOf(error: Error): string {
   const [, number] = /:(\d+):\d+\)?$/.exec(line ?? '') ?? []
   const isRemade = (each: string) => /warpjet-operators-\d+\.js/.test(each)
   if (number && isRemade(line!)) {
-    // Counted from the beginning of the function, which stands where createWarp is called.
+    // Lines are counted from the start of the function, which is the line where createWarp is called.
     const call = lines.slice(lines.indexOf(line!)).find((each) => isSketch(each) && !isRemade(each))
     const [, first] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
     return first ? ` (${nameIn(call!)}, line ${+first + +number - linesBefore})` : ''
@@ -31,13 +31,13 @@ export function placeOf(error: Error): string {
   return number ? ` (${nameIn(line!)}, line ${number})` : ''
 }
 
-/** As V8 has it. */
+/** V8's limit on stack traces. */
 const stacks = Error as { stackTraceLimit?: number }
 
-/** Does some work of ours for a sketch. */
-export function located<Result>(work: () => Result): Result {
+/** Runs `work`; adds the sketch's line to the message of a `WarpError` that it throws. */
+export function withSketchLine<Result>(work: () => Result): Result {
   const { stackTraceLimit } = stacks
-  // Some ten places are our own.
+  // About ten frames are our own.
   stacks.stackTraceLimit = 50
   try {
     return work()

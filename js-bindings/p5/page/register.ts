@@ -1,9 +1,9 @@
-/** The addon for a p5 that is a global of the page, whichever of the two comes first. */
+/** Registers the addon with a p5 that is a global of the page, whichever of the two scripts loads first. */
 import { warpjet } from '../addon.js'
 
 const globals = globalThis as { p5?: unknown }
 
-/** Registers with p5 if it is a global, and says whether it was. If not, it does so as soon as p5 becomes one. */
+/** Registers with p5 if it is a global, and returns whether it is. If not, registers as soon as p5 becomes a global. */
 export function registerGlobally(): boolean {
   const { p5 } = globals
   if (typeof p5 === 'function') {
@@ -14,7 +14,7 @@ export function registerGlobally(): boolean {
   return false
 }
 
-/** No event would do: where the page has loaded already, p5 starts the sketch right after its script. */
+/** Uses a setter, since any event is too late: on a page that has already loaded, p5 starts the sketch right after its script. */
 function waitForP5() {
   Object.defineProperty(globals, 'p5', {
     configurable: true,

@@ -1,4 +1,4 @@
-/** What the scripts beside this one add to the global `warpjet`. */
+/** Maps functions that other scripts add to the global `warpjet` to the name of the script. */
 const scripts: Record<string, string> = {
   'twist bend taper bulge stretch wave ripple melt inflate genie spherify shear noiseDisplace chain add blend mask inSpace':
     'deformers',
@@ -8,10 +8,10 @@ const scripts: Record<string, string> = {
 
 export const isAmong = (names: string, name: string) => names.split(' ').includes(name)
 
-/** All of it. */
-export const elsewhereNames = Object.keys(scripts).join(' ').split(' ')
+/** All functions of other scripts. */
+export const namesInOtherScripts = Object.keys(scripts).join(' ').split(' ')
 
-/** What to do for a page to have it. */
+/** Returns advice how a page gets the function `name`; `undefined` if no script has it. */
 export function addScript(name: string): string | undefined {
   const [, script] = Object.entries(scripts).find(([names]) => isAmong(names, name)) ?? []
   return script && `add the script warpjet.${script}.min.js after p5.warpjet.min.js`

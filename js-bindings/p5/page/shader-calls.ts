@@ -1,9 +1,9 @@
-/** Calls of p5 that take a shader, or draw with one of their own, where a sketch has a warp. */
+/** Watches p5's methods that take a shader or draw with their own, since sketches pass warps to them. */
 import { WarpError } from '../../errors/errors.js'
 import { isWarped } from '../create-warp.js'
 import type { Canvas } from '../host.js'
 import { madeWarpOf } from '../made-warps.js'
-import { located } from './places.js'
+import { withSketchLine } from './places.js'
 
 /** Maps a method to the advice in its message. */
 const instead: Record<string, string> = {
@@ -21,23 +21,23 @@ type Methods = Partial<Record<string, Method>>
 interface P5 {
   prototype: object
   Shader?: { prototype: object }
-  /** On 2.x, by what its first sketch will change methods; friendly errors are among them. */
+  /** Wrappers that 2.x puts around methods when its first sketch starts, such as friendly errors. */
   readonly decorations?: Map<unknown, unknown>
   registerDecorator?(path: string, decorate: (own: Method) => Method): void
 }
 
-/** Lets p5's methods know the function that createWarp returned: `shader(warp)` calls it, others throw a `WarpError`. */
+/** Makes p5's methods recognize a function that createWarp returned: `shader(warp)` calls it, others throw a `WarpError`. */
 export function watchShaderCalls(p5: P5, methods: object) {
   for (const name of ['imageShader', 'strokeShader', 'filter'])
-    replace(p5, methods, name, refusing(name))
-  replace(p5, methods, 'shader', callingWarps)
-  replace(p5, methods, 'text', notingText)
-  // `buildMaterialShader()` and the like call it too.
+    replace(p5, methods, name, rejectWarps(name))
+  replace(p5, methods, 'shader', callWarps)
+  replace(p5, methods, 'text', warnOnText)
+  // `buildMaterialShader()` and similar functions call `modify` too.
   if (p5.Shader && methods === p5.prototype)
-    replace(p5, p5.Shader.prototype, 'modify', refusing('modify'))
+    replace(p5, p5.Shader.prototype, 'modify', rejectWarps('modify'))
 }
 
-/** Around all that p5 itself has put around the method, or friendly errors would complain of the warp. */
+/** Replaces a method outside p5's own wrappers, since friendly errors would reject the warp. */
 function replace(p5: P5, object: object, name: string, make: (own: Method) => Method) {
   const methods = object as Methods
   const own = methods[name]
@@ -47,36 +47,36 @@ function replace(p5: P5, object: object, name: string, make: (own: Method) => Me
   else methods[name] = make(own)
 }
 
-const refusing =
+const rejectWarps =
   (name: string) =>
   (own: Method): Method =>
     function (this: unknown, ...given) {
-      if (madeWarpOf(given[0])) located(() => refuseWarp(name))
+      if (madeWarpOf(given[0])) withSketchLine(() => throwShaderExpected(name))
       return own.apply(this, given)
     }
 
-function refuseWarp(name: string): never {
+function throwShaderExpected(name: string): never {
   throw new WarpError(
     `${name}: expected a shader, got the function that createWarp returned; ${instead[name]}.`,
   )
 }
 
-const callingWarps = (own: Method): Method =>
+const callWarps = (own: Method): Method =>
   function (this: unknown, ...given) {
     const made = madeWarpOf(given[0])
     if (!made) return own.apply(this, given)
-    if (made.canvas !== this) located(refuseOther)
+    if (made.canvas !== this) withSketchLine(throwOtherCanvas)
     ;(given[0] as () => void)()
     return this
   }
 
-const notingText = (own: Method): Method =>
+const warnOnText = (own: Method): Method =>
   function (this: unknown, ...given) {
-    if (isWarped(this as Canvas)) noteText()
+    if (isWarped(this as Canvas)) warnAboutText()
     return own.apply(this, given)
   }
 
-function refuseOther(): never {
+function throwOtherCanvas(): never {
   throw new WarpError(
     'shader: this warp was made for another canvas; make one by createWarp of the canvas that it is to draw on, as in graphics.createWarp(…).',
   )
@@ -84,11 +84,11 @@ function refuseOther(): never {
 
 let isNoted = false
 
-/** Said once. */
-function noteText() {
+/** Warns once. */
+function warnAboutText() {
   if (isNoted) return
   isNoted = true
   console.warn(
-    'text: no warp moves it, since p5 draws letters with a shader of its own; draw model(font.textToModel("…", x, y)) in p5 2, or text() in a createGraphics(…) that is the texture() of a plane with many squares.',
+    'text: a warp cannot move it, since p5 draws letters with its own shader; draw model(font.textToModel("…", x, y)) in p5 2, or text() in a createGraphics(…) that is the texture() of a plane with many squares.',
   )
 }

@@ -1,6 +1,6 @@
 /**
- * What nobody caught, on a page of script tags: p5's friendly errors show a WarpError, which they know nothing of, and a name of
- * ours that is not defined says where it is from.
+ * Explains uncaught errors on a page of script tags: shows a WarpError by p5's friendly errors, which don't know it, and gives advice
+ * when one of our names is not defined.
  */
 import { placeOf } from './places.js'
 import { addScript, isAmong } from './scripts.js'
@@ -12,13 +12,13 @@ const globals = globalThis as unknown as {
   p5?: { prototype: object; _friendlyError?: (message: string) => void }
 }
 
-/** As browsers have it of a name that is not there. */
+/** The browsers' messages about an undefined name. */
 const notDefined = /^(?:Can't find variable: (\w+)|(\w+) is not defined)$/
 
 function adviceFor(name: string): string | undefined {
   if (/^(vec|mat)[234]$/.test(name)) return `write glsl.${name}`
   if (isAmong('glsl position normal uv uniforms instance', name))
-    return `the offset function is given it, as in ({ ${name} }) => …`
+    return `it is an argument of the offset function, as in ({ ${name} }) => …`
   const isMethod = isAmong(methods, name)
   if (isMethod && globals.p5 && name in globals.p5.prototype)
     return `call it in setup(), or, in instance mode, as p.${name}(…)`
@@ -28,7 +28,7 @@ function adviceFor(name: string): string | undefined {
   return script && (isMethod ? script : `${script}, and write warpjet.${name}`)
 }
 
-function tell(error: unknown) {
+function explain(error: unknown) {
   if (!(error instanceof Error)) return
   const [, ...found] = notDefined.exec(error.name === 'ReferenceError' ? error.message : '') ?? []
   const name = found.find(Boolean)
@@ -40,8 +40,8 @@ function tell(error: unknown) {
   else if (advice) console.warn(message)
 }
 
-/** From now on. */
-export function tellWhatIsUncaught() {
-  addEventListener('error', ({ error }) => tell(error))
-  addEventListener('unhandledrejection', ({ reason }) => tell(reason))
+/** Starts to listen for uncaught errors. */
+export function explainUncaughtErrors() {
+  addEventListener('error', ({ error }) => explain(error))
+  addEventListener('unhandledrejection', ({ reason }) => explain(reason))
 }

@@ -2,7 +2,7 @@
 import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
 
-/** Finds out how a geometry varies, and keeps it there, in place of what was there before. */
+/** Computes the gradients of normal and uv over a geometry and stores them in it; replaces earlier ones. */
 export async function addSurfaceVariation<Geometry>(geometry: Geometry): Promise<Geometry> {
   const { varyGeometry } = await importMesh('addSurfaceVariation')
   await withOwnErrors(() => varyGeometry(geometry))

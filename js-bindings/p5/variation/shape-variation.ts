@@ -1,18 +1,18 @@
 /**
- * How normal and uv vary over a shape, by vertex: what turns the light of an offset that depends on them. p5's own shapes have
- * formulas; others are taken triangle by triangle, which is exact where they are flat.
+ * Per-vertex gradients of normal and uv on a shape, which the normals of an offset that depends on these need. p5's own shapes have
+ * formulas; on others we compute gradients per triangle, which is exact where they are flat.
  */
 import { type VariationInput, variationNames } from '../../compile/hosts.js'
-import { byFormula, formulaOf } from './formula-variation.js'
+import { gradientsByFormula, formulaOf } from './formula-variation.js'
 import type { Shape } from '../host.js'
-import { byTriangles } from './triangle-variation.js'
+import { gradientsByTriangles } from './triangle-variation.js'
 
-/** By vertex, three numbers for each of `variationNames`. */
+/** For each of `variationNames`, 3 floats per vertex. */
 export type Variation = Record<VariationInput, Float32Array>
 
-/** `name` is p5's. */
+/** `name` is p5's name of the shape. */
 export function variationOf(shape: Shape, name: string): Variation {
   const formula = formulaOf(name)
-  const gradients = formula ? byFormula(shape, formula) : byTriangles(shape)
+  const gradients = formula ? gradientsByFormula(shape, formula) : gradientsByTriangles(shape)
   return Object.fromEntries(variationNames.map((each, k) => [each, gradients[k]!])) as Variation
 }

@@ -1,23 +1,23 @@
 /**
- * How normal and uv vary over a shape of which nothing is known but its triangles. What a sketch built may have a hundred thousand
- * vertices, and its first frame waits for this: hence arrays of numbers.
+ * Gradients of normal and uv on a shape of which we know only the triangles. A shape built by a sketch may have a hundred thousand
+ * vertices, and its first frame waits for this computation: hence typed arrays.
  */
 import type { Shape } from '../host.js'
 import { type Triple, cross, dot, sub, times } from '../geometry/triple.js'
 
-/** By vertex: three numbers of its position, then what varies, which are three of its normal, u and v. */
+/** Numbers per vertex: 3 of its position, then the varying values, 3 of its normal, u and v. */
 const width = 8
 const [normal, uv] = [3, 6]
 
 /**
- * By value that varies, its gradient at each vertex: the mean of the triangles around, in the tangent plane, with the weights that make
- * the normals of a sphere exact (Max, "Weights for Computing Vertex Normals from Facet Normals", 1999).
+ * Returns the gradient of each varying value at each vertex: the mean over the surrounding triangles, in the tangent plane, with the
+ * weights that make the normals of a sphere exact (Max, "Weights for Computing Vertex Normals from Facet Normals", 1999).
  */
-export function byTriangles(shape: Shape): Float32Array[] {
+export function gradientsByTriangles(shape: Shape): Float32Array[] {
   const vertices = tableOf(shape)
   const owners = ownersOf(vertices)
   const sums = sumsAround(shape.faces, vertices, owners)
-  return sums.map((sum, k) => tangential(sum, vertices, owners[k]!))
+  return sums.map((sum, k) => projectMeans(sum, vertices, owners[k]!))
 }
 
 function tableOf({ vertices, vertexNormals, uvs }: Shape): Float64Array {
@@ -34,9 +34,9 @@ function tableOf({ vertices, vertexNormals, uvs }: Shape): Float64Array {
 }
 
 /**
- * By value that varies and vertex, the vertex that has its gradient: those of one place and normal share what the normal does, and what
- * the uvs do where these only begin anew, so that such a seam is none of the light. A hash table of numbers instead of the texts takes
- * a quarter to a third off the whole and adds forty lines.
+ * Maps each varying value and vertex to the vertex that stores its gradient. Vertices with the same position and normal share the
+ * gradients of the normal, and those of uv if their uvs differ by whole numbers, so that no seam shows in the light. A hash table with
+ * numeric keys instead of strings would take a quarter to a third off the total time and add forty lines.
  */
 function ownersOf(vertices: Float64Array): Int32Array[] {
   const rounded = vertices.map((x, at) => Math.round((at % width < uv ? x : x % 1) * 1e6))
@@ -51,7 +51,7 @@ function ownersOf(vertices: Float64Array): Int32Array[] {
   return [byNormal!, byNormal!, byNormal!, byUv!, byUv!]
 }
 
-/** By value that varies, for each owner: the sum of the gradients in the triangles around, times weights, and that of the weights. */
+/** Returns 4 numbers per owner for each varying value: the weighted sum of the gradients in the surrounding triangles, and of the weights. */
 function sumsAround(
   faces: readonly (readonly number[])[],
   vertices: Float64Array,
@@ -60,7 +60,7 @@ function sumsAround(
   const length = vertices.length / width
   const sums = owners.map(() => new Float64Array(4 * length))
   for (const face of faces) {
-    // As a sketch may make them.
+    // A sketch may make faces with invalid indices.
     if (!face.every((i) => i >= 0 && i < length)) continue
     const triangle = slopesIn(face.map((i) => tripleAt(vertices, width * i)))
     if (!triangle) continue
@@ -79,25 +79,29 @@ function sumsAround(
   return sums
 }
 
-/** By corner, the gradient of what is 1 there and 0 at the others, and the corner's weight; undefined where two are at one place. */
+/** Returns the gradient of each corner's barycentric coordinate and the corner's weight; `undefined` for a degenerate triangle. */
 function slopesIn(corners: readonly Triple[]) {
   const [a, b, c] = corners as readonly [Triple, Triple, Triple]
   const opposite = [sub(c, b), sub(a, c), sub(b, a)] as const
   const squares = opposite.map((edge) => dot(edge, edge))
   const up = cross(opposite[0], opposite[1])
   const square = dot(up, up)
-  // As p5 has them at poles and seams, but for rounding errors.
+  // p5's shapes have degenerate triangles at poles and seams, up to rounding errors.
   if (!(square > 1e-12 * Math.max(...squares) ** 2)) return
   const all = squares[0]! * squares[1]! * squares[2]!
   return {
     slopes: opposite.map((edge) => times(cross(up, edge), 1 / square)),
-    // Its sine over the lengths of its two sides.
+    // The sine of the corner's angle, divided by the lengths of its two sides.
     weights: squares.map((each) => (each * Math.sqrt(square)) / all),
   }
 }
 
-/** By vertex, the mean that its owner has, without what stands out of the surface. */
-function tangential(sums: Float64Array, vertices: Float64Array, owners: Int32Array): Float32Array {
+/** Returns the mean of each vertex's owner, projected onto the tangent plane. */
+function projectMeans(
+  sums: Float64Array,
+  vertices: Float64Array,
+  owners: Int32Array,
+): Float32Array {
   const gradients = new Float32Array(3 * owners.length)
   owners.forEach((owner, i) => {
     const n = tripleAt(vertices, width * i + normal)

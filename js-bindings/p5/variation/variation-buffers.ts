@@ -1,6 +1,6 @@
 /**
- * Hands p5 how shapes vary as attributes of its own kind: a p5.Geometry has them as arrays beside its vertices, made when a shader
- * first asks, and every renderer that draws with a warp that reads them has buffers of them.
+ * Passes the gradients of shapes to p5 as vertex attributes. A p5.Geometry has them as arrays next to its vertices, computed on first
+ * use, and each renderer that draws with a warp that reads them has buffers for them.
  */
 import { type VariationInput, variationAttribute, variationNames } from '../../compile/hosts.js'
 import type { Renderer, Shader, Shape } from '../host.js'
@@ -10,25 +10,28 @@ type Drawn = Shape & { dirtyFlags: Record<string, boolean | undefined> }
 
 const source = (name: string) => `warpjet_${name}`
 
-/** What was found out, and which arrays of it were handed over. */
-const found = new WeakMap<Drawn, { variation: Variation; handed: Set<string> }>()
+/** The gradients of each shape, and the names of the arrays that p5 has read. */
+const variations = new WeakMap<Drawn, { variation: Variation; readNames: Set<string> }>()
 
-/** p5's name of what is between beginShape() and endShape(), which is another shape each time. */
+/** p5's name of the shape between beginShape() and endShape(), which is a different one each time. */
 const immediate = '__IMMEDIATE_MODE_GEOMETRY__'
 
 function arrayOf(shape: Drawn, name: VariationInput): Float32Array {
   if (shape.gid === immediate) return new Float32Array(3 * shape.vertices.length)
-  let known = found.get(shape)
-  // p5 wants it again after the shape has changed.
-  const isStale = known?.handed.has(name) && shape.dirtyFlags[source(name)] !== false
+  let known = variations.get(shape)
+  // p5 reads the array again after the shape has changed.
+  const isStale = known?.readNames.has(name) && shape.dirtyFlags[source(name)] !== false
   if (!known || isStale)
-    found.set(shape, (known = { variation: variationOf(shape, nameOf(shape)), handed: new Set() }))
-  known.handed.add(name)
+    variations.set(
+      shape,
+      (known = { variation: variationOf(shape, nameOf(shape)), readNames: new Set() }),
+    )
+  known.readNames.add(name)
   return known.variation[name]
 }
 
-/** Gives the arrays to all that is of the class p5.Geometry. */
-export function giveArrays(geometry: { prototype: object } | undefined) {
+/** Defines the arrays as getters of the class p5.Geometry. */
+export function defineVariationArrays(geometry: { prototype: object } | undefined) {
   if (!geometry) return
   for (const name of variationNames)
     Object.defineProperty(geometry.prototype, source(name), {
@@ -39,24 +42,25 @@ export function giveArrays(geometry: { prototype: object } | undefined) {
     })
 }
 
-/** Shared by all scripts of the page, each of which may have a copy of this file. */
-const keeping = ((globalThis as Record<symbol, unknown>)[Symbol.for('warpjet.renderers')] ??=
-  []) as WeakRef<Renderer>[]
+/** Renderers that keep shapes by name. Shared by all scripts of the page, each of which may contain a copy of this file. */
+const keepingRenderers = ((globalThis as Record<symbol, unknown>)[
+  Symbol.for('warpjet.renderers')
+] ??= []) as WeakRef<Renderer>[]
 
-/** p5's name of a shape: 1.11 keeps shapes under their names, and these do not know them. */
+/** Returns p5's name of a shape. On 1.11 a shape doesn't have its name; renderers map names to shapes. */
 export const nameOf = (shape: Shape): string =>
   shape.gid ||
-  (keeping
+  (keepingRenderers
     .flatMap((reference) => Object.entries(reference.deref()?.retainedMode?.geometry ?? {}))
     .find(([, { model }]) => model === shape)?.[0] ??
     '')
 
-/** For a renderer that is to draw with a warp that reads them. */
+/** Adds buffers of gradients to a renderer, before it draws with a warp that reads them. */
 export function prepareBuffers(renderer: Renderer) {
   const buffers = renderer.buffers?.fill ?? renderer.retainedMode?.buffers.fill
   const [first] = buffers ?? []
   if (!first || buffers!.some(({ attr }) => attr === variationAttribute(variationNames[0]!))) return
-  if (renderer.retainedMode) keeping.push(new WeakRef(renderer))
+  if (renderer.retainedMode) keepingRenderers.push(new WeakRef(renderer))
   const RenderBuffer = first.constructor as new (...settings: unknown[]) => typeof first
   for (const name of variationNames)
     buffers!.push(
@@ -70,10 +74,10 @@ export function prepareBuffers(renderer: Renderer) {
     )
 }
 
-/** Prepares whichever renderer draws with the shader, for one that a sketch puts on by itself. */
+/** Prepares any renderer that draws with the shader, which the sketch applies itself. */
 export function prepareWhereBound(shader: Shader) {
   const prepare = () => prepareBuffers(shader._renderer as unknown as Renderer)
-  // On 1.11 a shader has none before it is drawn with.
+  // On 1.11 a shader has no renderer before its first use.
   if (shader._renderer) prepare()
   const bind = shader.bindShader!
   shader.bindShader = (...args) => {
@@ -82,7 +86,7 @@ export function prepareWhereBound(shader: Shader) {
   }
 }
 
-/** p5 leaves the attributes of the last shape on for one that lacks them, which is then to read zeros. */
+/** Disables the attributes of the last shape, which p5 leaves enabled: a shape that lacks them must read zeros. */
 export function forgetLastShape(shader: Shader) {
   const bind = shader.bindShader!
   shader.bindShader = (...args) => {

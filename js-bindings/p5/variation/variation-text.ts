@@ -1,41 +1,44 @@
-/** How normals and uvs vary over a shape, as text of a shader that is handed it by attributes. */
+/** GLSL that reads the gradients of normal and uv from attributes. */
 import { type HostText, variationAttribute, variationNames } from '../../compile/hosts.js'
 
-/** A text with the attributes that it reads. */
+/** Code with a list of the attributes that it reads. */
 export type TextOfVertex = Pick<HostText, 'attributes'>
 
-/** Whether the text reads how the surface varies. */
+/** Returns whether the code reads gradients of normal or uv. */
 export const readsVariation = (text: TextOfVertex) => variationIn(text).length > 0
 
-/** What the text reads for each input: `variationIn` makes it of the attribute. */
+/** Maps each gradient to the variable that holds it, which `variationInGlsl` computes from the attribute. */
 export const variationVariables = Object.fromEntries(
   variationNames.map((name) => [name, `warpjet_${name}`]),
 )
 
-/** Those that the text reads. */
+/** Returns the gradients that the code reads. */
 export const variationIn = ({ attributes }: TextOfVertex) =>
   attributes.flatMap(({ name }) => variationNames.filter((each) => each === name))
 
-/** GLSL for above a shader that reads any. */
+/** Declarations for a shader that reads any gradient. */
 export const variationDeclarations = variationNames
   .map((name) => `IN vec3 ${variationAttribute(name)};`)
   .join('\n')
 
 /**
- * GLSL that makes them of the attributes, in a space that `matrix` turns normals to from the shape's own. By such a matrix N, the
- * inverse transpose of that for positions, gradients turn as normals do, and the derivative W of the normal becomes N W Nᵀ. GLSL
- * 1.00 has no `transpose`, but `v * N`.
+ * Returns GLSL that computes the gradients from the attributes, in a space to which `matrix` transforms normals from the shape's own.
+ * Such a matrix N is the inverse transpose of the one for positions. It transforms gradients like normals, and the derivative W of the
+ * normal to N W Nᵀ. GLSL 1.00 has no `transpose`, hence `v * N`.
  */
-export function turnedVariation(matrix: string): string {
+export function variationInGlsl(matrix: string): string {
   const attributes = variationNames.map(variationAttribute)
-  const turned = (attribute: string, i: number) => {
+  const transformAttribute = (attribute: string, i: number) => {
     if (!matrix) return attribute
-    return `warpjetN * ${i < 3 ? `(mat3(${attributes.slice(0, 3)}) * (mat3(1.0)[${i}] * warpjetN))` : attribute}`
+    return `warpjetNormalMatrix * ${i < 3 ? `(mat3(${attributes.slice(0, 3)}) * (mat3(1.0)[${i}] * warpjetNormalMatrix))` : attribute}`
   }
   return (
-    (matrix && `  mat3 warpjetN = ${matrix};\n`) +
+    (matrix && `  mat3 warpjetNormalMatrix = ${matrix};\n`) +
     attributes
-      .map((attribute, i) => `  vec3 warpjet_${variationNames[i]} = ${turned(attribute, i)};\n`)
+      .map(
+        (attribute, i) =>
+          `  vec3 warpjet_${variationNames[i]} = ${transformAttribute(attribute, i)};\n`,
+      )
       .join('')
   )
 }

@@ -6,14 +6,14 @@
 #include <string>
 #include <type_traits>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Nothing in the file pays for the memory of zeros.
-constexpr std::size_t mostZeros = std::size_t{1} << 22;
+// Zeros take memory without taking bytes of the file.
+constexpr std::size_t maxZeros = std::size_t{1} << 22;
 
 const tinygltf::Accessor& accessorAt(const Gltf& gltf, int accessor) {
   const auto& accessors = gltf.model.accessors;
@@ -25,7 +25,7 @@ const tinygltf::Accessor& accessorAt(const Gltf& gltf, int accessor) {
                     "; export the model again.");
 }
 
-// Elements that lie `stride` bytes apart, each within the file.
+// Elements at a distance of `stride` bytes, each within the file.
 struct Elements {
   const std::uint8_t* first;
   std::size_t stride, count;
@@ -38,7 +38,7 @@ struct Elements {
   }
 };
 
-// A stride of 0 means that the elements, of so many bytes, follow one another.
+// A stride of 0 means that elements of `size` bytes are contiguous.
 Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_t offset,
                     std::uint64_t count, std::size_t size, std::size_t stride) {
   const Bytes bytes = bytesOfView(gltf, bufferView);
@@ -46,12 +46,13 @@ Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_
   // At most 2^32 + 2^32 * 252: no overflow.
   const std::uint64_t end = count == 0 ? offset : offset + (count - 1) * stride + size;
   if (end > bytes.size())
-    fail(accessor, "reads up to byte " + grouped(end) + " of bufferView " +
-                       std::to_string(bufferView) + ", which has only " + grouped(bytes.size()));
+    fail(accessor, "reads up to byte " + groupDigits(end) + " of bufferView " +
+                       std::to_string(bufferView) + ", which has only " +
+                       groupDigits(bytes.size()));
   return {bytes.data() + offset, stride, static_cast<std::size_t>(count)};
 }
 
-// The elements in the accessor's own view, of so many bytes. Only vectors may lie apart.
+// The elements in the accessor's own view, of `size` bytes each. Only vectors may have a stride.
 Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
   const auto& views = gltf.model.bufferViews;
@@ -60,16 +61,17 @@ Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   return elementsIn(gltf, accessor, info.bufferView, info.byteOffset, info.count, size, stride);
 }
 
-// Of an element, or less for what is no vector: that is checked or refused where it is read.
+// The size of an element, or less if it isn't a vector: such elements are checked or rejected where
+// they are read.
 std::size_t sizeOf(const tinygltf::Accessor& info) {
-  // The numbers of tinygltf's vector types are their lengths.
+  // tinygltf's constants for vector types are their lengths.
   const int width = info.type <= TINYGLTF_TYPE_VEC4 ? info.type : 1;
   const int bytes =
       tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(info.componentType));
   return static_cast<std::size_t>(std::max(width * bytes, 1));
 }
 
-// Calls with a zero of the C++ type of a component.
+// Calls `function` with a zero of a component's C++ type.
 template <typename Function>
 void withType(int accessor, int componentType, Function function) {
   switch (componentType) {
@@ -100,14 +102,15 @@ float toFloat(T value, bool isNormalized) {
   return std::max(quotient, -1.0f);
 }
 
-// Calls with the place of each replaced element and with its new value.
+// Calls `replace` with the index and the new value of each replaced element.
 template <typename T, typename Replace>
 void forSparse(const Gltf& gltf, int accessor, std::size_t components, Replace replace) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
   if (!info.sparse.isSparse) return;
   const auto count = static_cast<std::uint64_t>(info.sparse.count);
   if (count > info.count)
-    fail(accessor, "replaces " + grouped(count) + " of its " + grouped(info.count) + " elements");
+    fail(accessor,
+         "replaces " + groupDigits(count) + " of its " + groupDigits(info.count) + " elements");
   const Elements values = elementsIn(gltf, accessor, info.sparse.values.bufferView,
                                      static_cast<std::uint64_t>(info.sparse.values.byteOffset),
                                      count, components * sizeof(T), 0);
@@ -119,8 +122,8 @@ void forSparse(const Gltf& gltf, int accessor, std::size_t components, Replace r
       const Index place = places.at<Index>(i);
       if constexpr (std::is_unsigned_v<Index>) {
         if (place >= info.count)
-          fail(accessor,
-               "replaces its element " + grouped(place) + ", but has only " + grouped(info.count));
+          fail(accessor, "replaces its element " + groupDigits(place) + ", but has only " +
+                             groupDigits(info.count));
         replace(static_cast<std::size_t>(place), values, i);
       } else {
         fail(accessor, "has sparse indices that are no unsigned integers");
@@ -155,18 +158,18 @@ void appendAs(const Gltf& gltf, int accessor, std::size_t components, std::size_
 
 std::size_t countOf(const Gltf& gltf, int accessor) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
-  if (info.bufferView < 0 && info.count > mostZeros)
-    fail(accessor, "says " + grouped(info.count) + " elements without any bytes; at most " +
-                       grouped(mostZeros) + " are read");
+  if (info.bufferView < 0 && info.count > maxZeros)
+    fail(accessor, "says " + groupDigits(info.count) + " elements without any bytes; at most " +
+                       groupDigits(maxZeros) + " are read");
   if (info.bufferView >= 0) ownElements(gltf, accessor, sizeOf(info));
   return info.count;
 }
 
-void appendFloats(const Gltf& gltf, int accessor, int least, int width,
+void appendFloats(const Gltf& gltf, int accessor, int minWidth, int width,
                   std::vector<float>& numbers) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
-  // The numbers of tinygltf's vector types are their lengths.
-  if (info.type < least || info.type > width)
+  // tinygltf's constants for vector types are their lengths.
+  if (info.type < minWidth || info.type > width)
     fail(accessor, "must hold vectors of " + std::to_string(width) + " numbers for its use");
   withType(accessor, info.componentType, [&]<typename T>(T) {
     if constexpr (std::is_same_v<T, std::uint32_t>)

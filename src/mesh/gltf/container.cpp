@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/text/encoding.hpp"
 
 namespace warpjet {
@@ -18,9 +18,9 @@ std::uint32_t littleEndian(Bytes bytes, std::size_t at) {
          static_cast<std::uint32_t>(bytes[at + 3]) << 24;
 }
 
-[[noreturn]] void failShort(std::uint64_t wanted, std::uint64_t came) {
-  throw FileProblem("the file ends in the middle of its data (it says " + grouped(wanted) +
-                    " bytes, " + grouped(came) + " came); export or download it again.");
+[[noreturn]] void failShort(std::uint64_t wanted, std::uint64_t got) {
+  throw FileProblem("the file ends in the middle of its data (expected " + groupDigits(wanted) +
+                    " bytes, got " + groupDigits(got) + "); export or download it again.");
 }
 
 // The content of the chunk that starts there.
@@ -38,8 +38,8 @@ Chunks chunksOfGlb(Bytes bytes) {
     failShort(headerSize + chunkHeaderSize, bytes.size());
   const std::uint32_t version = littleEndian(bytes, 4);
   if (version != 2)
-    throw FileProblem("this .glb is of glTF version " + grouped(version) +
-                      ", but only version 2 is read; export the model as glTF 2.0.");
+    throw FileProblem("this .glb is of glTF version " + groupDigits(version) +
+                      ", but only version 2 is supported; export the model as glTF 2.0.");
   const std::uint32_t length = littleEndian(bytes, 8);
   if (length > bytes.size()) failShort(length, bytes.size());
   bytes = bytes.first(length);
@@ -49,7 +49,7 @@ Chunks chunksOfGlb(Bytes bytes) {
 
   const Bytes json = chunkAt(bytes, headerSize);
   Chunks chunks{textOf(json), std::nullopt};
-  // The JSON's length need not be a multiple of 4, though it should.
+  // The JSON's length may be no multiple of 4, although it should be.
   const std::size_t next = headerSize + chunkHeaderSize + json.size();
   if (next + chunkHeaderSize <= bytes.size() && littleEndian(bytes, next + 4) == binaryChunk)
     chunks.binary = chunkAt(bytes, next);

@@ -1,4 +1,4 @@
-// The outermost shape of a GLB: its two chunks.
+// The outer structure of a GLB: its two chunks.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// The description of a glTF and, in a GLB, the buffer that travels with it. Views into the file.
+// The description of a glTF and, in a GLB, the embedded buffer. Both are views into the file.
 struct Chunks {
   std::string_view json;
   std::optional<Bytes> binary;
@@ -18,8 +18,8 @@ struct Chunks {
 // "JSON" and "BIN\0", glTF 2.0, section 4.4.3.
 constexpr std::uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
 
-// glTF 2.0, section 4.4. Chunks behind the first two are ignored, as it demands. Throws a
-// FileProblem.
+// See glTF 2.0, section 4.4. Ignores chunks after the first two, as the specification requires.
+// Throws a FileProblem.
 Chunks chunksOfGlb(Bytes bytes);
 
 }  // namespace warpjet

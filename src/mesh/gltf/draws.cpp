@@ -5,13 +5,13 @@
 
 #include "mesh/gltf/accessor.hpp"
 #include "mesh/gltf/morph.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Whether it is made of triangles with positions; warns if not.
+// True if it has triangles and positions; otherwise warns.
 bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
   if (primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
     throw FileProblem("a primitive has the unknown mode " + std::to_string(primitive.mode) +
@@ -46,7 +46,8 @@ bool hasEqualColors(const Gltf& gltf, const std::vector<Draw>& draws) {
   });
 }
 
-// Without indices every three vertices must be a triangle, also behind another draw's, unmirrored.
+// Without indices, every three vertices must be a triangle, also after those of other draws, and
+// must not be mirrored.
 bool needsIndices(const Draw& draw, const std::vector<Skin>& skins) {
   const bool isMirrored =
       draw.isSkinned() ? skins[checkedIndex("skin", draw.placed->skin, skins.size())].isMirrored
@@ -66,14 +67,14 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
     if (layout.isIndexed)
       bytes += std::uint64_t{3} * trianglesOf(draw.kind(), draw.corners) * sizeof(std::uint32_t);
   }
-  if (bytes > mostMeshBytes)
-    throw FileProblem("the model would take " + grouped(bytes) + " bytes, but at most " +
-                      grouped(mostMeshBytes) +
+  if (bytes > maxMeshBytes)
+    throw FileProblem("the model would take " + groupDigits(bytes) + " bytes, but at most " +
+                      groupDigits(maxMeshBytes) +
                       " are read; export it with fewer triangles or in several files.");
-  // They take time, not memory.
-  if (ofTargets > mostMeshBytes)
+  // These take time, not memory.
+  if (ofTargets > maxMeshBytes)
     throw FileProblem("the model has more morph targets at work than are read, " +
-                      grouped(ofTargets) + " bytes; export it in its final shape.");
+                      groupDigits(ofTargets) + " bytes; export it in its final shape.");
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed) {
   for (const Placed& place : placed) {
     const auto& mesh = meshes[checkedIndex("mesh", place.mesh, meshes.size())];
     seen += mesh.primitives.size();
-    if (seen > mostDraws) refuseDraws();
+    if (seen > maxDraws) failTooManyDraws();
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       if (!isDrawn(gltf, primitive)) continue;
       Draw draw{&primitive, &place, 0, 0, {}};

@@ -1,4 +1,4 @@
-// What of a glTF is to be drawn, before any vertex is read.
+// The parts of a glTF to draw, determined before any vertex is read.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace warpjet {
 
-// One primitive of a mesh where one node puts it; `corners` are those of its strip, fan or
-// triangles.
+// One primitive of a mesh, placed by one node; `corners` is the number of corners in its strip, fan
+// or triangles.
 struct Draw {
   const tinygltf::Primitive* primitive;
   const Placed* placed;
@@ -22,7 +22,7 @@ struct Draw {
 
   Primitives kind() const { return Primitives{primitive->mode}; }
   bool isIndexed() const { return primitive->indices != noPlace; }
-  // Whether it stands where bones take it, and not where its node is.
+  // True if bones place it, and not its node.
   bool isSkinned() const {
     return placed->skin >= 0 && accessor("JOINTS_0") != noPlace && accessor("WEIGHTS_0") != noPlace;
   }
@@ -31,20 +31,20 @@ struct Draw {
   int accessor(const char* attribute) const;
 };
 
-// All that make triangles. Points, lines and what has no positions are left out with a warning.
-// Throws a FileProblem.
+// All draws of triangles. Points, lines and primitives without positions are skipped with a
+// warning. Throws a FileProblem.
 std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed);
 
-// Which arrays the merged mesh has. Tangents come only where all have them, since nobody can guess
-// them, and only with normals, as glTF demands.
+// The arrays of the merged mesh. It has tangents only if all draws have them, since they can't be
+// guessed, and only with normals, as glTF requires.
 struct Layout {
   bool hasUvs, hasColors, hasTangents;
-  bool isIndexed;       // whether triangles need indices
-  bool hasEqualColors;  // whether the base colour is the same everywhere
+  bool isIndexed;       // true if triangles need indices
+  bool hasEqualColors;  // true if the base color is the same everywhere
 };
 
-// Throws a FileProblem if a draw has no such skin, or if the mesh would be larger than
-// mostMeshBytes.
+// Throws a FileProblem if a draw's skin doesn't exist, or if the mesh would be larger than
+// maxMeshBytes.
 Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws, const std::vector<Skin>& skins);
 
 }  // namespace warpjet

@@ -1,5 +1,5 @@
-// The JSON and the frame are written here, not by tinygltf: its writer holds the arrays three times
-// (as its model, as the chunk, in the stream), prints through iostreams, and is 60 KB of
+// The JSON and the container are written here, not by tinygltf: its writer holds the arrays three
+// times (in its model, in the chunk, in the stream), prints through iostreams, and takes 60 KB of
 // WebAssembly for what is 30 lines below.
 #include "mesh/gltf/export.hpp"
 
@@ -19,14 +19,14 @@ namespace {
 
 using nlohmann::json;
 
-// The numbers of the glTF 2.0 specification, sections 3.6 and 3.11.
+// Constants of the glTF 2.0 specification, sections 3.6 and 3.11.
 constexpr int unsignedShort = 5123, unsignedInt = 5125, floatType = 5126;
 constexpr int arrayBuffer = 34962, elementArrayBuffer = 34963;
 
-// 65535, the largest 16-bit index, restarts primitives and so names no vertex.
-constexpr std::size_t mostVerticesOf16Bits = 65535;
+// 65535, the largest 16-bit index, is the restart value, so it can't refer to a vertex.
+constexpr std::size_t maxVerticesOf16Bits = 65535;
 
-// The document, and the bytes that its buffer views are of.
+// The document, and the bytes that its buffer views refer to.
 class File {
  public:
   json document{{"asset", {{"version", "2.0"}, {"generator", "warpjet " WARPJET_VERSION}}}};
@@ -42,7 +42,7 @@ class File {
     return static_cast<int>(views.size()) - 1;
   }
 
-  // `size` numbers an element.
+  // `size` is the number of values per element.
   template <class T>
   int addAccessor(std::span<const T> values, int size, int componentType, int target) {
     const int view = addView(values);
@@ -81,7 +81,7 @@ void put(std::vector<std::uint8_t>& bytes, std::uint32_t word) {
     bytes.push_back(static_cast<std::uint8_t>(word >> shift));
 }
 
-// A chunk is filled up to a multiple of four bytes.
+// Chunks are padded to a multiple of four bytes.
 template <class Bytes>
 void putChunk(std::vector<std::uint8_t>& file, std::uint32_t type, const Bytes& bytes,
               std::uint8_t padding) {
@@ -109,7 +109,7 @@ std::vector<std::uint8_t> File::glb() {
 }
 
 int addIndices(File& file, const Mesh& mesh) {
-  if (mesh.vertexCount() > mostVerticesOf16Bits)
+  if (mesh.vertexCount() > maxVerticesOf16Bits)
     return file.addAccessor<std::uint32_t>(mesh.indices, 1, unsignedInt, elementArrayBuffer);
   const std::vector<std::uint16_t> narrow(mesh.indices.begin(), mesh.indices.end());
   return file.addAccessor<std::uint16_t>(narrow, 1, unsignedShort, elementArrayBuffer);
@@ -132,7 +132,7 @@ json attributes(File& file, const Mesh& mesh) {
   return attributes;
 }
 
-// Not metallic, which is what glTF takes for granted: the mesh says nothing of metal.
+// Sets metallic to 0, since glTF's default is 1 and the mesh doesn't define it.
 json material(const Material& material) {
   std::array<float, 4> color = material.baseColor;
   for (float& number : color) number = std::clamp(number, 0.0F, 1.0F);

@@ -8,15 +8,15 @@
 
 namespace warpjet {
 
-// The picture of PNG or JPEG by how its bytes begin, or no text: glTF knows no other.
+// The MIME type of a PNG or JPEG, by its first bytes; empty for other formats, which glTF doesn't
+// support.
 const char* pictureType(const std::vector<std::uint8_t>& bytes);
 
-// The mesh has at least one triangle, and its arrays fit together. One scene, one node, one
-// primitive: arrays as they are, but that normals and tangents have length 1 (see unit.hpp), and
-// colours are between 0 and 1. What a file may not have is left out: tangents without normals, a
-// texture without uvs, and one of another kind than PNG and JPEG (which js-bindings/wasm/mesh.cpp
-// refuses before). Throws std::length_error if the file were larger than the 4 GB that its header
-// can say.
+// Requires at least one triangle and consistent arrays. Writes one scene, one node and one
+// primitive, with the arrays unchanged, except that normals and tangents are normalized (see
+// unit.hpp) and colors clamped to 0 to 1. Omits what glTF doesn't allow: tangents without normals,
+// a texture without uvs, and textures other than PNG and JPEG (js-bindings/wasm/mesh.cpp rejects
+// those earlier). Throws std::length_error if the file exceeds 4 GB, the limit of its header.
 std::vector<std::uint8_t> exportGlb(const Mesh& mesh);
 
 }  // namespace warpjet

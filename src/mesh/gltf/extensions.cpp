@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
@@ -17,8 +17,8 @@ constexpr std::array<const char*, 2> meshoptExtensions{"EXT_meshopt_compression"
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
 
-// Those that are read, and those that move no vertex. An extension of textures costs those textures
-// that have nothing else.
+// True for extensions that are read, and for those that move no vertex. Texture extensions disable
+// only textures that have no other source.
 bool isRead(std::string_view extension) {
   constexpr std::array<std::string_view, 9> names{
       "KHR_mesh_quantization",   "EXT_mesh_gpu_instancing", "KHR_node_visibility",
@@ -30,8 +30,8 @@ bool isRead(std::string_view extension) {
          std::find(names.begin(), names.end(), extension) != names.end();
 }
 
-// The element's extensions, which leave it.
-json takenFrom(json& element) {
+// Removes and returns the extensions of an element.
+json takeExtensionsOf(json& element) {
   const auto found = element.find("extensions");
   if (found == element.end()) return json::object();
   json extensions = std::move(*found);
@@ -39,7 +39,7 @@ json takenFrom(json& element) {
   return extensions;
 }
 
-// Calls with each element of a list and its place.
+// Calls `function` with each element of a list and its index.
 template <typename Function>
 void forEach(json& tree, const char* list, Function function) {
   const auto found = tree.find(list);
@@ -107,27 +107,27 @@ void refuseExtensions(const json& tree) {
 Extensions takeExtensions(json& tree) {
   Extensions found;
   forEach(tree, "nodes", [&](json& node, int place) {
-    const json extensions = takenFrom(node);
+    const json extensions = takeExtensionsOf(node);
     if (const auto it = extensions.find("EXT_mesh_gpu_instancing"); it != extensions.end())
       found.instancing[place] = instancingOf(*it);
     if (const auto it = extensions.find("KHR_node_visibility"); it != extensions.end())
       if (!it->value("visible", true)) found.hiddenNodes.insert(place);
   });
   forEach(tree, "materials", [&](json& material, int place) {
-    const json extensions = takenFrom(material);
+    const json extensions = takeExtensionsOf(material);
     if (const auto it = extensions.find("KHR_materials_pbrSpecularGlossiness");
         it != extensions.end())
       found.glossiness[place] = glossinessOf(*it);
   });
   forEach(tree, "bufferViews", [&](json& view, int place) {
-    const json extensions = takenFrom(view);
+    const json extensions = takeExtensionsOf(view);
     for (const char* name : meshoptExtensions)
       if (const auto it = extensions.find(name); it != extensions.end())
         found.meshoptViews[place] = meshoptViewOf(name, *it);
   });
   forEach(tree, "meshes", [&](json& mesh, int meshPlace) {
     forEach(mesh, "primitives", [&](json& primitive, int place) {
-      const json extensions = takenFrom(primitive);
+      const json extensions = takeExtensionsOf(primitive);
       if (const auto it = extensions.find(dracoExtension); it != extensions.end())
         found.draco[{meshPlace, place}] = dracoPrimitiveOf(*it);
     });

@@ -1,4 +1,4 @@
-// The extensions of glTF that change a mesh, taken out of its description.
+// The glTF extensions that change a mesh, extracted from its description.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct Instancing {
   bool hasAttributes() const { return translation >= 0 || rotation >= 0 || scale >= 0; }
 };
 
-// The colour of a material: pbrMetallicRoughness, or KHR_materials_pbrSpecularGlossiness in its
-// place.
+// The color of a material: from pbrMetallicRoughness, or from KHR_materials_pbrSpecularGlossiness
+// if present.
 struct BaseColor {
   std::array<double, 4> color{1, 1, 1, 1};
   int texture = -1, texCoord = 0;
@@ -45,20 +45,20 @@ inline constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
 
 struct Extensions {
   std::map<int, Instancing> instancing;  // by node
-  std::set<int> hiddenNodes;             // KHR_node_visibility; what is below is hidden, too
+  std::set<int> hiddenNodes;             // KHR_node_visibility; their descendants are hidden, too
   std::map<int, BaseColor> glossiness;   // by material
   std::map<int, MeshoptView> meshoptViews;
   std::map<std::pair<std::size_t, std::size_t>, DracoPrimitive> draco;  // by mesh and primitive
 };
 
-// Throws a FileProblem if a description requires an extension that would change the mesh and is
-// not read. Those that change textures only cost these.
+// Throws a FileProblem if a description requires an unsupported extension that would change the
+// mesh. Extensions that only change textures disable those textures.
 void refuseExtensions(const nlohmann::json& tree);
 
-// Takes them out of a description that has been reduced to the schema.
+// Extracts them from a description that has been reduced to the schema.
 Extensions takeExtensions(nlohmann::json& tree);
 
-// How to export a model so that it does without, such as "without Draco compression".
+// Advice how to export a model without it, such as "without Draco compression".
 std::string adviceFor(std::string_view extension);
 
 }  // namespace warpjet

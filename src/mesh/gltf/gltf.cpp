@@ -5,7 +5,7 @@
 
 #include "mesh/gltf/json_text.hpp"
 #include "mesh/gltf/schema.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/uri.hpp"
 
 namespace warpjet {
@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-// Removes a member; an empty list where there is none.
-json taken(json& tree, const char* name) {
+// Removes and returns a member; an empty list if it is missing.
+json takeMember(json& tree, const char* name) {
   json list = json::array();
   if (const auto found = tree.find(name); found != tree.end()) {
     list = std::move(*found);
@@ -29,7 +29,7 @@ std::string textOr(const json& object, const char* name) {
   return found == object.end() ? std::string() : found->get<std::string>();
 }
 
-// Whether its bytes are only for readers without one of the two extensions.
+// True if its bytes are only a fallback for readers without one of the two extensions.
 bool isFallback(const json& buffer) {
   const auto extensions = buffer.find("extensions");
   if (extensions == buffer.end()) return false;
@@ -37,12 +37,12 @@ bool isFallback(const json& buffer) {
                      [](const json& extension) { return extension.value("fallback", false); });
 }
 
-// What tinygltf would look up and decode itself, if it saw it.
+// Hides everything that tinygltf would load and decode by itself.
 void keepBuffersAndImages(Gltf& gltf, json& tree) {
-  for (const json& buffer : taken(tree, "buffers"))
+  for (const json& buffer : takeMember(tree, "buffers"))
     gltf.buffers.push_back(
         {textOr(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>(), isFallback(buffer), {}});
-  for (const json& image : taken(tree, "images")) {
+  for (const json& image : takeMember(tree, "images")) {
     tinygltf::Image& kept = gltf.model.images.emplace_back();
     kept.uri = textOr(image, "uri");
     kept.mimeType = textOr(image, "mimeType");
@@ -51,12 +51,12 @@ void keepBuffersAndImages(Gltf& gltf, json& tree) {
 }
 
 void warnOfMotion(Gltf& gltf, json& tree) {
-  if (!taken(tree, "animations").empty())
+  if (!takeMember(tree, "animations").empty())
     gltf.warn("The model has animations; they are ignored, and it stands still.");
 }
 
-// tinygltf refuses indices without a view, which are right glTF where they are sparse or
-// compressed; so it gets to see none.
+// tinygltf rejects indices without a view, which are valid if they are sparse or compressed; so
+// they are hidden from it.
 class HiddenIndices {
  public:
   explicit HiddenIndices(json& tree) {
@@ -79,15 +79,14 @@ class HiddenIndices {
   std::vector<int> indices_;
 };
 
-// tinygltf writes several lines; the first says most.
-[[noreturn]] void failAs(const std::string& error) {
-  throw FileProblem("the file is not right glTF (" + quotedText(error.substr(0, error.find('\n'))) +
+// tinygltf reports several lines; the first one has the cause.
+[[noreturn]] void failInvalid(const std::string& error) {
+  throw FileProblem("the file is not valid glTF (" + quotedText(error.substr(0, error.find('\n'))) +
                     "); export the model again.");
 }
 
-// The bytes behind a buffer's uri, or of the chunk if it has none; none for a fallback that is not
-// there.
-Bytes foundBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, const Files& files) {
+// The bytes at a buffer's URI, or of the chunk if it has none; empty for a missing fallback.
+Bytes findBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, const Files& files) {
   const auto& [uri, length, isFallback, bytes] = gltf.buffers[place];
   const std::string name = "buffer " + std::to_string(place);
   if (uri.empty()) {
@@ -99,36 +98,36 @@ Bytes foundBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, con
     std::optional<DataUri> data = decodedDataUri(uri);
     if (!data)
       throw FileProblem(name +
-                        " is a data URI without right base64; export or download the file again.");
+                        " is a data URI without valid base64; export or download the file again.");
     return gltf.decoded.emplace_back(std::move(data->bytes));
   }
   if (const auto* file = fileOf(uri, files)) return *file;
   if (isFallback) return {};
   throw FileProblem("the model needs the file " + quotedText(uri) +
-                    "; hand it over with the model, or export the model as .glb.");
+                    "; pass it with the model, or export the model as .glb.");
 }
 
 }  // namespace
 
-void Gltf::warn(const std::string& sentence) {
-  if (std::find(warnings.begin(), warnings.end(), sentence) == warnings.end())
-    warnings.push_back(sentence);
+void Gltf::warn(const std::string& message) {
+  if (std::find(warnings.begin(), warnings.end(), message) == warnings.end())
+    warnings.push_back(message);
 }
 
 std::size_t checkedIndex(const char* what, int index, std::size_t count) {
   if (index >= 0 && static_cast<std::size_t>(index) < count) return static_cast<std::size_t>(index);
-  throw FileProblem("the file speaks of " + std::string(what) + ' ' + std::to_string(index) +
-                    ", but has only " + grouped(count) + " of them; export the model again.");
+  throw FileProblem("the file refers to " + std::string(what) + ' ' + std::to_string(index) +
+                    ", but has only " + groupDigits(count) + " of them; export the model again.");
 }
 
-Gltf describedGltf(std::string_view text) {
+Gltf parseDescription(std::string_view text) {
   json tree = parseJson(text);
   reduceToSchema(tree);
   Gltf gltf;
   const std::string version = tree["asset"]["version"];
   if (!version.starts_with("2."))
     throw FileProblem("this is glTF " + quotedText(version) +
-                      ", but only version 2 is read; export the model as glTF 2.0.");
+                      ", but only version 2 is supported; export the model as glTF 2.0.");
   refuseExtensions(tree);
   warnOfMotion(gltf, tree);
   keepBuffersAndImages(gltf, tree);
@@ -141,7 +140,7 @@ Gltf describedGltf(std::string_view text) {
   std::string error, warning;
   if (!tinygltf::TinyGLTF().LoadASCIIFromString(&gltf.model, &error, &warning, checked.data(),
                                                 static_cast<unsigned>(checked.size()), ""))
-    failAs(error);
+    failInvalid(error);
   gltf.model.images = std::move(images);
   indices.show(gltf.model);
   return gltf;
@@ -150,12 +149,12 @@ Gltf describedGltf(std::string_view text) {
 void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
   for (std::size_t i = 0; i < gltf.buffers.size(); ++i) {
     Buffer& buffer = gltf.buffers[i];
-    const Bytes bytes = foundBytes(gltf, i, binary, files);
+    const Bytes bytes = findBytes(gltf, i, binary, files);
     if (buffer.isFallback && bytes.empty()) continue;
     if (buffer.length > bytes.size())
       throw FileProblem("the file ends in the middle of its data (buffer " + std::to_string(i) +
-                        " says " + grouped(buffer.length) + " bytes, " + grouped(bytes.size()) +
-                        " came); export or download it again.");
+                        ": expected " + groupDigits(buffer.length) + " bytes, got " +
+                        groupDigits(bytes.size()) + "); export or download it again.");
     buffer.bytes = bytes.first(static_cast<std::size_t>(buffer.length));
   }
 }
@@ -163,11 +162,11 @@ void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
 Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int place, std::uint64_t offset,
                     std::uint64_t length) {
   const Buffer& buffer = gltf.buffers[checkedIndex("buffer", place, gltf.buffers.size())];
-  // Offset and length are below 2^32 each, but their sum need not fit where size_t has 32 bits.
+  // Offset and length are below 2^32 each, but their sum may overflow a 32-bit size_t.
   if (offset + length > buffer.bytes.size())
-    throw FileProblem(what + " reads up to byte " + grouped(offset + length) + " of buffer " +
-                      std::to_string(place) + ", which has only " + grouped(buffer.bytes.size()) +
-                      "; export the model again.");
+    throw FileProblem(what + " reads up to byte " + groupDigits(offset + length) + " of buffer " +
+                      std::to_string(place) + ", which has only " +
+                      groupDigits(buffer.bytes.size()) + "; export the model again.");
   return buffer.bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
 

@@ -1,4 +1,4 @@
-// A glTF file, taken apart: what tinygltf makes of its description, and the bytes of its buffers.
+// A parsed glTF file: tinygltf's model of its description, and the bytes of its buffers.
 #pragma once
 
 #include <map>
@@ -14,8 +14,7 @@
 
 namespace warpjet {
 
-// `bytes` is a view into the file, into the caller's files or into what was decoded, of that
-// length.
+// `bytes` is a view of that length into the file, the caller's files, or decoded data.
 struct Buffer {
   std::string uri;
   std::uint64_t length = 0;
@@ -23,14 +22,15 @@ struct Buffer {
   Bytes bytes;
 };
 
-// Where compressed bytes are: in a view, or in a primitive (by mesh and place) if `view` is -1.
+// The location of compressed bytes: in a view, or in a primitive (by mesh and index) if `view` is
+// -1.
 struct PackedPlace {
   int view = -1;
   std::pair<std::size_t, std::size_t> primitive{};
   bool isUnpacked = false;
 };
 
-// The model has no buffers, and its images have no bytes. No index in it has been followed yet.
+// The model has no buffers, and its images have no bytes. Its indices have not been checked yet.
 struct Gltf {
   tinygltf::Model model;
   Extensions extensions;
@@ -41,26 +41,28 @@ struct Gltf {
   std::vector<std::vector<std::uint8_t>> decoded;
   std::vector<std::string> warnings;
 
-  // Adds a sentence once. No number of the file may be in it, or there would be as many as a
-  // stranger likes, each compared with all.
-  void warn(const std::string& sentence);
+  // Adds a warning once. It must not contain numbers of the file: a file could then cause any
+  // number of warnings, each compared with all others.
+  void warn(const std::string& message);
 };
 
-// From the description alone: the buffers have no bytes yet. Refuses required extensions by name.
-// Throws a FileProblem.
-Gltf describedGltf(std::string_view json);
+// Parses only the description: the buffers have no bytes yet. Rejects unsupported required
+// extensions by name. Throws a FileProblem.
+Gltf parseDescription(std::string_view json);
 
-// Finds the bytes of all buffers; the first may be the binary chunk. Throws a FileProblem.
+// Finds the bytes of all buffers; the first one may be the binary chunk. Throws a FileProblem.
 void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files);
 
-// The part of a buffer that `what` reads. Throws a FileProblem if there is no such part.
+// The part of a buffer that `what` reads. Throws a FileProblem if it doesn't exist.
 Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int buffer, std::uint64_t offset,
                     std::uint64_t length);
 
-// The part of a buffer that a view shows, or what was unpacked of it. Throws likewise.
+// The part of a buffer that a view refers to, or its unpacked bytes. Throws a FileProblem if it
+// doesn't exist.
 Bytes bytesOfView(const Gltf& gltf, int bufferView);
 
-// "accessor", 3, how many there are → the element's place, or a FileProblem.
+// Maps "accessor", 3 and the number of accessors to the element's index; throws a FileProblem if it
+// is out of range.
 std::size_t checkedIndex(const char* what, int index, std::size_t count);
 
 }  // namespace warpjet

@@ -2,24 +2,23 @@
 
 #include <cstddef>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// glTF itself nests about 8 deep; the rest is left to `extras`. A tinygltf::Node takes about 700
-// bytes.
-constexpr std::size_t deepest = 64;
-constexpr std::size_t mostValues = std::size_t{1} << 23;
-constexpr std::size_t mostObjects = std::size_t{1} << 20;
+// glTF itself nests about 8 deep; the rest is for `extras`. A tinygltf::Node takes about 700 bytes.
+constexpr std::size_t maxDepth = 64;
+constexpr std::size_t maxValues = std::size_t{1} << 23;
+constexpr std::size_t maxObjects = std::size_t{1} << 20;
 
 void failUnlike(const std::string& what) {
   throw FileProblem("the description of the model (its JSON) " + what +
                     ", which no exporter writes; export the model again.");
 }
 
-// Counts brackets and commas outside of strings, without understanding the rest.
+// Counts brackets and commas outside of strings, without parsing the rest.
 void checkExtent(std::string_view text) {
   std::size_t depth = 0, values = 1, objects = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -32,7 +31,7 @@ void checkExtent(std::string_view text) {
         [[fallthrough]];
       case '[':
         ++values;
-        if (++depth > deepest) failUnlike("is nested more than 64 deep");
+        if (++depth > maxDepth) failUnlike("is nested more than 64 deep");
         break;
       case '}':
       case ']':
@@ -45,22 +44,22 @@ void checkExtent(std::string_view text) {
         break;
     }
   }
-  if (values > mostValues || objects > mostObjects)
-    failUnlike("has more than " + grouped(mostValues) + " values or " + grouped(mostObjects) +
+  if (values > maxValues || objects > maxObjects)
+    failUnlike("has more than " + groupDigits(maxValues) + " values or " + groupDigits(maxObjects) +
                " objects");
 }
 
 }  // namespace
 
 nlohmann::json parseJson(std::string_view text) {
-  // Some exporters pad with zero bytes where spaces belong.
+  // Some exporters pad with zero bytes instead of spaces.
   text = text.substr(0, text.find_last_not_of(std::string_view("\0 \t\r\n", 5)) + 1);
   checkExtent(text);
   try {
     return nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& error) {
     throw FileProblem("the description of the model is broken JSON at its byte " +
-                      grouped(error.byte) + " of " + grouped(text.size()) +
+                      groupDigits(error.byte) + " of " + groupDigits(text.size()) +
                       "; export or download it again.");
   } catch (const nlohmann::json::out_of_range&) {
     throw FileProblem(

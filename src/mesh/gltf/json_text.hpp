@@ -1,4 +1,4 @@
-// JSON text from outside, parsed within limits.
+// Parses untrusted JSON within limits.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,8 +6,8 @@
 
 namespace warpjet {
 
-// Throws a FileProblem for what is no JSON, and for what is nested so deeply or has so many values
-// that it would exhaust the stack or the memory of whoever walks it.
+// Throws a FileProblem for invalid JSON, and for JSON that is nested so deeply or has so many
+// values that it would exhaust the stack or the memory of its readers.
 nlohmann::json parseJson(std::string_view text);
 
 }  // namespace warpjet

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "mesh/picture.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/uri.hpp"
 
 namespace warpjet {
@@ -16,7 +16,7 @@ const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
   return materials[checkedIndex("material", material, materials.size())];
 }
 
-// Colour and texture of a material, whichever of its two models of surfaces counts.
+// The base color and texture of a material, from either of its two surface models.
 BaseColor paintOf(const Gltf& gltf, int material) {
   const tinygltf::Material& info = materialAt(gltf, material);
   const auto glossiness = gltf.extensions.glossiness.find(material);
@@ -29,7 +29,7 @@ BaseColor paintOf(const Gltf& gltf, int material) {
   return paint;
 }
 
-// The picture of a texture, or noPlace where only an extension knows it.
+// The image of a texture, or noPlace if only an extension defines it.
 int pictureOfTexture(const Gltf& gltf, int texture) {
   if (texture == noPlace) return noPlace;
   const auto& textures = gltf.model.textures;

@@ -1,4 +1,4 @@
-// What of a glTF material a Mesh can carry: base colour and base-colour texture.
+// The part of a glTF material that a Mesh supports: base color and base-color texture.
 #pragma once
 
 #include <array>
@@ -11,8 +11,7 @@ namespace warpjet {
 
 constexpr int noPlace = -1;
 
-// The base colour is from 0 to 1, whatever the file says; `picture` is a place among the model's
-// images, or noPlace.
+// The base color is clamped to 0 to 1; `picture` is the index of an image of the model, or noPlace.
 struct Look {
   std::array<double, 4> baseColor{1, 1, 1, 1};
   int picture = noPlace;
@@ -20,16 +19,16 @@ struct Look {
   bool operator==(const Look&) const = default;
 };
 
-// Of a material's place, or of noPlace: white. Throws a FileProblem.
+// Takes a material's index; white for noPlace. Throws a FileProblem.
 Look lookOf(const Gltf& gltf, int material);
 
-// Warns where a material's colour or texture is not one that a Mesh can carry.
+// Warns if a Mesh doesn't support a material's color or texture.
 void warnOfLook(Gltf& gltf, int material);
 
-// A picture as the file has it, still encoded. One that is not there is a warning.
+// An image as stored in the file, still encoded. A missing image is a warning.
 std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files);
 
-// The uris of all materials' pictures of base colours; empty for those inside of a buffer.
+// The URIs of the base-color images of all materials; empty strings for images inside of a buffer.
 std::vector<std::string> picturesOf(const Gltf& gltf);
 
 }  // namespace warpjet

@@ -10,22 +10,22 @@
 #include "mesh/gltf/morph.hpp"
 #include "mesh/gltf/place.hpp"
 #include "mesh/gltf/range.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/surface/normals.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Appends an attribute of a draw, or fills it where the draw has none.
+// Appends an attribute of a draw, or its default if the draw has none.
 void append(const Gltf& gltf, const Draw& draw, const char* attribute, int least, int width,
             float filler, std::vector<float>& numbers) {
   const std::size_t end = numbers.size() + draw.vertices * static_cast<std::size_t>(width);
   const int accessor = draw.accessor(attribute);
   if (accessor == noPlace) return numbers.resize(end, filler);
   if (countOf(gltf, accessor) != draw.vertices)
-    throw FileProblem("a part has " + grouped(draw.vertices) + " positions, but " +
-                      grouped(countOf(gltf, accessor)) + " of " + attribute +
+    throw FileProblem("a part has " + groupDigits(draw.vertices) + " positions, but " +
+                      groupDigits(countOf(gltf, accessor)) + " of " + attribute +
                       "; export the model again.");
   appendFloats(gltf, accessor, least, width, numbers);
 }
@@ -37,21 +37,22 @@ void appendIndices(const Gltf& gltf, const Draw& draw, std::size_t firstVertex,
   if (draw.isIndexed()) corners = indicesOf(gltf, draw.primitive->indices);
   for (std::uint32_t& corner : corners) {
     if (corner >= draw.vertices)
-      throw FileProblem("a triangle uses vertex " + grouped(corner) + ", but its part has only " +
-                        grouped(draw.vertices) + ", counted from 0; export the model again.");
+      throw FileProblem("a triangle uses vertex " + groupDigits(corner) +
+                        ", but its part has only " + groupDigits(draw.vertices) +
+                        ", counted from 0; export the model again.");
     corner += static_cast<std::uint32_t>(firstVertex);
   }
   corners = separateTriangles(draw.kind(), std::move(corners));
   indices.insert(indices.end(), corners.begin(), corners.end());
 }
 
-// The base colour of a part moves into its vertices.
+// Multiplies the base color of a part into its vertices.
 void tint(std::vector<float>& colors, std::size_t firstVertex, const Look& look) {
   for (std::size_t i = firstVertex * 4; i < colors.size(); ++i)
     colors[i] = static_cast<float>(colors[i] * look.baseColor[i % 4]);
 }
 
-// To where its node or its bones are.
+// Transforms the vertices by their node or their bones.
 void put(const Gltf& gltf, const Draw& draw, const std::vector<Skin>& skins,
          std::size_t firstVertex, std::size_t firstIndex, Mesh& mesh) {
   if (!draw.isSkinned()) return place(mesh, firstVertex, firstIndex, draw.placed->toWorld);
@@ -125,7 +126,7 @@ std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, c
 
 }  // namespace
 
-Mesh mergedMesh(Gltf& gltf, const Files& files) {
+Mesh mergeDraws(Gltf& gltf, const Files& files) {
   const std::vector<Placed> placed = placedMeshes(gltf);
   const std::vector<Draw> draws = drawsOf(gltf, placed);
   if (draws.empty())
@@ -137,7 +138,7 @@ Mesh mergedMesh(Gltf& gltf, const Files& files) {
   Mesh mesh;
   reserve(draws, layout, mesh);
   for (const Draw& draw : draws) appendDraw(gltf, draw, layout, skins, mesh);
-  // Of all triangles together, so that parts that touch are smooth.
+  // Computed from all triangles together, so that adjacent parts are smooth.
   std::vector<bool> hasNormal;
   for (const Draw& draw : draws)
     hasNormal.resize(hasNormal.size() + draw.vertices, draw.accessor("NORMAL") != noPlace);

@@ -1,4 +1,4 @@
-// The draws of a glTF as one mesh in the space of the scene.
+// Merges the draws of a glTF to one mesh in the space of the scene.
 #pragma once
 
 #include "mesh/gltf/gltf.hpp"
@@ -7,6 +7,6 @@
 namespace warpjet {
 
 // Throws a FileProblem.
-Mesh mergedMesh(Gltf& gltf, const Files& files);
+Mesh mergeDraws(Gltf& gltf, const Files& files);
 
 }  // namespace warpjet

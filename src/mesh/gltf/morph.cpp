@@ -4,13 +4,13 @@
 #include <string>
 
 #include "mesh/gltf/accessor.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// What a target may move: how many numbers it has, and how many a vertex of the mesh has.
+// An attribute that a target can move: its size in the target and in the mesh.
 struct Movable {
   const char* name;
   std::vector<float> Mesh::*numbers;
@@ -29,11 +29,12 @@ void add(const Gltf& gltf, int accessor, const Movable& movable, double weight,
   std::vector<float>& numbers = mesh.*movable.numbers;
   const std::size_t vertices = mesh.vertexCount() - firstVertex, found = countOf(gltf, accessor);
   if (found != vertices)
-    throw FileProblem("a part has " + grouped(vertices) + " positions, but " + grouped(found) +
-                      " of its morph target's " + movable.name + "; export the model again.");
+    throw FileProblem("a part has " + groupDigits(vertices) + " positions, but " +
+                      groupDigits(found) + " of its morph target's " + movable.name +
+                      "; export the model again.");
   std::vector<float> offsets;
   appendFloats(gltf, accessor, movable.least, movable.width, offsets);
-  // A colour without alpha leaves that as it is, and is not filled with ones.
+  // A color target without alpha leaves alpha unchanged; it isn't padded with ones.
   const bool isOpaque =
       gltf.model.accessors[static_cast<std::size_t>(accessor)].type < movable.width;
   const auto width = static_cast<std::size_t>(movable.width), used = width - (isOpaque ? 1 : 0);

@@ -1,4 +1,4 @@
-// Morph targets of a glTF, applied by the weights that the file gives (glTF 2.0, section 3.7.2.2).
+// Applies the morph targets of a glTF with the weights in the file (glTF 2.0, section 3.7.2.2).
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,18 @@
 
 namespace warpjet {
 
-// A target, by its place in the primitive, and its weight, which is not 0.
+// A target, by its index in the primitive, and its nonzero weight.
 struct MorphWeight {
   std::size_t target;
   double weight;
 };
 
-// Those of the node, or of its mesh if the node has none. Warns if there are targets.
+// The weights of the node, or of its mesh if the node has none. Warns if there are targets.
 std::vector<MorphWeight> morphWeightsOf(Gltf& gltf, const tinygltf::Primitive& primitive,
                                         const Placed& placed);
 
-// Adds the targets to the vertices from `firstVertex` on, which are those of the primitive.
-// Attributes that the mesh lacks, and normals that the primitive does, are passed over. Throws a
-// FileProblem.
+// Adds the targets to the vertices of the primitive, which start at `firstVertex`. Ignores
+// attributes that the mesh lacks, and normals that the primitive lacks. Throws a FileProblem.
 void morph(const Gltf& gltf, const tinygltf::Primitive& primitive,
            const std::vector<MorphWeight>& weights, std::size_t firstVertex, Mesh& mesh);
 

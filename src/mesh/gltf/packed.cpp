@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
@@ -26,7 +26,7 @@ void forAccessors(const tinygltf::Primitive& primitive, Function function) {
   if (primitive.indices >= 0) function(primitive.indices);
 }
 
-// Views whose bytes drawing reads; those of animations stay packed.
+// The views whose bytes are needed for drawing; those of animations remain packed.
 std::set<int> neededViews(const Gltf& gltf) {
   std::set<int> views;
   const auto need = [&](int accessor) {
@@ -64,7 +64,7 @@ const tinygltf::Primitive& primitiveAt(const Gltf& gltf, std::pair<std::size_t, 
   throw FileProblem(what + ' ' + is + "; export the model again.");
 }
 
-// What the extension demands of a view (its section "JSON schema updates").
+// Checks the requirements of the extension on a view (its section "JSON schema updates").
 void checkMeshopt(int view, const MeshoptView& packed) {
   const std::string what = "the compressed bufferView " + std::to_string(view);
   const auto is = [](const std::string& word, std::initializer_list<const char*> words) {
@@ -81,8 +81,8 @@ void checkMeshopt(int view, const MeshoptView& packed) {
   if (is(packed.filter, {"OCTAHEDRAL", "COLOR"})) isRight &= stride == 4 || stride == 8;
   if (packed.filter == "QUATERNION") isRight &= stride == 8;
   if (!isRight)
-    failPacked(what, "has the byteStride " + grouped(stride) + ", which its mode " + packed.mode +
-                         " and filter " + packed.filter + " do not allow");
+    failPacked(what, "has the byteStride " + groupDigits(stride) + ", which its mode " +
+                         packed.mode + " and filter " + packed.filter + " do not allow");
   if (packed.mode == "TRIANGLES" && packed.count % 3 != 0)
     failPacked(what, "ends in the middle of a triangle");
 }
@@ -105,15 +105,15 @@ std::string extensionOf(const Gltf& gltf, const PackedPlace& part) {
   return part.view < 0 ? dracoExtension : gltf.extensions.meshoptViews.at(part.view).extension;
 }
 
-// Vectors only: what a Draco attribute becomes.
+// The width of a decoded Draco attribute, which must be a vector.
 std::size_t widthOf(const tinygltf::Accessor& info) {
   if (info.type > TINYGLTF_TYPE_VEC4 && info.type != TINYGLTF_TYPE_SCALAR)
     throw FileProblem("the model compresses matrices with Draco; export the model again.");
   return info.type == TINYGLTF_TYPE_SCALAR ? 1 : static_cast<std::size_t>(info.type);
 }
 
-// Each attribute of the extension that the primitive has: its name and the accessor that says its
-// type.
+// Calls `function` with each attribute of the extension that the primitive has: its name, and the
+// accessor with its type.
 std::vector<std::pair<std::string, int>> dracoAttributes(const Gltf& gltf,
                                                          const PackedPlace& part) {
   const auto& attributes = primitiveAt(gltf, part.primitive).attributes;
@@ -150,7 +150,7 @@ PackedPart packedPartOf(const Gltf& gltf, const PackedPlace& part) {
   return {bytesOfView(gltf, packed.bufferView), plan.dump()};
 }
 
-// A view of its own, and an accessor upon it.
+// Adds a view, and an accessor that reads it.
 int addAccessor(Gltf& gltf, tinygltf::Accessor info, std::size_t count,
                 std::vector<std::uint8_t> bytes) {
   const int view = static_cast<int>(gltf.model.bufferViews.size());
@@ -203,9 +203,9 @@ std::vector<PackedPart> findPacked(Gltf& gltf) {
     const MeshoptView& view = gltf.extensions.meshoptViews.at(place.view);
     // At most 2^20 views of 2^40 bytes: no overflow.
     bytes += view.count * view.byteStride;
-    if (bytes > mostMeshBytes)
-      throw FileProblem("the model would take " + grouped(bytes) + " bytes, but at most " +
-                        grouped(mostMeshBytes) +
+    if (bytes > maxMeshBytes)
+      throw FileProblem("the model would take " + groupDigits(bytes) + " bytes, but at most " +
+                        groupDigits(maxMeshBytes) +
                         " are read; export it with fewer triangles or in several files.");
   }
   return parts;
@@ -214,8 +214,8 @@ std::vector<PackedPart> findPacked(Gltf& gltf) {
 void unpack(Gltf& gltf, std::size_t place, Pieces pieces) {
   PackedPlace& part = gltf.packed.at(place);
   for (const auto& piece : pieces) gltf.unpackedBytes += piece.size();
-  if (gltf.unpackedBytes > mostMeshBytes)
-    throw FileProblem("the model is larger than " + grouped(mostMeshBytes) +
+  if (gltf.unpackedBytes > maxMeshBytes)
+    throw FileProblem("the model is larger than " + groupDigits(maxMeshBytes) +
                       " bytes once it is unpacked; export it with fewer triangles.");
   if (part.isUnpacked) return;
   part.isUnpacked = true;

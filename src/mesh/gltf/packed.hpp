@@ -9,14 +9,14 @@
 
 namespace warpjet {
 
-// Those of a model whose buffers are found. Throws a FileProblem.
+// The compressed parts of a model whose buffers were found. Throws a FileProblem.
 std::vector<PackedPart> findPacked(Gltf& gltf);
 
-// Puts the decoded bytes of one of them, by its place in that list, into the model. Throws a
-// FileProblem if they are not what the file promises.
+// Stores the decoded bytes of a part, identified by its index in that list, in the model. Throws a
+// FileProblem if they don't have the declared size.
 void unpack(Gltf& gltf, std::size_t place, Pieces pieces);
 
-// Throws a FileProblem if one of them is not optional and has not been unpacked.
+// Throws a FileProblem if a required part has not been unpacked.
 void refusePacked(const Gltf& gltf);
 
 }  // namespace warpjet

@@ -1,4 +1,4 @@
-// What of a compressed part of a glTF leaves for its decoder, and comes back.
+// The data that is exchanged with the decoder of a compressed part of a glTF.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace warpjet {
 
-// A part that drawing needs. `plan` is JSON for whoever decodes it:
+// A part that drawing needs. `plan` is JSON for the decoder:
 // { codec: "meshopt", extension, isOptional, count, byteStride, mode, filter } or
 // { codec: "draco", extension, isOptional, attributes: [{ id, componentType, width }] }.
-// What is optional has a plain form in the file, too.
+// An optional part has an uncompressed form in the file, too.
 struct PackedPart {
   Bytes bytes;
   std::string plan;
 };
 
-// One piece of decoded bytes, or for Draco the indices as integers of 32 bits, three a triangle,
-// and then the numbers of each attribute in the order and the type of the plan.
+// One piece of decoded bytes; for Draco, the indices as 32-bit integers, three per triangle,
+// followed by the numbers of each attribute in the order and type of the plan.
 using Pieces = std::vector<std::vector<std::uint8_t>>;
 
 }  // namespace warpjet

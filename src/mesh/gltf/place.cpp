@@ -22,8 +22,9 @@ glm::dvec3 unit(const glm::dvec3& v) {
   return length > 0 ? v / length : glm::dvec3(0);
 }
 
-// The inverse transpose up to a positive factor, which needs no division and exists for flat
-// transforms too: cofactors have the columns m2 x m3, m3 x m1, m1 x m2, and the determinant's sign.
+// The inverse transpose up to a positive factor. It needs no division and exists for flat
+// transforms, too: the columns of the cofactor matrix are m2 x m3, m3 x m1, m1 x m2, multiplied by
+// the determinant's sign.
 glm::dmat3 normalMatrix(const glm::dmat3& m) {
   const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
                              glm::cross(m[0], m[1]));

@@ -1,4 +1,4 @@
-// Puts the last vertices of a mesh where a transform or a skin says.
+// Transforms the last vertices of a mesh by a matrix or a skin.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,14 @@
 
 namespace warpjet {
 
-// Those from `firstVertex` on, and the triangles from `firstIndex` on: positions and tangents by
-// the matrix, normals by its inverse transpose, and where it mirrors, triangles turn over and
-// tangents change their hand. What is moved is of length 1 again afterwards, or stays zero. Under
-// the identity all bits are kept.
+// Transforms the vertices from `firstVertex` on, and the triangles from `firstIndex` on: positions
+// and tangents by the matrix, normals by its inverse transpose; a mirroring matrix reverses
+// triangles and flips the handedness of tangents. Directions are normalized afterwards, or stay
+// zero. The identity preserves all bits.
 void place(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const glm::dmat4& toWorld);
 
-// The same, each vertex by its own bones: `joints` and `weights` are as many numbers a vertex.
+// Transforms each vertex by its own bones; `joints` and `weights` have the same number of entries
+// per vertex.
 void pose(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const Skin& skin,
           const std::vector<float>& joints, const std::vector<float>& weights);
 

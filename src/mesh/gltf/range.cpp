@@ -7,7 +7,7 @@ namespace warpjet {
 
 namespace {
 
-// What rounding to floats leaves, and what three digits or eight bits do.
+// Tolerances for rounding to floats, and for three digits or eight bits.
 constexpr double exactly = 1e-6, nearly = 1e-2;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The ranges that a Mesh promises, put upon the numbers of a file: from a place in the array on,
-// and with a warning where that changes what can be seen. NaN and infinities stay, to be refused.
+// Enforces the ranges that a Mesh guarantees on the numbers of a file, from an index in the array
+// on; warns if that makes a visible difference. NaN and infinities remain and are rejected later.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace warpjet {
 
-// To 0 to 1.
+// Clamps to 0 to 1.
 void clampColors(Gltf& gltf, std::vector<float>& colors, std::size_t first);
 
-// The first three of `stride` numbers, to a length of 1. What is so already keeps its bits, and
-// zero stays zero. Answers whether that can be seen; `name` is "Normals", for example.
+// Normalizes the first three of `stride` numbers. Unit vectors keep their bits, and zero stays
+// zero. Returns whether the difference is visible; `name` is "Normals", for example.
 bool makeUnit(std::vector<float>& vectors, std::size_t first, std::size_t stride);
 void makeUnit(Gltf& gltf, std::vector<float>& vectors, std::size_t first, std::size_t stride,
               const std::string& name);

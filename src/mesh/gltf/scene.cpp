@@ -6,13 +6,13 @@
 #include <string>
 
 #include "mesh/gltf/accessor.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Translation, rotation and scale, each of which may be null: numbers as glTF has them.
+// Translation, rotation and scale as arrays in glTF's order; each may be null.
 template <typename Number>
 glm::dmat4 transformOf(const Number* translation, const Number* q, const Number* scale) {
   glm::dmat4 transform(1);
@@ -35,17 +35,17 @@ glm::dmat4 transformOf(const tinygltf::Node& node) {
   return transformOf(numbers(node.translation), numbers(node.rotation), numbers(node.scale));
 }
 
-// The transforms of a node's instances, or nothing if it has none.
+// The transforms of a node's instances, or nullopt if it has none.
 std::vector<glm::dmat4> instancesOf(const Gltf& gltf, const Instancing& instancing) {
   std::optional<std::size_t> count;
   const auto numbersOf = [&](int accessor, int width) {
     std::vector<float> numbers;
     if (accessor < 0) return numbers;
     const std::size_t found = countOf(gltf, accessor);
-    if (found > mostDraws) refuseDraws();
+    if (found > maxDraws) failTooManyDraws();
     if (found != count.value_or(found))
-      throw FileProblem("the instances of a node have " + grouped(*count) +
-                        " elements of one attribute and " + grouped(found) +
+      throw FileProblem("the instances of a node have " + groupDigits(*count) +
+                        " elements of one attribute and " + groupDigits(found) +
                         " of another; export the model again.");
     count = found;
     appendFloats(gltf, accessor, width, width, numbers);
@@ -81,8 +81,8 @@ std::vector<int> rootsOf(const tinygltf::Model& model) {
   return model.scenes[checkedIndex("scene", scene, model.scenes.size())].nodes;
 }
 
-// Calls with the number and the place of each node below these, in the order of the file, parents
-// before children. Goes below a node only if the call answers true.
+// Calls `function` with the index of each node below these, in the order of the file, parents
+// before children. Visits the children of a node only if the call returns true.
 template <typename Function>
 void forNodesBelow(const tinygltf::Model& model, const std::vector<int>& roots, Function function) {
   struct Visit {
@@ -110,8 +110,8 @@ void forNodesBelow(const tinygltf::Model& model, const std::vector<int>& roots, 
 
 }  // namespace
 
-void refuseDraws() {
-  throw FileProblem("the model has more than " + grouped(mostDraws) +
+void failTooManyDraws() {
+  throw FileProblem("the model has more than " + groupDigits(maxDraws) +
                     " parts; join its parts and export it again.");
 }
 
@@ -129,7 +129,7 @@ std::vector<Placed> placedMeshes(Gltf& gltf) {
     std::vector<glm::dmat4> instances{glm::dmat4(1)};
     if (isInstanced && instancing->second.hasAttributes())
       instances = instancesOf(gltf, instancing->second);
-    if (placed.size() + instances.size() > mostDraws) refuseDraws();
+    if (placed.size() + instances.size() > maxDraws) failTooManyDraws();
     for (const glm::dmat4& instance : instances)
       placed.push_back({node.mesh, node.skin, i, toWorld * instance});
     return true;

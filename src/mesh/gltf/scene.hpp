@@ -1,4 +1,4 @@
-// Where the nodes of a glTF's scene put its meshes.
+// Finds where the nodes of a glTF's scene place its meshes.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -8,7 +8,7 @@
 
 namespace warpjet {
 
-// `skin` is its place, or -1: then the mesh stands where the node is.
+// `skin` is its index, or -1: then the node places the mesh.
 struct Placed {
   int mesh;
   int skin;
@@ -16,19 +16,19 @@ struct Placed {
   glm::dmat4 toWorld;
 };
 
-// Primitives times the nodes and instances that show them: far more than any scene draws, far less
-// than a file can claim.
-inline constexpr std::size_t mostDraws = std::size_t{1} << 20;
+// The max number of primitives times the nodes and instances that show them: far more than any
+// scene draws, far less than a file can declare.
+inline constexpr std::size_t maxDraws = std::size_t{1} << 20;
 
-[[noreturn]] void refuseDraws();
+[[noreturn]] void failTooManyDraws();
 
-// The meshes of the default scene, or of the first one, or, without scenes, of all nodes below
-// those that are nobody's child. A mesh stands there as often as nodes show it, or their instances
-// (EXT_mesh_gpu_instancing); hidden nodes (KHR_node_visibility) show nothing. Throws a
-// FileProblem if the nodes are no trees: no node may be reached twice.
+// The meshes of the default scene, or of the first one, or, without scenes, of all root nodes. A
+// mesh occurs as often as nodes or their instances (EXT_mesh_gpu_instancing) show it; hidden nodes
+// (KHR_node_visibility) show nothing. Throws a FileProblem if the nodes are not trees: no node may
+// be reached twice.
 std::vector<Placed> placedMeshes(Gltf& gltf);
 
-// Where all nodes are, of whatever scene. Throws likewise.
+// The transforms of all nodes, in any scene. Throws a FileProblem if the nodes are not trees.
 std::vector<glm::dmat4> placesOfNodes(const Gltf& gltf);
 
 }  // namespace warpjet

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
@@ -17,15 +17,15 @@ namespace {
 using nlohmann::json;
 
 enum class Kind {
-  Index,    // of an element of one of the lists
+  Index,    // the index of an element of one of the lists
   Size,     // a count, an offset or an enumeration
   Flag,     // true or false
   Text,     //
-  Numbers,  // so many; any number of them if the length is 0
+  Numbers,  // `length` numbers; any number of them if that is 0
   Indices,  // any number
-  Names,    // any number of texts
-  Keys,     // an object of which only the keys matter
-  Some,     // whether a list has elements
+  Names,    // any number of strings
+  Keys,     // an object of which only the keys are needed
+  Some,     // a list of which only the emptiness matters
   Object,   //
   Objects   // a list of them
 };
@@ -142,10 +142,10 @@ constexpr Member root[] = {{"asset", Kind::Object, required, 0, asset},
                            {"skins", Kind::Objects, false, 0, skin},
                            {"animations", Kind::Some}};
 
-// Where something stands. It becomes text only when there is something to say of it.
+// The location of a value. It is converted to text only for messages.
 struct Place {
   const Place* around = nullptr;
-  const char* name = nullptr;  // of a member, else it is an element
+  const char* name = nullptr;  // the name of a member; otherwise it is an element
   std::size_t element = 0;
 
   std::string text() const {
@@ -156,11 +156,11 @@ struct Place {
   }
 };
 
-[[noreturn]] void fail(const Place& place, const std::string& expected, const json& came) {
-  std::string shown = came.type_name();
-  if (came.is_number()) shown = came.dump();
+[[noreturn]] void fail(const Place& place, const std::string& expected, const json& got) {
+  std::string shown = got.type_name();
+  if (got.is_number()) shown = got.dump();
   const std::string text = place.text();
-  throw FileProblem("the file is not right glTF: " + (text.empty() ? "its JSON" : text) +
+  throw FileProblem("the file is not valid glTF: " + (text.empty() ? "its JSON" : text) +
                     " must be " + expected + ", not " + shown + "; export the model again.");
 }
 
@@ -173,7 +173,8 @@ void checkWholeNumber(json& value, const Place& place, std::uint64_t most) {
     if (real >= 0 && real <= static_cast<double>(most) && real == std::floor(real))
       number = static_cast<std::uint64_t>(real);
   }
-  if (!number || *number > most) fail(place, "a whole number from 0 to " + grouped(most), value);
+  if (!number || *number > most)
+    fail(place, "a whole number from 0 to " + groupDigits(most), value);
   value = *number;
 }
 
@@ -214,7 +215,7 @@ void removeOthers(json& object, std::span<const Member> members) {
   }
 }
 
-// As deep as the tables nest.
+// Recurses as deep as the tables nest.
 void checkMembers(json& value, const Place& place, std::span<const Member> members);
 
 void checkMember(json& value, const Place& place, const Member& member) {
@@ -260,7 +261,7 @@ void checkMembers(json& value, const Place& place, std::span<const Member> membe
       checkMember(*found, at, member);
       ++known;
     } else if (member.isRequired) {
-      throw FileProblem("the file is not right glTF: " + at.text() +
+      throw FileProblem("the file is not valid glTF: " + at.text() +
                         " is missing; export the model again.");
     }
   }

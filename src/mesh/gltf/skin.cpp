@@ -6,21 +6,21 @@
 
 #include "mesh/gltf/accessor.hpp"
 #include "mesh/gltf/scene.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Of all skins together; far more than any model has, and what they take fits into any memory.
-constexpr std::size_t mostJoints = std::size_t{1} << 20;
+// The limit for all skins together: far more than any model has, and small enough for any memory.
+constexpr std::size_t maxJoints = std::size_t{1} << 20;
 
 Skin skinOf(const Gltf& gltf, const tinygltf::Skin& info, const std::vector<glm::dmat4>& places) {
   std::vector<float> numbers;
   if (info.inverseBindMatrices >= 0) {
     if (countOf(gltf, info.inverseBindMatrices) < info.joints.size())
-      throw FileProblem("a skin has " + grouped(info.joints.size()) + " joints, but " +
-                        grouped(countOf(gltf, info.inverseBindMatrices)) +
+      throw FileProblem("a skin has " + groupDigits(info.joints.size()) + " joints, but " +
+                        groupDigits(countOf(gltf, info.inverseBindMatrices)) +
                         " inverse bind matrices; export the model again.");
     appendMatrices(gltf, info.inverseBindMatrices, numbers);
   }
@@ -45,8 +45,8 @@ std::vector<Skin> skinsOf(const Gltf& gltf) {
   if (gltf.model.skins.empty()) return skins;
   std::size_t joints = 0;
   for (const tinygltf::Skin& info : gltf.model.skins) joints += info.joints.size();
-  if (joints > mostJoints)
-    throw FileProblem("the skins of the model have more than " + grouped(mostJoints) +
+  if (joints > maxJoints)
+    throw FileProblem("the skins of the model have more than " + groupDigits(maxJoints) +
                       " joints; export it without its skins.");
   const std::vector<glm::dmat4> places = placesOfNodes(gltf);
   for (const tinygltf::Skin& info : gltf.model.skins) skins.push_back(skinOf(gltf, info, places));
@@ -61,7 +61,8 @@ glm::dmat4 blendOf(const Skin& skin, std::span<const float> joints,
     if (weights[i] == 0) continue;
     if (!(joints[i] >= 0 && joints[i] < static_cast<float>(skin.joints.size())))
       throw FileProblem("a vertex follows a joint that its skin, of " +
-                        grouped(skin.joints.size()) + ", does not have; export the model again.");
+                        groupDigits(skin.joints.size()) +
+                        ", does not have; export the model again.");
     const double weight = weights[i];
     blend += weight * skin.joints[static_cast<std::size_t>(joints[i])];
     sum += weight;

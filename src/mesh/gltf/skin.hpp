@@ -1,4 +1,4 @@
-// Where the bones of a glTF's skins take the vertices, as its nodes stand (glTF 2.0,
+// The transforms of vertices by the bones of a glTF's skins, in the pose of its nodes (glTF 2.0,
 // section 3.7.3).
 #pragma once
 
@@ -10,17 +10,17 @@
 
 namespace warpjet {
 
-// For each joint, what takes a vertex from where it was bound to where the joint now is.
+// For each joint, the transform of a vertex from its bind position to the joint's current position.
 struct Skin {
   std::vector<glm::dmat4> joints;
-  bool isMirrored = false;  // by most of the joints
+  bool isMirrored = false;  // true if most of the joints mirror
 };
 
-// All skins of the model, by their places. Throws a FileProblem.
+// All skins of the model, by index. Throws a FileProblem.
 std::vector<Skin> skinsOf(const Gltf& gltf);
 
-// Of a vertex: its joints' transforms by their weights, made to add up to 1. Throws a FileProblem
-// if there is no such joint.
+// The transform of a vertex: the transforms of its joints, blended by their weights, which are
+// scaled to add up to 1. Throws a FileProblem if a joint doesn't exist.
 glm::dmat4 blendOf(const Skin& skin, std::span<const float> joints, std::span<const float> weights);
 
 }  // namespace warpjet

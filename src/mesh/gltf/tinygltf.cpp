@@ -1,3 +1,3 @@
-// The one place where tinygltf is compiled.
+// The only file in which tinygltf is compiled.
 #define TINYGLTF_IMPLEMENTATION
 #include "mesh/gltf/tinygltf.hpp"

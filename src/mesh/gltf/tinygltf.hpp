@@ -1,5 +1,5 @@
-// tinygltf as this room uses it, everywhere with the same switches: pictures stay encoded, so
-// nothing of stb is needed, and files are the caller's, so it opens none.
+// Includes tinygltf with the same switches everywhere: images stay encoded, so stb isn't needed,
+// and it opens no files, since the caller provides them.
 #pragma once
 
 #include <fstream>  // which tinygltf's writer of files forgets under TINYGLTF_NO_FS

@@ -1,4 +1,4 @@
-// Strips and fans as separate triangles.
+// Converts strips and fans to separate triangles.
 #pragma once
 
 #include <cstdint>
@@ -6,18 +6,18 @@
 
 namespace warpjet {
 
-enum class Primitives { Triangles = 4, Strip = 5, Fan = 6 };  // as glTF and OpenGL number them
+enum class Primitives { Triangles = 4, Strip = 5, Fan = 6 };  // the values of glTF and OpenGL
 
-// How many triangles so many corners make.
+// The number of triangles with that many corners.
 std::size_t trianglesOf(Primitives primitives, std::size_t corners);
 
-// Three corners a triangle, all wound the same way (glTF 2.0, section 3.7.2.1). Strips and fans
-// lose the triangles that use a corner twice, since those only lead to the next piece of a strip;
-// corners too many are dropped.
+// Three corners per triangle, all with the same winding (glTF 2.0, section 3.7.2.1). Removes
+// triangles of strips and fans that use a corner twice, since those only connect the pieces of a
+// strip; drops surplus corners.
 std::vector<std::uint32_t> separateTriangles(Primitives primitives,
                                              std::vector<std::uint32_t> corners);
 
-// Turns the triangles from an index on over.
+// Reverses the triangles from an index on.
 void reverseWinding(std::vector<std::uint32_t>& indices, std::size_t from);
 
 }  // namespace warpjet

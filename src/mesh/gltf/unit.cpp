@@ -9,8 +9,8 @@ namespace warpjet {
 
 namespace {
 
-// How far from 1 a length may be: a fifth of what gltf-validator allows, many times what float32
-// loses.
+// The max deviation of a length from 1: a fifth of what gltf-validator allows, many times the
+// rounding of float32.
 constexpr double tolerance = 1e-4;
 
 glm::dvec3 at(const std::vector<float>& numbers, std::size_t place) {
@@ -21,7 +21,7 @@ void put(std::vector<float>& numbers, std::size_t place, glm::dvec3 value) {
   for (int i = 0; i < 3; ++i) numbers[place + i] = static_cast<float>(value[i]);
 }
 
-// In double the square of no float32 overflows or vanishes.
+// In double, the square of a float32 neither overflows nor underflows.
 bool isUnit(glm::dvec3 v) { return std::abs(glm::length(v) - 1) <= tolerance; }
 
 bool hasDirection(glm::dvec3 v) {
@@ -29,7 +29,7 @@ bool hasDirection(glm::dvec3 v) {
   return length > 0 && std::isfinite(length);
 }
 
-// The normals of the triangles around each vertex, weighted by area.
+// The area-weighted normals of the triangles around each vertex.
 std::vector<glm::dvec3> triangleNormals(const Mesh& mesh) {
   std::vector<glm::dvec3> sums(mesh.vertexCount());
   for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {

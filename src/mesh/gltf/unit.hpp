@@ -1,6 +1,5 @@
-// The directions of a mesh as files need them: of length 1, all of them. A warp leaves a zero
-// normal where it collapses the surface, and lengths that come from elsewhere are whatever they
-// are.
+// Normalizes the directions of a mesh for files. A warp returns a zero normal where it collapses
+// the surface, and lengths from other sources are arbitrary.
 #pragma once
 
 #include <vector>
@@ -9,12 +8,12 @@
 
 namespace warpjet {
 
-// What has length 1 already stays the same to the bit. A zero normal becomes that of the triangles
-// around its vertex, or z where those have none either.
+// Unit vectors keep their bits. A zero normal is replaced by that of the triangles around its
+// vertex, or by z if those have none either.
 std::vector<float> unitNormals(const Mesh& mesh);
 
-// Four numbers each, the last 1 or -1. A zero tangent becomes any direction that is perpendicular
-// to its normal.
+// Four numbers each, the last 1 or -1. A zero tangent is replaced by any direction perpendicular to
+// its normal.
 std::vector<float> unitTangents(const std::vector<float>& tangents,
                                 const std::vector<float>& normals);
 

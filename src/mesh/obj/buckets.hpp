@@ -1,4 +1,4 @@
-// Finds equal things among millions of them: an open-addressing table of indices.
+// Finds duplicates among millions of elements: an open-addressing table of indices.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +9,26 @@
 
 namespace warpjet {
 
-// Mixes the bits of two words well enough for a table of a power of two (splitmix64, by Sebastiano
-// Vigna, in the public domain).
-constexpr std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
+// Mixes the bits of two words well enough for a table whose size is a power of two (splitmix64, by
+// Sebastiano Vigna, in the public domain).
+constexpr std::uint64_t mixBits(std::uint64_t a, std::uint64_t b) {
   std::uint64_t z = a + 0x9E3779B97F4A7C15 * (b + 1);
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
   return z ^ (z >> 31);
 }
 
-// It stores indices only; what they stand for is the caller's.
+// Stores only indices; the caller holds the elements.
 class Buckets {
  public:
-  // For at most so many different things; never more than half full.
-  explicit Buckets(std::size_t most) {
+  // For at most `maxCount` distinct elements; it is never more than half full.
+  explicit Buckets(std::size_t maxCount) {
     std::size_t size = 2;
-    while (size < most * 2) size *= 2;
+    while (size < maxCount * 2) size *= 2;
     slots_.assign(size, none);
   }
 
-  // The index of an equal thing that is already there, or `index`, which is there from then on.
+  // The index of an equal element, or `index`, which is then added.
   template <typename IsEqual>
   std::uint32_t findOrAdd(std::uint64_t hash, std::uint32_t index, IsEqual isEqual) {
     for (auto i = static_cast<std::size_t>(hash);; ++i) {

@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// Counted from 1 or, if negative, from the end; nothing beyond the list.
+// Indices count from 1 or, if negative, from the end; they must be in the list.
 std::uint32_t placeOf(std::int64_t number, std::size_t count) {
   const auto length = static_cast<std::int64_t>(count);
   if (number == 0 || number > length || number < -length) return none;
@@ -42,9 +42,10 @@ bool readCorners(TextLine& line, const ObjCounts& counts, std::vector<ObjCorner>
     const std::int64_t number = cornerNumber(line, parts[0]);
     ObjCorner corner{placeOf(number, counts.positions), none, none};
     if (corner.position == none)
-      line.fail("speaks of position " + std::to_string(number) + ", but " +
-                (counts.positions == 0 ? "none" : "only " + grouped(counts.positions)) +
-                " came before it");
+      line.fail("refers to position " + std::to_string(number) + ", but " +
+                (counts.positions == 0 ? "there is none"
+                                       : "there are only " + groupDigits(counts.positions)) +
+                " before it");
     const auto find = [&](std::string_view part, std::size_t count) {
       if (part.empty()) return none;
       const std::uint32_t place = placeOf(cornerNumber(line, part), count);
@@ -60,8 +61,8 @@ bool readCorners(TextLine& line, const ObjCounts& counts, std::vector<ObjCorner>
 
 std::uint32_t ObjVertices::vertexOf(const ObjCorner& corner) {
   const auto next = static_cast<std::uint32_t>(corners_.size());
-  const std::uint64_t hash =
-      mixed(mixed(std::uint64_t{corner.position} << 32 | corner.uv, corner.normal), corner.paint);
+  const std::uint64_t hash = mixBits(
+      mixBits(std::uint64_t{corner.position} << 32 | corner.uv, corner.normal), corner.paint);
   const std::uint32_t vertex = buckets_.findOrAdd(
       hash, next, [&](std::uint32_t other) { return corners_[other] == corner; });
   if (vertex == next) corners_.push_back(corner);

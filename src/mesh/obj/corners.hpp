@@ -1,5 +1,5 @@
-// The corners of OBJ faces: which elements of the file's lists they name, and the vertices that
-// they become.
+// The corners of OBJ faces: the elements of the file's lists that they refer to, and the vertices
+// that they become.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,27 @@
 
 namespace warpjet {
 
-// Places in the lists of positions, uvs, normals and colours of materials, counted from 0, or
-// `none`.
+// Indices into the lists of positions, uvs, normals and material colors, counted from 0, or `none`.
 struct ObjCorner {
   std::uint32_t position, uv, normal, paint = none;
 
   bool operator==(const ObjCorner&) const = default;
 };
 
-// How long the lists are so far.
+// The current lengths of the lists.
 struct ObjCounts {
   std::size_t positions, uvs, normals;
 };
 
-// The corners of a face: v, v/vt, v//vn or v/vt/vn, counted from 1 or, if negative, from the end.
-// Answers whether all the uvs and normals that they name are there; a corner goes without those
-// that are not. Throws a FileProblem.
+// Parses the corners of a face: v, v/vt, v//vn or v/vt/vn, counted from 1 or, if negative, from the
+// end. Returns whether all the uvs and normals that they refer to exist; missing ones are omitted.
+// Throws a FileProblem.
 bool readCorners(TextLine& line, const ObjCounts& counts, std::vector<ObjCorner>& corners);
 
-// Gives each combination that faces use its vertex.
+// Assigns a vertex to each combination that faces use.
 class ObjVertices {
  public:
-  explicit ObjVertices(std::size_t most) : buckets_(most) {}
+  explicit ObjVertices(std::size_t maxCount) : buckets_(maxCount) {}
 
   std::uint32_t vertexOf(const ObjCorner& corner);
 

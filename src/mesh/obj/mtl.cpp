@@ -17,7 +17,8 @@ std::string lowered(std::string_view word) {
   return small;
 }
 
-// One number is a grey. Nothing where there are none, as behind "spectral" and "xyz".
+// A single number is a gray. Returns nullopt if there are no numbers, as after "spectral" and
+// "xyz".
 std::optional<std::array<float, 3>> colorOn(TextLine& line) {
   std::array<float, 3> color{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -30,14 +31,14 @@ std::optional<std::array<float, 3>> colorOn(TextLine& line) {
   return color;
 }
 
-// How many words an option of a texture has at most; all but the numbers of -o, -s and -t must be
-// there.
+// The max number of words after a texture option; all but the numbers of -o, -s and -t are
+// required.
 std::size_t wordsOf(std::string_view option) {
   if (option == "-o" || option == "-s" || option == "-t") return 3;
   return option == "-mm" ? 2 : 1;
 }
 
-// The name behind the options, which may have spaces.
+// The file name after the options, which may contain spaces.
 std::string_view pictureNameOn(TextLine& line) {
   while (line.rest().starts_with('-')) {
     const std::string option = lowered(line.word());

@@ -11,7 +11,7 @@
 #include "mesh/obj/paints.hpp"
 #include "mesh/obj/polygon.hpp"
 #include "mesh/obj/srgb.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/surface/normals.hpp"
 #include "mesh/text/lines.hpp"
 
@@ -19,40 +19,40 @@ namespace warpjet {
 
 namespace {
 
-// What the faces' corners point at. Colours are as long as positions, or empty. An element of which
-// a number is none has NaN as its first.
+// The elements that corners of faces refer to. Colors are as long as positions, or empty. If an
+// element has an invalid number, its first number is NaN.
 struct Lists {
   std::vector<float> positions, colors, uvs, normals;
-  std::string firstProblem;  // of such elements
+  std::string firstProblem;  // the message about the first such element
 };
 
 constexpr float noColor = std::numeric_limits<float>::quiet_NaN();
 
-// Four linear numbers from 0 to 1 for each three of the file. Some programs write bytes, whole
-// numbers to 255. A position without a colour is white.
+// Converts every three colors of the file to four linear numbers from 0 to 1. Some programs write
+// bytes, integers up to 255. Positions without a color are white.
 std::vector<float> linearColors(const std::vector<float>& colors,
                                 std::vector<std::string>& warnings) {
   const auto all = [&](auto isRight) {
     return std::all_of(colors.begin(), colors.end(),
                        [&](float part) { return std::isnan(part) || isRight(part); });
   };
-  float most = 1;
+  float maxCount = 1;
   if (!all([](float part) { return part >= 0 && part <= 1; })) {
     if (all([](float part) { return part >= 0 && part <= 255 && part == std::floor(part); }))
-      most = 255;
-    warnings.push_back(most == 255
+      maxCount = 255;
+    warnings.push_back(maxCount == 255
                            ? "The colours of the .obj are read as whole numbers from 0 to 255."
                            : "Colours of the .obj that lie outside 0 to 1 are clamped to it.");
   }
   std::vector<float> linear(colors.size() / 3 * 4, 1.0f);
   for (std::size_t i = 0; i < colors.size(); ++i)
     if (!std::isnan(colors[i]))
-      linear[i / 3 * 4 + i % 3] = linearOf(std::clamp(colors[i] / most, 0.0f, 1.0f));
+      linear[i / 3 * 4 + i % 3] = linearOf(std::clamp(colors[i] / maxCount, 0.0f, 1.0f));
   return linear;
 }
 
-template <std::size_t most>
-void mark(const TextLine& line, LineNumbers<most>& numbers, Lists& lists) {
+template <std::size_t maxCount>
+void mark(const TextLine& line, LineNumbers<maxCount>& numbers, Lists& lists) {
   if (numbers.isFinite) return;
   numbers.values[0] = std::numeric_limits<float>::quiet_NaN();
   if (lists.firstProblem.empty()) lists.firstProblem = line.problemOfNumber();
@@ -62,7 +62,7 @@ void readPosition(TextLine& line, Lists& lists) {
   auto numbers = line.numbers<6>();
   if (numbers.count < 3) line.fail("has a position of fewer than 3 numbers");
   const auto& values = numbers.values;
-  // A fourth number alone is a weight, which only curves have.
+  // A fourth number alone is a weight, which is only for curves.
   const auto areNumbers = [&](std::size_t first) {
     return std::none_of(&values[first], &values[first] + 3, [](float n) { return std::isnan(n); });
   };
@@ -93,7 +93,7 @@ void readNormal(TextLine& line, Lists& lists) {
     lists.normals.push_back(length == 0 ? 0 : static_cast<float>(number / length));
 }
 
-// What a file that has most, but not all, of its numbers loses of them.
+// The numbers that a file with mostly valid numbers loses.
 struct Losses {
   bool positions = false, uvs = false, normals = false;
 
@@ -104,8 +104,8 @@ struct Losses {
   }
 };
 
-// Takes from the corners of a face what is no number; leaves no corner of a face that stands
-// nowhere.
+// Removes invalid elements from the corners of a face; removes all corners of a face without valid
+// positions.
 void mend(std::vector<ObjCorner>& face, const Lists& lists, Losses& losses) {
   const auto isOdd = [](const std::vector<float>& list, std::uint32_t place, std::size_t width) {
     return place != none && std::isnan(list[place * width]);
@@ -127,7 +127,7 @@ void mend(std::vector<ObjCorner>& face, const Lists& lists, Losses& losses) {
   losses.positions = true;
 }
 
-// Three corners a triangle.
+// Three corners per triangle.
 void appendTriangles(const std::vector<ObjCorner>& face, const std::vector<float>& positions,
                      std::vector<ObjCorner>& corners) {
   std::vector<glm::dvec3> polygon;
@@ -139,7 +139,7 @@ void appendTriangles(const std::vector<ObjCorner>& face, const std::vector<float
     for (const std::uint32_t i : triangle) corners.push_back(face[i]);
 }
 
-// Appends `width` numbers of each corner's element of a list; zeros where the corner has none.
+// Appends `width` numbers of each corner's element of a list; zeros if the corner has none.
 void gather(const std::vector<ObjCorner>& corners, std::uint32_t ObjCorner::*part,
             const std::vector<float>& list, std::size_t width, std::vector<float>& numbers) {
   if (list.empty()) return;
@@ -151,24 +151,24 @@ void gather(const std::vector<ObjCorner>& corners, std::uint32_t ObjCorner::*par
   }
 }
 
-// A file without any face that can be drawn.
+// Throws for a file without a drawable face.
 [[noreturn]] void failEmpty(const Lists& lists) {
   if (!lists.firstProblem.empty()) throw FileProblem(lists.firstProblem);
   if (lists.positions.empty())
-    throw FileProblem("this is no .glb, .gltf, .obj or .stl file; export the model as .glb.");
+    throw FileProblem("this is not a .glb, .gltf, .obj or .stl file; export the model as .glb.");
   throw FileProblem("there is nothing to draw: the .obj has no faces; export it with its faces.");
 }
 
 void checkSize(std::size_t corners) {
-  // As if each corner had a vertex of its own.
+  // Assumes a separate vertex for each corner.
   constexpr std::size_t bytesPerCorner = 12 * sizeof(float) + sizeof(std::uint32_t);
-  if (corners > mostMeshBytes / bytesPerCorner)
-    throw FileProblem("the model has " + grouped(corners / 3) + " triangles, but at most " +
-                      grouped(mostMeshBytes / bytesPerCorner / 3) +
+  if (corners > maxMeshBytes / bytesPerCorner)
+    throw FileProblem("the model has " + groupDigits(corners / 3) + " triangles, but at most " +
+                      groupDigits(maxMeshBytes / bytesPerCorner / 3) +
                       " are read of an .obj; export it as .glb or with fewer triangles.");
 }
 
-// Colours of materials that differ move into the vertices; `painted` says which have one.
+// Multiplies different material colors into the vertices; `painted` marks vertices that have one.
 void paint(Mesh& mesh, const std::vector<ObjCorner>& corners, const Paints& paints) {
   if (!paints.hasColors()) return;
   if (!paints.isEqual()) mesh.colors.resize(corners.size() * 4, 1.0f);
@@ -187,7 +187,7 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
   Lists lists;
   Paints paints(text, files);
   Losses losses;
-  std::vector<ObjCorner> faces;  // three corners a triangle
+  std::vector<ObjCorner> faces;  // three corners per triangle
   std::vector<ObjCorner> face;
   bool hasFlatFaces = false, hasLongFaces = false, hasAll = true;
   for (TextLines lines(text, "obj"); std::optional<TextLine> line = lines.next();) {
@@ -200,7 +200,7 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
     hasAll &= readCorners(
         *line, {lists.positions.size() / 3, lists.uvs.size() / 2, lists.normals.size() / 3}, face);
     hasFlatFaces |= face.size() < 3;
-    hasLongFaces |= face.size() > mostCutCorners;
+    hasLongFaces |= face.size() > maxCutCorners;
     mend(face, lists, losses);
     if (face.size() < 3) continue;
     for (ObjCorner& corner : face) corner.paint = paints.current();
@@ -210,7 +210,7 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
   paints.warn(warnings);
   if (hasFlatFaces) warnings.push_back("Faces of fewer than three corners are left out.");
   if (hasLongFaces)
-    warnings.push_back("Faces of more than " + grouped(mostCutCorners) +
+    warnings.push_back("Faces of more than " + groupDigits(maxCutCorners) +
                        " corners are taken for convex ones.");
   if (!hasAll) warnings.push_back("Faces name uvs or normals that are not there; they go without.");
   losses.warn(warnings);

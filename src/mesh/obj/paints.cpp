@@ -6,7 +6,7 @@
 
 #include "mesh/obj/srgb.hpp"
 #include "mesh/picture.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/text/lines.hpp"
 #include "mesh/uri.hpp"
@@ -15,7 +15,7 @@ namespace warpjet {
 
 namespace {
 
-// A list of names, or one name with spaces: nobody can tell them apart.
+// A list of names, or one name with spaces: these can't be distinguished.
 void addLibraries(TextLine line, std::vector<std::string>& uris, std::set<std::string>& known) {
   const auto add = [&](std::string_view name) {
     if (name.empty()) return;

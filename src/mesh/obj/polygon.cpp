@@ -1,8 +1,8 @@
-// By hand, since no library fits that Debian packages. CGAL's triangulations are under the GPL.
-// tinyobjloader's own ear clipping is inside its reader of files, and of 2,000 of the skylines that
-// the tests cut 1,261 came out wrong; it takes Mapbox's earcut instead, which Debian ships only as
-// a Python module. GEOS, GTS and GLU are no headers, but libraries to port; libtess2 is only there
-// as a part of Tulip.
+// Written by hand, since no library packaged by Debian fits. CGAL's triangulations are under the
+// GPL. tinyobjloader's own ear clipping is inside its file reader, and its results were wrong for
+// 1,261 of 2,000 skylines of the tests; it can use Mapbox's earcut instead, which Debian ships only
+// as a Python module. GEOS, GTS and GLU are libraries that would have to be ported, not headers;
+// libtess2 is only available as a part of Tulip.
 #include "mesh/obj/polygon.hpp"
 
 #include <algorithm>
@@ -18,23 +18,24 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-// Above 0 where a, b and c turn left.
+// Positive if a, b and c turn left.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Without the coordinate along which the plane faces most, so that the rest stay as exact as they
-// were; turning left all around.
+// Drops the coordinate along which the plane faces most, so that the others remain exact; the
+// result is counterclockwise.
 std::vector<glm::dvec2> flattened(const std::vector<glm::dvec3>& corners) {
-  // Twice the area's normal (Newell's): that of the mean plane where there is no one plane.
+  // Twice the area's normal by Newell's method: the normal of the mean plane if the polygon isn't
+  // planar.
   glm::dvec3 normal(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-  int most = 0;
+  int maxCount = 0;
   for (const int axis : {1, 2})
-    if (std::abs(normal[axis]) > std::abs(normal[most])) most = axis;
-  int first = (most + 1) % 3, second = (most + 2) % 3;
-  if (normal[most] < 0) std::swap(first, second);
+    if (std::abs(normal[axis]) > std::abs(normal[maxCount])) maxCount = axis;
+  int first = (maxCount + 1) % 3, second = (maxCount + 2) % 3;
+  if (normal[maxCount] < 0) std::swap(first, second);
   std::vector<glm::dvec2> flat;
   for (const glm::dvec3& corner : corners) flat.emplace_back(corner[first], corner[second]);
   return flat;
@@ -53,7 +54,7 @@ Triangles fan(std::size_t corners) {
   return triangles;
 }
 
-// What is left of a polygon while its ears are cut off.
+// The rest of a polygon while its ears are clipped.
 class Remainder {
  public:
   explicit Remainder(std::vector<glm::dvec2> corners)
@@ -77,10 +78,10 @@ class Remainder {
       triangles.push_back({before, corner, after});
       next_[before] = after;
       previous_[after] = before;
-      // No other corner becomes an ear or ceases to be one.
+      // Only these two corners can become ears or cease to be ears.
       isEar_[before] = findsEar(before);
       isEar_[after] = findsEar(after);
-      // Not the neighbour, or a fan of slivers would come.
+      // Continues after the neighbor, to avoid a fan of slivers.
       corner = next_[after];
     }
     return triangles;
@@ -91,22 +92,21 @@ class Remainder {
     return turn(corners_[previous_[i]], corners_[i], corners_[next_[i]]);
   }
 
-  // Whether nothing lies in the triangle at the corner. If anything does, a corner does that turns
-  // right.
+  // True if no corner is inside of the triangle at this corner. If any is, a reflex corner is.
   bool findsEar(std::uint32_t i) const {
     const glm::dvec2 &a = corners_[previous_[i]], &b = corners_[i], &c = corners_[next_[i]];
     if (turn(a, b, c) <= 0) return false;
     for (std::uint32_t k = next_[next_[i]]; k != previous_[i]; k = next_[k]) {
       const glm::dvec2& p = corners_[k];
       if (turn(a, b, p) < 0 || turn(b, c, p) < 0 || turn(c, a, p) < 0) continue;
-      // Where a cut leads to a hole, corners stand on one another.
+      // Corners coincide where a cut leads to a hole.
       if (p == a || p == b || p == c) continue;
       if (turnAt(k) <= 0) return false;
     }
     return true;
   }
 
-  // From a corner on. Without ears, what is left is flat or crosses itself.
+  // Searches from a corner on. Without ears, the rest is flat or self-intersecting.
   std::uint32_t nextEar(std::uint32_t from) const {
     std::uint32_t straight = from;
     for (std::size_t i = 0; i < count_; ++i, from = next_[from]) {
@@ -125,7 +125,7 @@ class Remainder {
 }  // namespace
 
 Triangles trianglesOfPolygon(const std::vector<glm::dvec3>& corners) {
-  if (corners.size() <= 3 || corners.size() > mostCutCorners) return fan(corners.size());
+  if (corners.size() <= 3 || corners.size() > maxCutCorners) return fan(corners.size());
   std::vector<glm::dvec2> flat = flattened(corners);
   if (isConvex(flat)) return fan(corners.size());
   return Remainder(std::move(flat)).cut();

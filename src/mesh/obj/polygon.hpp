@@ -1,4 +1,4 @@
-// Polygons as triangles.
+// Triangulates polygons.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace warpjet {
 
-// Beyond it a polygon is taken for a convex one: the time grows with the square of its corners.
-inline constexpr std::size_t mostCutCorners = 4096;
+// Larger polygons are treated as convex: the time is quadratic in the number of corners.
+inline constexpr std::size_t maxCutCorners = 4096;
 
-// Two triangles less than corners, wound as the polygon, by their places in it. Each of its edges
-// is an edge of one triangle, so that no warp opens a crack beside a corner that lies on a straight
-// side. Convex polygons become fans around their first corner; the others lose their ears one by
-// one (Meisters, "Polygons have ears", 1975), seen along the axis that their plane faces most. One
-// that crosses itself becomes any triangles.
+// Returns triangles with the winding of the polygon, as indices of its corners; there are two fewer
+// than corners. Each edge of the polygon is an edge of one triangle, so that no warp opens a crack
+// at a corner on a straight side. Convex polygons become fans around their first corner; the others
+// are ear-clipped (Meisters, "Polygons have ears", 1975) in the projection along the axis that
+// their plane faces most. Self-intersecting polygons give arbitrary triangles.
 std::vector<std::array<std::uint32_t, 3>> trianglesOfPolygon(
     const std::vector<glm::dvec3>& corners);
 

@@ -1,4 +1,4 @@
-// Colours of OBJ and MTL files, which are sRGB, as linear ones.
+// Converts the colors of OBJ and MTL files, which are sRGB, to linear ones.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The refiner's choice of the edges that a pass splits.
+// The part of the refiner that chooses the edges to split in a pass.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -11,7 +11,7 @@ std::vector<std::uint32_t> Refiner::chooseEdges() {
   std::vector<bool> chosen(needs_.size());
   for (std::size_t i = 0; i < needs_.size(); ++i) {
     const Edge& edge = surface_.edges()[i];
-    // Overlapping triangles can bring back an edge that is split already.
+    // Overlapping triangles can bring back an edge that was already split.
     chosen[i] = edge.uses > 0 && (needs_[i].isWanted() || edge.middle != none);
   }
   keepShape(chosen);
@@ -24,17 +24,17 @@ std::vector<std::uint32_t> Refiner::chooseEdges() {
                refinement_.maxTriangles - std::min(refinement_.maxTriangles, count));
 }
 
-// A sliver is split through its longest side whenever it is split at all. So triangles at the
-// border of a fine region, or between two edges that are nearly one, do not become ever thinner.
-// (Bisecting the longest side never makes the smallest angle less than half of what it was:
-// Rosenberg and Stenger, "A lower bound on the angles of triangles constructed by bisecting the
-// longest side", 1975.) What one choice entails is followed from edge to edge.
+// If a sliver is split, its longest side is split. So triangles at the border of a fine region, or
+// between two nearly parallel edges, don't become ever thinner. (Bisecting the longest side never
+// makes the smallest angle less than half of what it was: Rosenberg and Stenger, "A lower bound on
+// the angles of triangles constructed by bisecting the longest side", 1975.) The consequences of a
+// choice are propagated from edge to edge.
 void Refiner::keepShape(std::vector<bool>& chosen) const {
   struct Entailed {
     std::uint32_t edge, next;
   };
   std::vector<Entailed> entailed;
-  std::vector<std::uint32_t> first(chosen.size(), none);  // by edge, the head of a list
+  std::vector<std::uint32_t> first(chosen.size(), none);  // by edge: the head of a list
   for (const Triangle& triangle : surface_.triangles()) {
     const std::uint32_t edge = surface_.edgeNumber(triangle, triangle.longest);
     if (!triangle.isSliver || !needs_[edge].canSplit) continue;
@@ -59,7 +59,7 @@ void Refiner::keepShape(std::vector<bool>& chosen) const {
   }
 }
 
-// Splitting an edge adds a triangle for each that uses it.
+// Splitting an edge adds one triangle per triangle that uses it.
 std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges, std::size_t room) {
   std::size_t added = 0, addedAgain = 0;
   for (const std::uint32_t i : edges) {
@@ -70,7 +70,7 @@ std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges, std:
   isFull_ = added > room;
   if (!isFull_) return edges;
   if (addedAgain > room) return {};
-  // Equals in the order of their numbers, so that the same input has the same result.
+  // Ties are ordered by number, so that the result is deterministic.
   std::vector<std::pair<float, std::uint32_t>> ranks;
   for (const std::uint32_t i : edges) {
     const bool isAgain = surface_.edges()[i].middle != none;

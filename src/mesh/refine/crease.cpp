@@ -9,8 +9,8 @@ namespace warpjet {
 
 namespace {
 
-// Then a thousandth of the way is left, of an edge that is short already.
-constexpr int mostHalvings = 10;
+// A thousandth of an already short edge remains then.
+constexpr int maxHalvings = 10;
 
 Weights halfway(const Weights& a, const Weights& b) {
   return {0.5f * (a[0] + b[0]), 0.5f * (a[1] + b[1]), 0.5f * (a[2] + b[2])};
@@ -33,7 +33,7 @@ std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float
     appendBlend(vertices, mesh, {turn.corners, turn.where});
     for (const Weights& corner : cornerWeights) appendBlend(vertices, mesh, {turn.corners, corner});
   }
-  const auto normals = warpedBy(vertices, warp, true).normals;
+  const auto normals = applyWarp(vertices, warp, true).normals;
   std::vector<Search> searches;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const glm::vec3 normal = at(normals, 4 * i);
@@ -47,11 +47,11 @@ std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float
     searches.push_back(
         {i, turns[i].where, cornerWeights[most], normal, at(normals, 4 * i + 1 + most)});
   }
-  for (int halving = 0; halving < mostHalvings && !searches.empty(); ++halving) {
+  for (int halving = 0; halving < maxHalvings && !searches.empty(); ++halving) {
     vertices = {};
     for (const Search& search : searches)
       appendBlend(vertices, mesh, {turns[search.turn].corners, halfway(search.from, search.to)});
-    const auto middles = warpedBy(vertices, warp, true).normals;
+    const auto middles = applyWarp(vertices, warp, true).normals;
     std::vector<Search> left;
     for (std::size_t i = 0; i < searches.size(); ++i) {
       Search search = searches[i];

@@ -1,4 +1,4 @@
-// Where a warp bends the surface sharply: its normals jump there, however short an edge is.
+// Detects creases: places where a warp makes the normals jump, however short an edge is.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 
 namespace warpjet {
 
-// Between a point of a triangle, or of an edge, and that of its corners whose normal is turned most
-// from its own.
+// A piece between a point of a triangle or of an edge and the corner whose normal differs most from
+// that of the point.
 struct Turn {
   std::array<std::uint32_t, 3> corners;
   Weights where;
 };
 
-// Which of them hold a jump of about that angle or more. It is looked for by halving the way, so
-// that turns that are only steep are none.
+// Finds those with a jump of about that angle or more, by bisection, so that steep but smooth turns
+// don't count.
 std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float angle,
                             const WarpFunction& warp);
 

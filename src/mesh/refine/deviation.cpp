@@ -14,8 +14,9 @@ namespace {
 float fraction(double x) { return static_cast<float>(x - std::floor(x)); }
 
 // The middle comes first. The others are spread evenly but not regularly, since a symmetric or
-// periodic warp can be 0 at all regular places: the golden ratio along an edge, Roberts' sequence
-// ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018) folded into a triangle.
+// periodic warp can be 0 at all regular samples: by the golden ratio along an edge, and by Roberts'
+// sequence ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018) folded into a
+// triangle.
 Weights weights(const Piece& piece, std::uint32_t sample) {
   if (piece.isEdge()) {
     if (sample == 0) return {0.5f, 0.5f, 0};
@@ -38,7 +39,7 @@ float distanceToSegment(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
   return glm::distance(p, a + t * ab);
 }
 
-// Over the inside it is the distance from the plane, elsewhere that from the nearest side.
+// Inside of the piece it is the distance from the plane, elsewhere from the nearest side.
 float distanceToTriangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   const glm::vec3 normal = areaVector(a, b, c);
   const auto isInside = [&](glm::vec3 from, glm::vec3 to) {
@@ -51,7 +52,7 @@ float distanceToTriangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
       {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
 }
 
-// Of a number of that size, and of the few operations that made it.
+// The rounding error of a number of that size after the few operations that compute it.
 float rounding(glm::vec3 p) {
   const float size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   return 4 * std::numeric_limits<float>::epsilon() * size;
@@ -61,7 +62,7 @@ void raiseIfFinite(float& largest, float candidate) {
   if (std::isfinite(candidate)) largest = std::max(largest, candidate);
 }
 
-// The flat piece between three vectors, and the parabola that has their middles too.
+// The flat piece between three vectors, and the parabola through their midpoints, too.
 struct Patch {
   std::array<glm::vec3, 3> corners, middles;
 
@@ -129,7 +130,7 @@ class Measurement {
 
   void compareBatch(std::span<const Piece> pieces, std::vector<Deviation>& deviations) {
     if (samples_.empty()) return;
-    const Moved moved = warpedBy(vertices_, warp_, hasNormals());
+    const Moved moved = applyWarp(vertices_, warp_, hasNormals());
     for (std::size_t i = 0; i < samples_.size(); ++i)
       compare(samples_[i], pieces[samples_[i].piece], moved, i, deviations[samples_[i].piece]);
     samples_.clear();
@@ -167,7 +168,7 @@ class Measurement {
   const Moved& warped_;
   Moved& middles_;
   const WarpFunction& warp_;
-  Mesh vertices_;  // of the batch
+  Mesh vertices_;  // the vertices of the batch
   std::vector<Sample> samples_;
 };
 
@@ -183,7 +184,7 @@ void Off::raise(const Off& other) {
   angle = std::max(angle, other.angle);
 }
 
-Moved warpedBy(const Mesh& vertices, const WarpFunction& warp, bool hasNormals) {
+Moved applyWarp(const Mesh& vertices, const WarpFunction& warp, bool hasNormals) {
   Moved moved = warp(vertices);
   fit(moved, vertices.vertexCount(), hasNormals);
   return moved;

@@ -12,31 +12,31 @@ namespace warpjet {
 
 namespace {
 
-// Each pass halves edges, so floats run out of places between two positions long before.
+// Each pass halves edges, so floats run out of positions in between long before.
 constexpr int maxPasses = 64;
 
-// The first look: what is coarse is sampled more densely, so many samples for all edges that came,
-// and for all triangles, but no more than so many for one. The fewest are those with which noise,
-// and its creases, keep the tolerance: with fewer a crease was a tenth farther away.
+// Samples of the first look. Coarse meshes are sampled more densely: this number of samples for all
+// original edges, and for all triangles, with a max per piece. The min values are those at which
+// noise, and its creases, keep the tolerance: with fewer, a crease was off by another tenth.
 constexpr double edgeSamples = 2048, triangleSamples = 8192;
-constexpr double fewestOfEdge = 5, mostOfEdge = 64, fewestOfTriangle = 4, mostOfTriangle = 512;
+constexpr double minPerEdge = 5, maxPerEdge = 64, minPerTriangle = 4, maxPerTriangle = 512;
 
-// The closer look at what seems well. Triangles are sampled so densely that a bump as wide as a
-// 200th of the mesh is met, unless the mesh is so large that this takes more samples than that. And
-// where the samples were not those of a parabola, so that there may be more between them, there are
-// at least so many.
-constexpr double bumpSamplesAcross = 320, mostBumpSamples = 1 << 20;
+// Samples of the closer look at pieces that seem fine. Triangles are sampled so densely that a bump
+// with a width of a 200th of the mesh is hit, unless the mesh is so large that this exceeds the max
+// number. If the samples don't fit a parabola, so that more may be hidden between them, at least
+// this number is taken.
+constexpr double bumpSamplesAcross = 320, maxBumpSamples = 1 << 20;
 constexpr std::uint32_t doubtSamplesOfEdge = 31, doubtSamplesOfTriangle = 100;
 
-// Normals jump at a crease, however short the edges across it are: so many tolerances, or such a
-// part of the warped mesh, are short enough. Where they do not jump, edges shorter than the other
-// part, which nobody sees, are still not split for them, as the normals of what a warp collapses
-// are those of rounding errors.
+// Normals jump at a crease, however short the edges across it are: edges of this many tolerances,
+// or this part of the warped mesh, are short enough. Without a jump, edges shorter than the other
+// part, which is invisible, are still not split for their normals, since the normals of a collapsed
+// surface are rounding errors.
 constexpr float creaseTolerances = 8, creasePart = 1 / 64.0f, shortestPart = 1 / 4096.0f;
 
-// An edge that is stretched so much more than the edges that came are on average is torn: where the
-// warp jumps, no number of triangles would be enough.
-constexpr double mostStretch = 256;
+// An edge that is stretched by this factor more than the original edges on average is torn: where
+// the warp is discontinuous, no number of triangles is enough.
+constexpr double maxStretch = 256;
 
 void addIfFinite(double& sum, double term) {
   if (std::isfinite(term)) sum += term;
@@ -47,7 +47,7 @@ std::uint32_t sampleCount(double wanted, double fewest, double most) {
   return static_cast<std::uint32_t>(wanted > fewest ? std::min(std::ceil(wanted), most) : fewest);
 }
 
-// The longest side of a box around it.
+// The longest side of the bounding box.
 float sizeOf(const std::vector<float>& positions) {
   std::array<float, 3> low, high;
   low.fill(std::numeric_limits<float>::infinity());
@@ -64,7 +64,7 @@ float sizeOf(const std::vector<float>& positions) {
 
 Refiner::Refiner(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp)
     : refinement_(refinement), warp_(warp), surface_(mesh) {
-  refinement_.maxTriangles = std::min(refinement_.maxTriangles, mostTriangles);
+  refinement_.maxTriangles = std::min(refinement_.maxTriangles, triangleLimit);
 }
 
 Refined Refiner::run() && {
@@ -102,7 +102,7 @@ void Refiner::warpNewVertices() {
   while (warped_.positions.size() < mesh.positions.size()) {
     const std::size_t first = warped_.positions.size() / 3;
     const std::size_t end = std::min(first + batchSize, mesh.vertexCount());
-    // Whether the warp gives normals, its first call tells.
+    // The first call of the warp determines whether it returns normals.
     const bool mayHaveNormals = first == 0 && !std::isinf(refinement_.angle);
     Moved moved = warp_(slice(mesh, first, end));
     if (mayHaveNormals) hasNormals_ = !moved.normals.empty();
@@ -125,8 +125,8 @@ void Refiner::findScale() {
   const double across = bumpSamplesAcross / sizeOf(mesh.positions);
   samplesOfLength_ = edgeSamples / length;
   samplesOfArea_ = triangleSamples / area;
-  bumpSamplesOfArea_ = std::min(across * across, mostBumpSamples / area);
-  tear_ = mostStretch * std::max(1.0, warpedLength / length);
+  bumpSamplesOfArea_ = std::min(across * across, maxBumpSamples / area);
+  tear_ = maxStretch * std::max(1.0, warpedLength / length);
   const float warpedSize = sizeOf(warped_.positions);
   crease_ = std::min(creaseTolerances * refinement_.tolerance, creasePart * warpedSize);
   shortest_ = shortestPart * warpedSize;
@@ -146,7 +146,7 @@ void Refiner::measureSides() {
     if (length == 0) continue;  // as at the poles of many spheres
     const float warpedLength = distance(warped_.positions, a, b);
     pieces.push_back(
-        {{a, b, a}, {i, i, i}, sampleCount(length * samplesOfLength_, fewestOfEdge, mostOfEdge)});
+        {{a, b, a}, {i, i, i}, sampleCount(length * samplesOfLength_, minPerEdge, maxPerEdge)});
     scrutinies.push_back({doubtSamplesOfEdge, 0, warpedLength});
     const bool isTorn = warpedLength > tear_ * length;
     const std::uint32_t edge = sides[i].edge;
@@ -161,7 +161,7 @@ void Refiner::measureSides() {
   }
 }
 
-// What is off inside, although the sides are not, is split through the longest side.
+// If the inside deviates although the sides don't, the longest side is split.
 void Refiner::measureInsides() {
   std::vector<std::size_t> triangles;
   std::vector<Piece> pieces;
@@ -174,9 +174,9 @@ void Refiner::measureInsides() {
     const auto& [a, b] = surface_.sides()[triangle.sides[triangle.longest]].ends;
     triangles.push_back(i);
     pieces.push_back({triangle.corners, triangle.sides,
-                      sampleCount(area * samplesOfArea_, fewestOfTriangle, mostOfTriangle)});
+                      sampleCount(area * samplesOfArea_, minPerTriangle, maxPerTriangle)});
     scrutinies.push_back({doubtSamplesOfTriangle,
-                          sampleCount(area * bumpSamplesOfArea_, 0, mostBumpSamples),
+                          sampleCount(area * bumpSamplesOfArea_, 0, maxBumpSamples),
                           distance(warped_.positions, a, b)});
   }
   const auto findings = look(pieces, scrutinies);
@@ -194,7 +194,7 @@ bool Refiner::hasWantedSide(const Triangle& triangle) const {
   });
 }
 
-// Nothing inside gets better by splitting what is left to split.
+// Splitting the remaining edges doesn't improve the inside.
 bool Refiner::isTorn(const Triangle& triangle) const {
   return std::any_of(triangle.sides.begin(), triangle.sides.end(), [&](std::uint32_t side) {
     return !needs_[surface_.sides()[side].edge].canSplit;

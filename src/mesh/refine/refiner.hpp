@@ -1,4 +1,4 @@
-// The passes of an adaptive subdivision: measure what is new, choose edges, split them.
+// The passes of an adaptive subdivision: measure new pieces, choose edges, split them.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class Refiner {
 
  private:
   struct Need {
-    float score = 0;  // as a multiple of what is allowed
+    float score = 0;  // as a multiple of the tolerance
     Off off;
     bool canSplit = true;
 
@@ -30,7 +30,7 @@ class Refiner {
   void measureSides();
   void measureInsides();
 
-  // In scrutiny.cpp.
+  // See scrutiny.cpp.
   struct Scrutiny {
     std::uint32_t inDoubt, always;  // samples of the closer look
     float warpedLength;             // of the edge that would be split
@@ -47,7 +47,7 @@ class Refiner {
   float score(const Off& off, bool countsAngle) const;
   bool countsAngle(const Finding& finding, const Scrutiny& scrutiny) const;
 
-  // In choice.cpp.
+  // See choice.cpp.
   std::vector<std::uint32_t> chooseEdges();
   void keepShape(std::vector<bool>& chosen) const;
   std::vector<std::uint32_t> worst(std::vector<std::uint32_t> edges, std::size_t room);
@@ -63,12 +63,12 @@ class Refiner {
   Moved warped_;                     // by vertex
   Moved middles_;                    // by side
   std::vector<Need> needs_;          // by edge
-  std::uint32_t measuredSides_ = 0;  // the first so many
+  std::uint32_t measuredSides_ = 0;  // the number of measured sides, which come first
   double samplesOfLength_ = 0, samplesOfArea_ = 0, bumpSamplesOfArea_ = 0;
-  double tear_ = 0;       // the stretch of an edge from which on the warp tears it
+  double tear_ = 0;       // the stretch above which an edge counts as torn
   float crease_ = 0;      // the length of a warped edge that is short enough at a crease
-  float shortest_ = 0;    // the length of one that is not split for its normals
-  float unresolved_ = 0;  // a distance above the tolerance that floats cannot resolve
+  float shortest_ = 0;    // the length below which an edge isn't split for its normals
+  float unresolved_ = 0;  // a distance above the tolerance that floats can't resolve
   bool isFull_ = false, isDefined_ = true;
 };
 

@@ -1,4 +1,5 @@
-// How the refiner judges pieces: a first look at all, and a closer one at those that seem well.
+// The refiner's evaluation of pieces: a first look at all, and a closer one at those that seem
+// fine.
 #include <algorithm>
 #include <utility>
 
@@ -10,8 +11,8 @@ namespace warpjet {
 
 namespace {
 
-// What the closer look may have missed, as a share of what still surprises; and what any look may,
-// as a share of all: between samples of noise there is up to a twentieth more.
+// The share of the surprise that the closer look may have missed, and the share of everything that
+// any look may miss: between samples of noise, the deviation is up to a twentieth larger.
 constexpr float doubtLeft = 0.1f, margin = 0.95f;
 
 }  // namespace
@@ -32,7 +33,7 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
     const std::uint32_t samples =
         std::max(scrutinies[i].always, mayBeMore ? scrutinies[i].inDoubt : 0);
     if (samples <= pieces[i].samples) continue;
-    // The others of an edge lie elsewhere when there are more.
+    // The other samples of an edge move if their number changes.
     const std::uint32_t known = pieces[i].isEdge() ? 1 : pieces[i].samples;
     closer.push_back({pieces[i].corners, pieces[i].sides, samples, known});
     numbers.push_back(i);
@@ -58,7 +59,7 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
   return findings;
 }
 
-// And the scores, in which the angle across a crease does not count.
+// Also computes the scores, which exclude the angle across a crease.
 void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutiny> scrutinies,
                           std::span<const Deviation> deviations,
                           std::vector<Finding>& findings) const {

@@ -3,13 +3,13 @@
 #include <array>
 #include <cstdio>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
 namespace {
 
-std::string inWords(float number) {
+std::string describeNumber(float number) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(number));
   return text.data();
@@ -21,17 +21,17 @@ std::vector<std::string> shortfallOf(const Refined& refined, const Refinement& r
   std::vector<std::string> sentences;
   std::string left;
   if (!refined.reachedTolerance)
-    left = "the warped surface is still up to " + inWords(refined.worst) +
-           " away from them, above the tolerance of " + inWords(refinement.tolerance);
+    left = "the warped surface is still up to " + describeNumber(refined.worst) +
+           " away from them, above the tolerance of " + describeNumber(refinement.tolerance);
   if (!refined.reachedAngle)
     left += (left.empty() ? "" : ", and ") + std::string("its normals are still up to ") +
-            inWords(refined.worstAngle) + " radians off, above the angle of " +
-            inWords(refinement.angle);
+            describeNumber(refined.worstAngle) + " radians off, above the angle of " +
+            describeNumber(refinement.angle);
   if (!left.empty())
     sentences.push_back(
-        "With " + grouped(refined.mesh.triangleCount()) + " triangles " + left + "; " +
+        "With " + groupDigits(refined.mesh.triangleCount()) + " triangles " + left + "; " +
         (refined.isFull
-             ? "raise maxTriangles, which is " + grouped(refinement.maxTriangles) + '.'
+             ? "raise maxTriangles, which is " + groupDigits(refinement.maxTriangles) + '.'
              : "more would not help, as the warp creases or tears the surface there, or float32 "
                "is not fine enough."));
   if (!refined.isDefined)

@@ -1,4 +1,4 @@
-// What a subdivision did not reach, in sentences.
+// Messages about the goals that a subdivision didn't reach.
 #pragma once
 
 #include <string>

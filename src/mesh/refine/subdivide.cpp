@@ -18,7 +18,7 @@ Origins originsOf(const Mesh& mesh) {
   return origins;
 }
 
-// Where all triangles had two corners in one place, nothing is left to index.
+// If all triangles had two corners in one place, nothing is left to index.
 template <class Finer>
 Finer orElse(Finer finer, const Mesh& mesh) {
   if (!finer.mesh.indices.empty()) return finer;
@@ -36,7 +36,7 @@ Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunc
 
 Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles) {
   if (mesh.triangleCount() == 0) return {mesh, {}, levels};
-  maxTriangles = std::min(maxTriangles, mostTriangles);
+  maxTriangles = std::min(maxTriangles, triangleLimit);
   Surface surface(mesh);
   int made = 0;
   for (; made < levels && surface.triangles().size() <= maxTriangles / 4; ++made) {

@@ -1,6 +1,6 @@
-// More triangles where a warp needs them: a mesh and a warp enter, the same surface with more
-// vertices leaves, not warped yet. There are no cracks and no T-junctions that were not there
-// before: vertices at equal positions (split normals, UVs or colours) count as one.
+// Adds triangles where a warp needs them: takes a mesh and a warp, returns the same surface with
+// more vertices, not warped yet. It adds no cracks and no T-junctions: vertices at equal positions
+// (split normals, UVs or colors) are treated as one.
 #pragma once
 
 #include <cstddef>
@@ -12,59 +12,61 @@
 
 namespace warpjet {
 
-// Moved positions and normals of vertices, three numbers each, in order. The normals may be
+// Warped positions and normals of vertices, three numbers each, in order. The normals may be
 // missing.
 struct Moved {
   std::vector<float> positions, normals;
 };
 
-// The warp, on as many vertices as come: only attributes matter, there are no indices.
+// Warps any number of vertices; only attributes matter, there are no indices.
 using WarpFunction = std::function<Moved(const Mesh& vertices)>;
 
-// So that every vertex has a number of 32 bits, and what counts unless another limit is given.
-inline constexpr std::size_t mostTriangles = std::size_t{1} << 28,
-                             usualTriangles = std::size_t{1} << 20;
+// The first limit ensures that vertex numbers fit 32 bits, the second one is the default.
+inline constexpr std::size_t triangleLimit = std::size_t{1} << 28,
+                             defaultTriangles = std::size_t{1} << 20;
 
 struct Refinement {
-  float tolerance;  // model units, above 0: how far the warped surface may leave the triangles
-  // Radians, above 0: how far warped normals may turn away from those interpolated between corners.
-  // Infinity leaves normals out.
+  float tolerance;  // in model units, above 0: the max distance of the warped surface from the
+                    // triangles
+  // In radians, above 0: the max angle of warped normals from those interpolated between corners.
+  // Infinity ignores normals.
   float angle = 0.17f;
-  std::size_t maxTriangles = usualTriangles;
+  std::size_t maxTriangles = defaultTriangles;
 };
 
-// Where a finer mesh comes from: of each new vertex, in order, the two that it is in the middle of,
-// and of each triangle the number of the one that it is a part of.
+// The origins of a finer mesh: for each new vertex, in order, the two vertices that it is in the
+// middle of, and for each triangle the original triangle that it is a part of.
 struct Origins {
   std::vector<std::uint32_t> ends, triangles;
 };
 
 struct Refined {
-  Mesh mesh;  // indexed; what was there comes first, in its order
+  Mesh mesh;  // indexed; original vertices come first, in their order
   Origins origins;
   bool reachedTolerance, reachedAngle;
-  float worst;       // model units: the largest distance that is left, where it was measured
-  float worstAngle;  // radians, likewise
-  bool isFull;       // whether `maxTriangles` ended it
-  bool isDefined;    // whether the warp gave finite positions
+  float worst;       // the largest remaining distance in model units, where it was measured
+  float worstAngle;  // the same for angles, in radians
+  bool isFull;       // true if `maxTriangles` was reached
+  bool isDefined;    // true if all positions of the warp were finite
 };
 
-// Edges are split in the middle, over and over, until the warped surface is as near as wanted to
-// the warped triangles. New vertices interpolate all attributes. Where the warp gives NaN or
-// infinity, where it tears the surface apart, or where floats have no room between two positions,
-// nothing is split. More than `maxTriangles` are never made: the worst edges are split first.
-// Triangles with two corners in one place (as at the poles of many spheres) go when a side of
-// theirs is split. Without any triangle the mesh comes back as it was.
+// Splits edges in the middle repeatedly, until the warped surface is as close as required to the
+// warped triangles. New vertices interpolate all attributes. Nothing is split where the warp
+// returns NaN or infinity, where it tears the surface apart, or where floats have no position in
+// between. The result never exceeds `maxTriangles`: the worst edges are split first. Triangles with
+// two corners in one place (as at the poles of many spheres) are removed when one of their sides is
+// split. A mesh without triangles is returned unchanged.
 Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp);
 
 struct Divided {
   Mesh mesh;
   Origins origins;
-  int levels;  // how often each triangle became four
+  int levels;  // the number of times that each triangle was split into four
 };
 
-// Each triangle into four, `levels` times, or as often as `maxTriangles` allows; those with two
-// corners in one place go. Without any triangle the mesh comes back as it was.
-Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles = usualTriangles);
+// Splits each triangle into four, `levels` times, or as often as `maxTriangles` allows; triangles
+// with two corners in one place are removed. A mesh without triangles is returned unchanged.
+Divided subdivideUniformly(const Mesh& mesh, int levels,
+                           std::size_t maxTriangles = defaultTriangles);
 
 }  // namespace warpjet

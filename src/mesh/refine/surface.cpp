@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-// Triangles whose height is less than this share of their longest side.
+// Triangles whose height is below this share of their longest side.
 constexpr float sliver = 0.0625f;
 
 Position positionOf(const Mesh& mesh, std::size_t vertex) {
@@ -34,7 +34,7 @@ Surface::Surface(Mesh mesh) : mesh_(std::move(mesh)) {
 
 std::uint32_t Surface::findSide(std::uint32_t a, std::uint32_t b) {
   if (std::pair(welded_[a], a) > std::pair(welded_[b], b)) std::swap(a, b);
-  // In a table of their own: where shapes repeat in place, an edge has any number of sides.
+  // Sides have a table of their own: where shapes coincide, an edge has any number of sides.
   const auto nextSide = static_cast<std::uint32_t>(sides_.size());
   const std::uint32_t side = sidesByEnds_.findOrAdd(a, b, nextSide);
   if (side != nextSide) return side;
@@ -45,7 +45,7 @@ std::uint32_t Surface::findSide(std::uint32_t a, std::uint32_t b) {
   return side;
 }
 
-// In double, since the product of two floats may overflow theirs.
+// In double, since the product of two floats may overflow.
 double Surface::areaOf(const Three& corners) const {
   const auto corner = [&](int i) { return glm::dvec3(at(mesh_.positions, corners[i])); };
   const glm::dvec3 a = corner(0);
@@ -70,7 +70,7 @@ Position Surface::middleOf(const Edge& edge) const {
 }
 
 void Surface::addMiddles(std::span<const std::uint32_t> edges) {
-  // Welded with the other positions: where a file has a T-junction, it closes when both agree.
+  // Welded with the other positions: a T-junction in the file closes if both positions are equal.
   for (const std::uint32_t edge : edges) edges_[edge].middle = welder_.weld(middleOf(edges_[edge]));
 
   for (const Triangle& triangle : triangles_) {
@@ -121,7 +121,7 @@ void Surface::divide(const Triangle& triangle, const std::vector<float>& positio
   for (const std::uint32_t side : triangle.sides) --edges_[sides_[side].edge].uses;
   if (isSlit(triangle)) return;
 
-  // Turned until the split sides come first.
+  // Rotates the triangle until the split sides come first.
   int first = 0;
   while (!isSplit(triangle.sides[first]) ||
          (splits == 2 && !isSplit(triangle.sides[(first + 1) % 3])))

@@ -1,4 +1,4 @@
-// A mesh whose edges can be split without a crack: triangles know their sides, and sides know the
+// A mesh whose edges can be split without cracks: triangles refer to their sides, and sides to the
 // edge that they share with all others between the same two positions.
 #pragma once
 
@@ -14,29 +14,29 @@
 
 namespace warpjet {
 
-// Two positions, by their numbers. Whether it is split is decided here, once for all its sides.
+// Two positions, by number. Whether it is split is decided here, once for all its sides.
 struct Edge {
   std::array<std::uint32_t, 2> ends;
-  std::uint32_t middle = none;  // once it is split
-  std::uint32_t uses = 0;       // by triangles, now
+  std::uint32_t middle = none;  // set when it is split
+  std::uint32_t uses = 0;       // number of triangles that currently use it
 };
 
 // Two vertices, in the order of their edge's ends. Triangles on both sides of a seam (split
-// normals, UVs or colours) have different sides on one edge.
+// normals, UVs or colors) have different sides of one edge.
 struct Side {
   std::array<std::uint32_t, 2> ends;
   std::uint32_t edge;
-  std::uint32_t middle = none;                      // once it is split
-  std::array<std::uint32_t, 2> halves{none, none};  // then, at each end
+  std::uint32_t middle = none;                      // set when it is split
+  std::array<std::uint32_t, 2> halves{none, none};  // likewise, one per end
 };
 
 struct Triangle {
   std::array<std::uint32_t, 3> corners;
-  std::array<std::uint32_t, 3> sides;  // the first between the first two corners, and so on
-  std::uint32_t origin;                // the number of the one that came
-  int longest;                         // of the sides
+  std::array<std::uint32_t, 3> sides;  // the first is between the first two corners, and so on
+  std::uint32_t origin;                // number of the original triangle
+  int longest;                         // of its sides
   bool isSliver;
-  // How far the warped surface and its normals are off inside, once that is measured.
+  // The deviation of the warped surface and its normals inside, once it is measured.
   bool isMeasured = false;
   float distance = 0, angle = 0;
 };
@@ -45,7 +45,7 @@ class Surface {
  public:
   explicit Surface(Mesh mesh);
 
-  // Its indices are as they came; see `takeMesh`.
+  // The indices are the original ones; see `takeMesh`.
   const Mesh& mesh() const { return mesh_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Side>& sides() const { return sides_; }
@@ -60,13 +60,13 @@ class Surface {
   }
   Position middleOf(const Edge& edge) const;
 
-  // Gives each of these edges (and all its sides) a vertex in the middle. Then `divide` must
-  // follow.
+  // Adds a vertex in the middle of each of these edges (and all their sides). Call `divide`
+  // afterwards.
   void addMiddles(std::span<const std::uint32_t> edges);
 
-  // Replaces each triangle that has split sides: 1, 2, 3 of them make 2, 3, 4 triangles. Where
-  // there is a choice, the diagonal that is shorter between `positions` is taken, 3 numbers a
-  // vertex.
+  // Replaces each triangle that has split sides: with 1, 2 or 3 split sides it becomes 2, 3 or 4
+  // triangles. If there is a choice, it uses the diagonal that is shorter in `positions`, 3 numbers
+  // per vertex.
   void divide(const std::vector<float>& positions);
 
   void setMeasured(std::size_t triangle, float distance, float angle) {
@@ -91,7 +91,7 @@ class Surface {
   Mesh mesh_;
   std::vector<std::uint32_t> ends_;  // of new vertices, two each
   Welder welder_;
-  std::vector<std::uint32_t> welded_;  // by vertex, the number of its position
+  std::vector<std::uint32_t> welded_;  // by vertex: the number of its position
   Pairs edgesByEnds_, sidesByEnds_;
   std::vector<Side> sides_;
   std::vector<Edge> edges_;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mesh/files.hpp"
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 
 namespace warpjet {
 
@@ -18,7 +18,7 @@ bool isFinite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// In double, where the square of no float overflows; zero where there is no direction.
+// In double, the square of a float doesn't overflow; zero if there is no direction.
 glm::dvec3 unit(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0 ? v / length : glm::dvec3(0);
@@ -27,9 +27,9 @@ glm::dvec3 unit(const glm::dvec3& v) {
 }  // namespace
 
 void Facets::reserve(std::uint64_t count) {
-  if (count > mostMeshBytes / bytesPerTriangle)
-    throw FileProblem("the model has " + grouped(count) + " triangles, but at most " +
-                      grouped(mostMeshBytes / bytesPerTriangle) +
+  if (count > maxMeshBytes / bytesPerTriangle)
+    throw FileProblem("the model has " + groupDigits(count) + " triangles, but at most " +
+                      groupDigits(maxMeshBytes / bytesPerTriangle) +
                       " are read of an .stl; export it as .glb or with fewer triangles.");
   mesh_.positions.reserve(static_cast<std::size_t>(count) * 9);
   mesh_.normals.reserve(static_cast<std::size_t>(count) * 9);

@@ -1,4 +1,4 @@
-// The triangles of an STL file as they become a mesh.
+// Collects the triangles of an STL file to a mesh.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace warpjet {
 
 class Facets {
  public:
-  // Throws a FileProblem if so many triangles are too many.
+  // Throws a FileProblem if this number of triangles exceeds the limit.
   void reserve(std::uint64_t count);
 
-  // Numbers may be NaN or infinite.
+  // The numbers may be NaN or infinite.
   void add(const glm::vec3& normal, const std::array<glm::vec3, 3>& corners);
 
-  // Throws a FileProblem if there are none.
+  // Throws a FileProblem if there are no triangles.
   Mesh mesh(std::vector<std::string>& warnings);
 
  private:

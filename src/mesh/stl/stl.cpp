@@ -6,7 +6,7 @@
 #include <cstring>
 #include <optional>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/stl/facets.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/text/lines.hpp"
@@ -33,19 +33,19 @@ std::uint64_t sizeInHeader(Bytes bytes) {
   return start + std::uint64_t{facetSize} * valueAt<std::uint32_t>(bytes, headerSize);
 }
 
-// Whether a word is this one, which is in small letters, in any letters.
+// Compares words case-insensitively; `word` is lowercase.
 bool isWord(std::string_view text, std::string_view word) {
   return std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char c, char small) {
     return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == small;
   });
 }
 
-// Keywords and numbers of a text, wherever its lines break.
+// Keywords and numbers of a text, independent of its line breaks.
 class Words {
  public:
   explicit Words(std::string_view text) : lines_(text, "stl"), line_(lines_.next()) {}
 
-  // The next one; empty at the end of the text.
+  // The next word; empty at the end of the text.
   std::string_view next() {
     while (line_) {
       if (const std::string_view word = line_->word(); !word.empty()) return word;
@@ -68,7 +68,7 @@ class Words {
     return v;
   }
 
-  // Whatever else is on this line, such as the name of a solid.
+  // Skips the rest of this line, such as the name of a solid.
   void skipLine() { line_ = lines_.next(); }
 
   [[noreturn]] void failAt(std::string_view word, std::string_view keyword) const {
@@ -87,7 +87,7 @@ class Words {
   std::optional<TextLine> line_;
 };
 
-// Behind its first word, "facet".
+// Parses after the keyword "facet".
 void readFacet(Words& words, Facets& facets) {
   words.expect("normal");
   const glm::vec3 normal = words.vector();
@@ -131,7 +131,7 @@ bool isTextStl(std::string_view text) {
 
 Mesh meshOfTextStl(std::string_view text, std::vector<std::string>& warnings) {
   Facets facets;
-  // No facet is shorter than its words.
+  // No facet is shorter than its keywords.
   facets.reserve(text.size() / 80);
   Words words(text);
   words.expect("solid");
@@ -150,9 +150,10 @@ Mesh meshOfTextStl(std::string_view text, std::vector<std::string>& warnings) {
 Mesh meshOfBinaryStl(Bytes bytes, std::vector<std::string>& warnings) {
   const std::uint64_t size = sizeInHeader(bytes);
   if (size > bytes.size())
-    throw FileProblem("the file ends in the middle of its data (it says " + grouped(size) +
-                      " bytes, " + grouped(bytes.size()) + " came); export or download it again.");
-  // Materialise Magics' colours.
+    throw FileProblem("the file ends in the middle of its data (expected " + groupDigits(size) +
+                      " bytes, got " + groupDigits(bytes.size()) +
+                      "); export or download it again.");
+  // The colors of Materialise Magics.
   if (textOf(bytes).substr(0, headerSize).find("COLOR=") != std::string_view::npos)
     warnings.push_back("The colours of the .stl are left out.");
   Facets facets;

@@ -1,5 +1,5 @@
-// STL files, text and binary, as p5's loadModel shows them: each triangle has vertices and a normal
-// of its own, and colours are left out.
+// STL files, text and binary, read like p5's loadModel does: each triangle has its own vertices and
+// normal, and colors are ignored.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 
 namespace warpjet {
 
-// Whether the bytes have the size that a binary STL's header says.
+// True if the bytes have the size in the header of a binary STL.
 bool hasStlSize(Bytes bytes);
 
-// The same, or whether they look like one that is cut off or has more behind it. Many of their
-// headers begin with "solid", as texts do.
+// Also true for a binary STL that is truncated or has extra bytes. Many of their headers begin with
+// "solid", like text files.
 bool isBinaryStl(Bytes bytes);
 
-// Whether a text begins with the word "solid".
+// True if a text begins with the word "solid".
 bool isTextStl(std::string_view text);
 
-// Both throw a FileProblem. Normals that are missing or no numbers become those of their triangles,
-// and triangles at positions that are no numbers are left out.
+// Both throw a FileProblem. Missing or invalid normals are replaced by those of their triangles,
+// and triangles with invalid positions are omitted.
 Mesh meshOfTextStl(std::string_view text, std::vector<std::string>& warnings);
 Mesh meshOfBinaryStl(Bytes bytes, std::vector<std::string>& warnings);
 

@@ -19,13 +19,13 @@ std::array<float, size> mix(const std::vector<float>& from, const Blend& blend) 
 
 float lengthOf(const float* p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
-// The first three numbers to length 1.
+// Normalizes the first three numbers.
 template <std::size_t size>
 std::array<float, size> mixDirections(const std::vector<float>& from, const Blend& blend) {
   auto mixed = mix<size>(from, blend);
   const float* const first = from.data() + size * blend.vertices[0];
   const float length = lengthOf(mixed.data());
-  // Opposite directions rarely cancel out to the last bit.
+  // Opposite directions rarely cancel exactly.
   const bool cancels = !(length > 1e-6f * lengthOf(first));
   for (std::size_t i = 0; i < 3; ++i) mixed[i] = cancels ? first[i] : mixed[i] / length;
   for (std::size_t i = 3; i < size; ++i) mixed[i] = first[i];

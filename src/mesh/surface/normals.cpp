@@ -15,7 +15,7 @@ namespace warpjet {
 
 namespace {
 
-// For each vertex the number of its position.
+// The number of each vertex's position.
 std::vector<std::uint32_t> weldedVertices(const std::vector<float>& positions) {
   Welder welder;
   std::vector<std::uint32_t> welded;
@@ -53,8 +53,8 @@ class Normals {
       normals[vertex * 3 + i] = length > 0 ? static_cast<float>(sum[i] / length) : 0;
   }
 
-  // A vertex that both sides use stays with the first; each other gets one of its own, which
-  // follows those that are there.
+  // A vertex used by both sides stays with the first side; the other side gets a copy, appended to
+  // the existing vertices.
   void part(Mesh& mesh, const std::vector<bool>& hasNormal) {
     Pairs copies;
     for (std::size_t i = 0; i < sheets_.ofCorners.size() && !mesh.indices.empty(); ++i) {
@@ -75,7 +75,7 @@ class Normals {
     const std::array<std::uint32_t, 3> corners = mesh.corners(triangle);
     std::array<glm::dvec3, 3> p;
     for (int i = 0; i < 3; ++i) p[i] = positionAt(mesh, corners[i]);
-    // Twice the area long.
+    // Its length is twice the area.
     const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t sheet =
@@ -90,7 +90,7 @@ class Normals {
   std::vector<std::uint32_t> places_;
   Sheets sheets_;
   std::vector<glm::dvec3> sums_, sumsOfSheets_;
-  std::vector<std::uint32_t> ofVertices_;  // the sheet of each vertex, where there is one
+  std::vector<std::uint32_t> ofVertices_;  // the sheet of each vertex, if any
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace warpjet {
 
 class Pairs {
  public:
-  // The number under which the ordered pair is known. A new pair gets `next`.
+  // The number of the ordered pair. A new pair gets the number `next`.
   std::uint32_t findOrAdd(std::uint32_t a, std::uint32_t b, std::uint32_t next) {
     if (2 * count_ >= slots_.size()) grow();
     Slot& slot = slots_[placeOf(a, b)];

@@ -1,4 +1,4 @@
-// Flat arrays read as points.
+// Reads flat arrays as points.
 #pragma once
 
 #include <cmath>
@@ -16,13 +16,13 @@ inline float distance(const std::vector<float>& positions, std::size_t a, std::s
   return glm::distance(at(positions, a), at(positions, b));
 }
 
-// Of the parallelogram, twice that of the triangle; along the normal.
+// The area vector of the parallelogram, which is twice that of the triangle; along the normal.
 inline glm::vec3 areaVector(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   return glm::cross(b - a, c - a);
 }
 
 inline float angleBetween(glm::vec3 a, glm::vec3 b) {
-  // As Kahan writes it, right for small angles too.
+  // Kahan's formula, accurate also for small angles.
   const glm::vec3 u = a * glm::length(b), v = b * glm::length(a);
   return 2 * std::atan2(glm::length(u - v), glm::length(u + v));
 }

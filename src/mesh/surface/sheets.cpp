@@ -14,7 +14,7 @@ namespace {
 using Ids = std::vector<std::uint32_t>;
 using Three = std::array<std::uint32_t, 3>;
 
-// Numbers that are equal for vertices that were joined.
+// Union-find: numbers that are equal for joined vertices.
 class Groups {
  public:
   explicit Groups(std::size_t size) : parents_(size) {
@@ -32,7 +32,7 @@ class Groups {
   Ids parents_;
 };
 
-// Between two places, with the third corners of the triangles there.
+// An edge between two positions, with the third corners of its triangles.
 struct SheetEdge {
   std::uint32_t oneCorner, otherCorner = none;
   bool isOfTwo = true;
@@ -59,15 +59,15 @@ class Search {
       for (const std::uint32_t i : *triangles)
         forEachEdge(i, [&](const Use& use) { joinAlong(use, groups); });
     }
-    return numbered(groups);
+    return numberValues(groups);
   }
 
  private:
   struct Use {
     SheetEdge& edge;
     bool isForwards;
-    std::uint32_t corner;               // the place of the third
-    std::array<std::uint32_t, 2> ends;  // corners, as the edge has them
+    std::uint32_t corner;               // the position of the third corner
+    std::array<std::uint32_t, 2> ends;  // corners, in the order of the edge
   };
 
   Three placesOf(std::uint32_t triangle) const {
@@ -80,7 +80,7 @@ class Search {
 
   void findTwoSided() {
     Pairs pairs, triples;
-    std::vector<std::array<bool, 2>> isThere;  // by three places, in each sense
+    std::vector<std::array<bool, 2>> isThere;  // by three positions, in each orientation
     std::vector<std::pair<std::uint32_t, bool>> triangles;
     for (std::uint32_t i = 0; i < mesh_.triangleCount(); ++i) {
       Three p = placesOf(i);
@@ -100,11 +100,11 @@ class Search {
     if (!twoSided_.empty()) findOnBothSides(triangles);
   }
 
-  // `triangles` have the number of their three places, and their sense.
+  // `triangles` have the number of their three positions, and their orientation.
   void findOnBothSides(const std::vector<std::pair<std::uint32_t, bool>>& triangles) {
     isOnBothSides_.resize(mesh_.vertexCount());
     Pairs uses;
-    std::vector<bool> senses;  // in which a vertex was used first
+    std::vector<bool> senses;  // the orientation in which a vertex was used first
     for (const std::uint32_t i : twoSided_) {
       const auto& [triple, isLeft] = triangles[i];
       for (const std::uint32_t vertex : mesh_.corners(i)) {
@@ -116,7 +116,7 @@ class Search {
     }
   }
 
-  // Triangles of one side that touch the others: they go on from one of the sides.
+  // One-sided triangles adjacent to the others: they continue one of the sides.
   void findOthersThere() {
     isThere_.resize(mesh_.vertexCount());
     for (const std::uint32_t i : twoSided_) {
@@ -155,7 +155,7 @@ class Search {
     edge.isOfTwo = edge.isOfTwo && use.corner == edge.otherCorner;
   }
 
-  // Whoever made one vertex of corners meant them to be one.
+  // Corners that share a vertex are meant to be joined.
   void joinAtVertices(Groups& groups) const {
     Ids first(mesh_.vertexCount(), none);
     for (const auto* triangles : {&twoSided_, &others_}) {
@@ -170,7 +170,7 @@ class Search {
     }
   }
 
-  // Neighbours of one side pass their edge in opposite directions.
+  // Neighbors on one side traverse their edge in opposite directions.
   static void joinAlong(const Use& use, Groups& groups) {
     const SheetEdge& edge = use.edge;
     const bool isOne = use.corner == edge.oneCorner;
@@ -182,7 +182,7 @@ class Search {
     }
   }
 
-  Sheets numbered(Groups& groups) {
+  Sheets numberValues(Groups& groups) {
     Sheets sheets{Ids(3 * mesh_.triangleCount(), none), 0, std::move(isOnBothSides_)};
     Ids ofGroups(sheets.ofCorners.size(), none);
     for (const auto* triangles : {&twoSided_, &others_}) {
@@ -202,7 +202,7 @@ class Search {
   const Mesh& mesh_;
   const Ids& places_;
   Ids twoSided_, others_;      // triangles
-  std::vector<bool> isThere_;  // by place: whether a two-sided triangle is
+  std::vector<bool> isThere_;  // by position: true if it has a two-sided triangle
   std::vector<bool> isOnBothSides_;
   Pairs numbers_;
   std::vector<SheetEdge> edges_;

@@ -16,8 +16,9 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
-// Parts of the mesh's size, of a unit normal, and of a unit of uv that count as nothing. Only what
-// rounding errors part is one: the two ends of a circle, sin(0) and sin(2 pi).
+// Grains: the shares of the mesh's size, of a unit normal, and of a unit of uv below which
+// differences are ignored. They only merge values that differ by rounding errors, such as the two
+// ends of a circle, sin(0) and sin(2 pi).
 constexpr double positionGrain = 0x1p-20, normalGrain = 0x1p-10, uvGrain = 0x1p-20;
 
 glm::dvec3 vectorAt(const std::vector<float>& numbers, std::uint32_t vertex) {
@@ -31,8 +32,8 @@ double largest(const std::vector<float>& numbers) {
   return most;
 }
 
-// For each vertex the number of what it has, where all that one grain of a grid holds are the same.
-Ids numbered(const std::vector<float>& numbers, std::size_t size, double grain) {
+// Numbers the values of vertices; values in the same cell of a grid with that grain are equal.
+Ids numberValues(const std::vector<float>& numbers, std::size_t size, double grain) {
   Welder welder;
   Ids found;
   for (std::size_t i = 0; i < numbers.size(); i += size) {
@@ -44,7 +45,7 @@ Ids numbered(const std::vector<float>& numbers, std::size_t size, double grain) 
   return found;
 }
 
-Ids paired(const Ids& first, const Ids& second) {
+Ids pairIds(const Ids& first, const Ids& second) {
   Pairs pairs;
   Ids found;
   std::uint32_t count = 0;
@@ -55,8 +56,8 @@ Ids paired(const Ids& first, const Ids& second) {
   return found;
 }
 
-// Turns directions as the shortest way does from one unit vector to another, which are not opposite
-// (Rodrigues' formula, with the sine and cosine as cross and dot product).
+// The shortest rotation from one unit vector to another that isn't opposite (Rodrigues' formula,
+// with sine and cosine from cross and dot product).
 struct Turn {
   glm::dvec3 axis;
   double cosine;
@@ -69,7 +70,7 @@ struct Turn {
   }
 };
 
-// A weighted mean of some gradients.
+// The weighted mean of gradients.
 template <std::size_t size>
 struct Mean {
   std::array<glm::dvec3, size> sums{};
@@ -88,11 +89,11 @@ struct Mean {
 class Estimate {
  public:
   explicit Estimate(Mesh& mesh) : mesh_(mesh) {
-    places_ = numbered(mesh.positions, 3, largest(mesh.positions) * positionGrain);
-    smooth_ = paired(places_, numbered(mesh.normals, 3, normalGrain));
+    places_ = numberValues(mesh.positions, 3, largest(mesh.positions) * positionGrain);
+    smooth_ = pairIds(places_, numberValues(mesh.normals, 3, normalGrain));
     ofNormals_.resize(mesh.vertexCount());
     if (mesh.uvs.empty()) return;
-    seamless_ = paired(smooth_, numbered(mesh.uvs, 2, uvGrain));
+    seamless_ = pairIds(smooth_, numberValues(mesh.uvs, 2, uvGrain));
     ofUvs_.resize(mesh.vertexCount());
   }
 
@@ -107,7 +108,7 @@ class Estimate {
   using Three = std::array<glm::dvec3, 3>;
 
   void addTriangle(const Corners& corners) {
-    // As a sphere has them at its poles.
+    // Degenerate triangles, which spheres have at their poles.
     const auto isSide = [&](int i, int j) { return places_[corners[i]] != places_[corners[j]]; };
     if (!(isSide(0, 1) && isSide(1, 2) && isSide(2, 0))) return;
     Three p, normals, sides;
@@ -118,14 +119,14 @@ class Estimate {
     }
     for (int i = 0; i < 3; ++i) sides[i] = p[(i + 2) % 3] - p[(i + 1) % 3];
     const glm::dvec3 across = glm::cross(sides[0], sides[1]);
-    const double area = glm::length(across);  // twice
+    const double area = glm::length(across);  // twice the area
     if (!(area > 0)) return;
     const glm::dvec3 facing = across / area;
-    // What is 1 at a corner and 0 at the other two rises by this.
+    // The gradient of the function that is 1 at one corner and 0 at the other two.
     Three rises;
     for (int i = 0; i < 3; ++i) rises[i] = glm::cross(facing, sides[i]) / area;
     for (int i = 0; i < 3; ++i) {
-      // The sine of the angle: a flat corner, of a triangle of hardly any height, says little.
+      // The sine of the angle: flat corners of triangles with very small height get little weight.
       const double weight =
           area / (glm::length(sides[(i + 1) % 3]) * glm::length(sides[(i + 2) % 3]));
       const glm::dvec3 normal = glm::normalize(normals[i]);
@@ -164,7 +165,7 @@ class Estimate {
   }
 
   Mesh& mesh_;
-  Ids places_, smooth_, seamless_;  // by vertex, with whom it shares what
+  Ids places_, smooth_, seamless_;  // by vertex: groups of vertices that share values
   std::vector<Mean<3>> ofNormals_;
   std::vector<Mean<2>> ofUvs_;
 };

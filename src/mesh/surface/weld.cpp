@@ -6,7 +6,7 @@ namespace warpjet {
 
 namespace {
 
-// By bits, so that NaN equals itself too; the sum makes -0 a 0.
+// Compares bits, so that NaN equals itself; the sum turns -0 into 0.
 std::uint32_t bits(float x) { return __builtin_bit_cast(std::uint32_t, x + 0.0f); }
 
 std::size_t hash(const Position& p) {

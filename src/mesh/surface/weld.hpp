@@ -1,5 +1,5 @@
-// Positions enter, numbers leave: equal positions have equal numbers, whatever else their vertices
-// have. Nothing near is welded, only what is equal (0 and -0 are).
+// Numbers positions: equal positions have equal numbers, whatever other attributes their vertices
+// have. Only equal positions are welded (0 equals -0), not close ones.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ using Position = std::array<float, 3>;
 
 class Welder {
  public:
-  // Numbers count from 0 in the order in which positions come for the first time.
+  // Numbers count from 0 in the order of first occurrence.
   std::uint32_t weld(const Position& position);
 
-  // As it came for the first time.
+  // The position as it first occurred.
   const Position& position(std::uint32_t number) const { return positions_[number]; }
 
  private:

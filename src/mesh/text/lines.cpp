@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/sentences.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/text/number.hpp"
 
@@ -12,10 +12,10 @@ namespace warpjet {
 
 namespace {
 
-// Within a line, as joined ones have them.
+// White space within a line; joined lines contain line breaks.
 bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// A # inside a word is part of it, as in my#1.mtl or 1.#QNAN, but not behind a digit.
+// A # inside of a word is part of it, as in my#1.mtl or 1.#QNAN, except after a digit.
 std::string_view withoutComment(std::string_view line) {
   std::size_t at = line.find('#');
   while (at != line.npos && at > 0 && !isSpace(line[at - 1]) &&
@@ -24,13 +24,13 @@ std::string_view withoutComment(std::string_view line) {
   return line.substr(0, at);
 }
 
-// Whether it ends in the backslash that joins the next line.
+// True if it ends with the backslash that joins the next line.
 bool isContinued(std::string_view line) { return line.ends_with('\\') || line.ends_with("\\\r"); }
 
 }  // namespace
 
 std::string_view TextLine::word() {
-  // A backslash alone joined two lines.
+  // A backslash joins two lines.
   do {
     const auto start = std::find_if_not(rest_.begin(), rest_.end(), isSpace);
     rest_.remove_prefix(static_cast<std::size_t>(start - rest_.begin()));
@@ -52,7 +52,7 @@ std::string_view TextLine::rest() const {
 }
 
 std::string TextLine::problem(const std::string& what) const {
-  return "line " + grouped(number_) + " of the ." + std::string(format_) + ' ' + what +
+  return "line " + groupDigits(number_) + " of the ." + std::string(format_) + ' ' + what +
          "; export the model again.";
 }
 

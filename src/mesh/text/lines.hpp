@@ -1,5 +1,5 @@
-// The lines of OBJ, MTL and STL files, and the words and numbers on them. The text ends where it
-// ends: nothing needs a zero behind it.
+// The lines of OBJ, MTL and STL files, and the words and numbers on them. The text needs no
+// terminating zero.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace warpjet {
 
-template <std::size_t most>
+template <std::size_t maxCount>
 struct LineNumbers {
-  std::array<float, most> values{};
+  std::array<float, maxCount> values{};
   std::size_t count = 0;
-  bool isFinite = true;  // those that were read
+  bool isFinite = true;  // of the numbers that were read
 };
 
 class TextLine {
@@ -23,21 +23,21 @@ class TextLine {
   TextLine(std::string_view text, std::string_view format, std::size_t number)
       : rest_(text), format_(format), number_(number) {}
 
-  // The next one on the line; empty at its end.
+  // The next word on the line; empty at its end.
   std::string_view word();
 
-  // All that is left, without spaces around it, as names have it.
+  // The rest of the line, without spaces around it, which is how names are written.
   std::string_view rest() const;
 
-  // A number, or NaN for an infinite one and for what programs print in its place. Throws a
-  // FileProblem for anything else.
+  // A number; NaN for infinity and for the NaN spellings of other programs. Throws a FileProblem
+  // for anything else.
   float number(std::string_view word);
 
-  // As many as there are, up to `most`; what lies beyond is ignored.
-  template <std::size_t most>
-  LineNumbers<most> numbers() {
-    LineNumbers<most> numbers;
-    for (std::string_view text = word(); !text.empty() && numbers.count < most; text = word()) {
+  // Reads up to `maxCount` numbers; ignores the rest.
+  template <std::size_t maxCount>
+  LineNumbers<maxCount> numbers() {
+    LineNumbers<maxCount> numbers;
+    for (std::string_view text = word(); !text.empty() && numbers.count < maxCount; text = word()) {
       const float value = number(text);
       numbers.isFinite &= value == value;
       numbers.values[numbers.count++] = value;
@@ -45,11 +45,11 @@ class TextLine {
     return numbers;
   }
 
-  // A sentence: the line and what is wrong with it.
+  // A message with the line and its problem.
   std::string problem(const std::string& what) const;
-  // The sentence about the first number that became NaN.
+  // The message about the first number that became NaN.
   std::string problemOfNumber() const;
-  // Throws a FileProblem with that sentence.
+  // Throws a FileProblem with that message.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
@@ -58,8 +58,8 @@ class TextLine {
   std::string_view nonNumber_;
 };
 
-// Lines end in LF or CR LF, or in CR where the whole text has no LF. A backslash at the end joins
-// the next line to it; a byte order mark at the start and what follows a # are left out.
+// Lines end with LF or CR LF, or with CR if the whole text has no LF. A backslash at the end joins
+// the next line; a byte order mark at the start and comments after # are skipped.
 class TextLines {
  public:
   TextLines(std::string_view text, std::string_view format)

@@ -1,4 +1,4 @@
-// Decimal numbers in text files.
+// Parses decimal numbers of text files.
 #pragma once
 
 #include <optional>
@@ -6,11 +6,11 @@
 
 namespace warpjet {
 
-// A decimal number such as -1.5e3, or nothing. Right to the last bit or next to it: up to 19 digits
-// are read, and powers of ten are multiplied in double. Too large a number is infinite.
+// A decimal number such as -1.5e3, or nullopt. Accurate to one unit in the last place: up to 19
+// digits are read, and powers of ten are multiplied in double. Too large numbers are infinite.
 std::optional<float> parsedFloat(std::string_view text);
 
-// Whether it is what programs print for NaN or an infinity: "nan", "-nan(ind)", "1.#QNAN", "inf".
+// True for spellings of NaN or infinity: "nan", "-nan(ind)", "1.#QNAN", "inf".
 bool isPrintedNonNumber(std::string_view text);
 
 }  // namespace warpjet

@@ -1,5 +1,5 @@
-// What becomes of a row by itself: that nothing else is needed is seen by there being nothing else.
-// Numbers and texts are worked out by hand.
+// A row works without any other change: the build proves it, since nothing else is added. Numbers
+// and code are computed by hand.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -14,8 +14,8 @@ class OwnRow : public testing::Test, protected Bench {
  protected:
   int y = input("y");
 
-  // The program of one result, a number, that depends on x or on x and y: the first number that it
-  // is given, and the last.
+  // The program of one scalar result that depends on x or on x and y: the first input number, and
+  // the last.
   Program programOf(int result) {
     builder.output("gen", "result", result);
     EXPECT_TRUE(builder.finish()) << builder.problem();
@@ -59,12 +59,12 @@ class OwnRow : public testing::Test, protected Bench {
   }
 
   static std::string whole(const Builder& from, const Dialect& dialect) {
-    const Written made = write(from.module(), dialect);
+    const ShaderTextResult made = write(from.module(), dialect);
     return made.text ? made.text->declarations + made.text->emitted.code : made.problem;
   }
 
  private:
-  std::size_t count_ = 0;  // of all numbers of inputs
+  std::size_t count_ = 0;  // number of all input numbers
 };
 
 TEST_F(OwnRow, HasAValueThatConstantsFoldTo) {
@@ -100,12 +100,12 @@ TEST_F(OwnRow, HasATextInEachLanguage) {
   }
   EXPECT_TRUE(webgl2.find("size = length(vec2(x, y));") != webgl2.npos) << webgl2;
   EXPECT_TRUE(webgpu.find("size = length(vec2f(x, y));") != webgpu.npos) << webgpu;
-  // Lowered.
+  // lowered
   EXPECT_TRUE(webgl.find("root = sign(x) * pow(abs(x), 0.33333334);") != webgl.npos) << webgl;
   EXPECT_TRUE(webgl.find("whole = floor(x / y + 0.5);") != webgl.npos) << webgl;
 }
 
-// More than there are lanes in a register, and not a multiple of them.
+// More vertices than lanes in a register, and not a multiple of them.
 TEST_F(OwnRow, OfPlainNumbersTakesEachLane) {
   const Program program = programOf(call("cbrt", {x}));
   EXPECT_EQ(inLanes(program, {-8, -1, 0, 1, 8, 27}, {}), (std::vector<float>{-2, -1, 0, 1, 2, 3}));

@@ -1,9 +1,9 @@
-// Calls of the walk: functions of the text, built-in ones and constructors.
+// Interprets calls: of functions in the source, built-in functions and constructors.
 import { builtIns } from '../built-ins.js'
 import { Expressions } from './expressions.js'
 import { convert, fresh, layoutOf, matrixType, numbersOf, vary, write } from './values.js'
 
-/** `f(void)` has none. */
+/** `f(void)` has no parameters. */
 const isNamed = ({ identifier }) => identifier
 
 export class Calls extends Expressions {

@@ -1,4 +1,4 @@
-// Expressions of the walk: operators, and parts of values.
+// Interprets expressions: operators, and components of values.
 import { ofKind } from '../built-ins.js'
 import { Names } from './names.js'
 import {
@@ -6,7 +6,7 @@ import {
   fail,
   fresh,
   layoutOf,
-  multiplied,
+  multiply,
   numbersOf,
   operations,
   part,
@@ -140,7 +140,7 @@ export class Expressions extends Names {
     if (comparisons[op]) return fresh('bool', [comparisons[op](x[0], y[0])])
     const [a, b] = [layoutOf(left.type), layoutOf(right.type)]
     if (op === '*' && Math.max(a.columns, b.columns) > 1 && x.length > 1 && y.length > 1)
-      return multiplied(a, x, b, y, vary(left, right))
+      return multiply(a, x, b, y, vary(left, right))
     const f = operations[op]
     const type = x.length >= y.length ? left.type : right.type
     const at = (list, i) => list[list.length === 1 ? 0 : i]

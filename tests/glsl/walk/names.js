@@ -1,4 +1,4 @@
-// Types and names of the walk: how many numbers a type has, and which of them a name stands for.
+// Types and names: the number of components of a type, and the components that a name selects.
 import { fail, fresh, layoutOf, numbersOf } from './values.js'
 
 export class Names {
@@ -18,7 +18,7 @@ export class Names {
     return this.structures[type].reduce((sum, field) => sum + this.sizeOf(field.type), 0)
   }
 
-  /** Of what has a specifier, and perhaps a length after its name. */
+  /** Returns the type of a declaration with a specifier, and possibly an array length after its name. */
   typeOf({ specifier, quantifier }) {
     const word = specifier.specifier ?? specifier
     const named = word.type === 'struct' ? this.structure(word) : (word.token ?? word.identifier)

@@ -1,4 +1,4 @@
-// Statements of the walk, each of which gives how it ends, or nothing where the next one follows.
+// Interprets statements; each returns how it ends, or `undefined` if the next one follows.
 import { Calls } from './calls.js'
 import { fail, numbersOf, vary } from './values.js'
 

@@ -1,10 +1,10 @@
-// Values of the walk: numbers with their types, and what operators make of them.
+// Values: numbers with their types, and the results of operators on them.
 
 export const fail = (sentence) => {
   throw new SyntaxError(`the walk: ${sentence}`)
 }
 
-/** What numbers a type has: { kind, columns, rows }, or nothing of structures and arrays. */
+/** Returns { kind, columns, rows } of a type; `undefined` for structures and arrays. */
 export function layoutOf(type) {
   const [, letter, size] = /^([iub]?)vec(\d)$/.exec(type) ?? []
   if (size) {
@@ -44,11 +44,11 @@ export const comparisons = {
   '>=': (x, y) => x >= y,
 }
 
-/** Numbers of a variable or of their own: those of `of` at the places `at`. */
+/** Numbers of a variable or of their own: those of `of` at the indices `at`. */
 export const part = (type, of, at) => ({ type, of, at })
 export const numbersOf = ({ of, at }) => at.map((place) => of[place])
 
-/** Those that read the arguments vary; all others are known to a shader's compiler, and count in float32. */
+/** Values that depend on the arguments vary; all others are known to a shader's compiler, and rounded to float32. */
 export const varying = new WeakSet()
 export const vary = (...values) => values.some(({ of }) => varying.has(of))
 export function fresh(type, numbers, isVarying) {
@@ -62,8 +62,8 @@ export function write({ of, at }, numbers, isVarying) {
   else if (at.length === of.length) varying.delete(of)
 }
 
-/** A vector before a matrix is a row, one after it a column. */
-export function multiplied(a, x, b, y, isVarying) {
+/** A vector to the left of a matrix is a row, one to its right a column. */
+export function multiply(a, x, b, y, isVarying) {
   const [rows, inner] = a.columns > 1 ? [a.rows, a.columns] : [1, a.rows]
   const columns = b.columns > 1 ? b.columns : 1
   const at = (row, k) => (a.columns > 1 ? x[k * rows + row] : x[k])

@@ -1,11 +1,10 @@
-// Operations of two and more numbers, and of vectors by component. See scalars.js for what a row
-// has.
+// Operations on two or more numbers, and on vectors by component. scalars.js describes rows.
 import {
   awayFromZero,
   binary,
   byComponent,
   close,
-  meeting,
+  makeOperandsMeet,
   pick,
   span,
   ternary,
@@ -24,22 +23,19 @@ const both = (name, f, domains, more) => ({
 const anything = span(-3, 3, { at: [0] })
 const divisor = awayFromZero(0.25, 3)
 
-/** Operations that take any number of operands, from left to right. */
-const chained = (name, f, domains, more) => ({
+/** Operations with any number of operands, applied from left to right. */
+const chainRow = (name, f, domains, more) => ({
   ...both(name, (first, ...others) => others.reduce(f, first), domains, more),
   shapes: [...binary, [1, 1, 1], [2, 1, 2], [3, 3, 3, 3], [1, 4, 1, 4]],
 })
 
 const sum = (a, b) => a + b
 const product = (a, b) => a * b
-const ties = { kinks: 'where operands are equal', adjust: meeting }
+const ties = { kinks: 'where operands are equal', adjust: makeOperandsMeet }
 
 const mod = (x, y) => x - y * Math.floor(x / y)
 
-/**
- * Brings x close to a multiple of y, 1e-4 at the least: there float32 cannot be in doubt on which
- * side it is.
- */
+/** Brings x close to a multiple of y, but not closer than 1e-4, so that float32 is on the right side. */
 function nearMultiples([xs, ys], random) {
   const moved = xs.map((x, i) => {
     const y = ys[i % ys.length]
@@ -49,7 +45,7 @@ function nearMultiples([xs, ys], random) {
   return [moved, ys]
 }
 
-/** x to whole constant exponents, four at a time. */
+/** x to constant integer exponents, four at a time. */
 const wholePowers = [-16, -12, -8, -4, 0, 4, 8, 12, 16].map((first) => {
   const exponents = first === 16 ? [16, 2, -1, -3] : [0, 1, 2, 3].map((i) => first + i)
   return {
@@ -105,10 +101,10 @@ const vectorOfWholePowers = {
 }
 
 const arithmeticRows = [
-  chained('add', sum, [anything]),
-  chained('sub', (a, b) => a - b, [anything]),
-  chained('mult', product, [anything]),
-  chained('div', (a, b) => a / b, [anything, divisor]),
+  chainRow('add', sum, [anything]),
+  chainRow('sub', (a, b) => a - b, [anything]),
+  chainRow('mult', product, [anything]),
+  chainRow('div', (a, b) => a / b, [anything, divisor]),
   both('pow', (x, y) => x ** y, [span(0.05, 4), span(-3, 3, { at: [0, 1, 2] })], {
     tolerance: power,
   }),
@@ -116,7 +112,7 @@ const arithmeticRows = [
   ...otherPowers,
   constantBase,
   vectorOfWholePowers,
-  // The least distance from the origin, where all angles meet, is 0.05.
+  // The min distance from the origin, where all angles meet, is 0.05.
   both('atan', Math.atan2, [anything], {
     kinks: 'where the angle jumps from π to -π',
     adjust: ([ys, xs]) => [
@@ -132,8 +128,8 @@ const arithmeticRows = [
     adjust: nearMultiples,
     shapes: binary.filter(([x, y]) => x >= y),
   }),
-  chained('min', (a, b) => (b < a ? b : a), [anything], ties),
-  chained('max', (a, b) => (b > a ? b : a), [anything], ties),
+  chainRow('min', (a, b) => (b < a ? b : a), [anything], ties),
+  chainRow('max', (a, b) => (b > a ? b : a), [anything], ties),
 ]
 
 const clamp = (x, low, high) => (high < (x > low ? x : low) ? high : x > low ? x : low)
@@ -144,7 +140,7 @@ function smoothstep(low, high, x) {
   return t * t * (3 - 2 * t)
 }
 
-/** Bounds at least 0.3 apart, in either order, and x sometimes at or close to one of them. */
+/** Bounds at least 0.3 apart, in either order; x is sometimes at or close to one of them. */
 function apart([lows, highs, xs], random) {
   const size = Math.max(lows.length, highs.length)
   const bounds = Array.from({ length: size }, (_, i) => [lows, highs].map((b) => b[i % b.length]))
@@ -163,7 +159,7 @@ const all = (name, f, domains, more) => ({ ...both(name, f, domains, more), shap
 const piecewise = [
   all('clamp', clamp, [anything], {
     kinks: 'at the bounds, and where they are equal',
-    adjust: meeting,
+    adjust: makeOperandsMeet,
   }),
   all('mix', mix, [anything, anything, span(-0.5, 1.5, { at: wholes(1) })]),
   { ...both('step', (edge, x) => (x < edge ? 0 : 1), [anything], ties), kinks: 'at the edge' },
@@ -173,7 +169,7 @@ const piecewise = [
   }),
 ]
 
-/** The same operation by another name of glsl-autodiff's. */
+/** The same operation by another name in glsl-autodiff. */
 const alias = (name, original, shapes) => ({
   ...[...arithmeticRows, ...piecewise].find((row) => row.name === original),
   name,

@@ -1,5 +1,5 @@
-// Derivatives as expressions. The reference has the derivatives worked out by hand, and the tests
-// differentiate them once more. See scalars.js for what a row has.
+// Derivatives as expressions. The reference has the derivatives computed by hand, and the tests differentiate them once more.
+// scalars.js describes rows.
 import { product } from './matrices.js'
 import { span } from './row.js'
 import { sine } from './tolerances.js'
@@ -51,7 +51,7 @@ export const calculus = [
     shapes: [['mat2', 'mat2']],
     result: () => 'mat2',
     build: ({ call }, m, n) => call(m.mult(n).mult(m), m.column(1).x()),
-    // With E, 1 in row 0 and column 1 and else 0, it is E n m + m n E.
+    // With E, which is 1 in row 0 and column 1 and otherwise 0, the derivative is E n m + m n E.
     reference(m, n) {
       const e = [0, 0, 1, 0]
       const right = product(product(m, n), e)

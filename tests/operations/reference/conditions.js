@@ -1,6 +1,5 @@
-// Comparisons, logic and choices. A comparison of vectors goes by component. See scalars.js for
-// what a row has.
-import { binary, meeting, span } from './row.js'
+// Comparisons, logic and selection. A comparison of vectors works by component. scalars.js describes rows.
+import { binary, makeOperandsMeet, span } from './row.js'
 
 const number = span(-2, 2, { at: [0, 1] })
 const truth = (condition) => (condition ? 1 : 0)
@@ -14,7 +13,7 @@ const comparison = (name, holds) => ({
   shapes: binary,
   result: truths,
   domains: [number],
-  adjust: meeting,
+  adjust: makeOperandsMeet,
   kinks: 'where both are equal',
   reference: (a, b) =>
     Array.from({ length: Math.max(a.length, b.length) }, (_, i) =>

@@ -1,11 +1,10 @@
-// Functions of the user's, in GLSL and WGSL, with their derivatives in each of the ways that there
-// are. See scalars.js for what a row has.
+// User functions in GLSL and WGSL, with their derivatives in each supported way. scalars.js describes rows.
 import { span } from './row.js'
 import { sine } from './tolerances.js'
 
 const { sin, cos } = Math
 
-/** One of numbers as text of both languages. */
+/** A function of numbers as source of both languages. */
 function source(name, names, body) {
   const parameters = (text) => names.map(text).join(', ')
   return {
@@ -22,10 +21,7 @@ const bump = {
   derivatives: [(x, y) => x.mult(y, 2).add(1), (x) => x.mult(x)],
 }
 
-/**
- * sin(3 x), with another such function as its derivative, 3 cos(3 x), which has an expression for
- * its own.
- */
+/** sin(3 x), with another user function as its derivative, 3 cos(3 x), whose derivative is an expression. */
 function wave(glsl) {
   const slope = glsl.fn({
     name: 'waveSlope',
@@ -42,7 +38,7 @@ function wave(glsl) {
 }
 
 /** 2 x - 0.5 y, whose derivatives are the number 2 and an expression. */
-const slanted = (glsl) => ({
+const slantFunction = (glsl) => ({
   name: 'slanted',
   arity: 2,
   source: source('slanted', ['x', 'y'], '2.0 * x - 0.5 * y'),
@@ -103,7 +99,7 @@ export const functions = [
   row(
     [1, 1],
     'a number and an expression as derivatives',
-    ({ glsl, call }, x, y) => call(slanted(glsl))(x, y),
+    ({ glsl, call }, x, y) => call(slantFunction(glsl))(x, y),
     ([x], [y]) => [2 * x - 0.5 * y],
   ),
 ]

@@ -1,4 +1,4 @@
-// Matrices, column after column as GLSL has them. See scalars.js for what a row has.
+// Matrices in column-major order, as in GLSL. scalars.js describes rows.
 import { awayFromZero, span } from './row.js'
 import { sine } from './tolerances.js'
 
@@ -8,7 +8,7 @@ const indices = (size) => [0, 1, 2, 3].slice(0, size)
 const sizeOf = (matrix) => Math.sqrt(matrix.length)
 const matrix = (size) => `mat${size}`
 
-/** The matrix of that size with `f(row, column)` for entries. */
+/** Returns the matrix of that size with the entries `f(row, column)`. */
 const fill = (size, f) =>
   indices(size).flatMap((column) => indices(size).map((row) => f(row, column)))
 
@@ -24,7 +24,7 @@ const timesVector = (m, v) => v.map((_, row) => dot(rowOf(m, row), v))
 const vectorTimes = (v, m) => v.map((_, column) => dot(columnOf(m, column), v))
 const byEntry = (f) => (a, b) => a.map((x, i) => f(x, b[b.length === 1 ? 0 : i]))
 
-/** By expansion along the first row. */
+/** Computes the determinant by expansion along the first row. */
 function determinant(m) {
   const size = sizeOf(m)
   if (size === 1) return m[0]
@@ -35,11 +35,11 @@ function determinant(m) {
   )
 }
 
-/** Without that row and column. */
+/** Returns the minor without that row and column. */
 const minor = (m, row, column) =>
   m.filter((_, i) => i % sizeOf(m) !== row && Math.floor(i / sizeOf(m)) !== column)
 
-/** By elimination with pivots: not the way of cofactors, that a compiler takes. */
+/** Computes the inverse by elimination with pivots, rather than by cofactors like the compiler. */
 function inverse(m) {
   const size = sizeOf(m)
   const rows = indices(size).map((row) => [
@@ -62,13 +62,13 @@ function inverse(m) {
 
 const condition = (m) => [norm(m) * norm(inverse(m))]
 
-/** For `adjust`: a matrix that is close to singular gets a larger diagonal. */
+/** For `adjust`: increases the diagonal of a matrix that is close to singular. */
 const regular = ([m]) => {
   const isClose = Math.abs(determinant(m)) < 0.2
   return [isClose ? m.map((x, i) => x + (i % (sizeOf(m) + 1) ? 0 : 3)) : m]
 }
 
-/** Rodrigues' formula, with the axis brought to length 1. */
+/** Rodrigues' formula, with a normalized axis. */
 function rotation(axis, angle) {
   const [x, y, z] = axis.map((value) => value / norm(axis))
   const [c, s] = [Math.cos(angle), Math.sin(angle)]
@@ -131,7 +131,7 @@ const byEntries = [
   reference,
 }))
 
-/** Operations of a matrix alone. */
+/** Operations on a single matrix. */
 const ofMatrix = (name, reference, more) => ({
   name,
   note: 'of a matrix',
@@ -156,7 +156,7 @@ const parts = (name, reference) =>
     })),
   )
 
-const joined = (...parts) => parts.flat()
+const join = (...parts) => parts.flat()
 
 const constructors = sizes.flatMap((size) => {
   const name = matrix(size)
@@ -171,8 +171,8 @@ const constructors = sizes.flatMap((size) => {
     ...more,
   })
   return [
-    row(Array(size).fill(size), 'of columns', joined),
-    row(Array(size * size).fill(1), 'of numbers', joined),
+    row(Array(size).fill(size), 'of columns', join),
+    row(Array(size * size).fill(1), 'of numbers', join),
     row([1], 'a diagonal', ([x]) => fill(size, (i, j) => (i === j ? x : 0))),
     row(Array(size).fill(size), 'of rows', (...rows) => transpose(rows.flat()), {
       name: `${name}Rows`,

@@ -1,14 +1,13 @@
-// What the rows of the reference are written with: domains to sample, and operations by component.
+// Helpers for the rows of the reference: domains to sample, and operations by component.
 
-/** -0.1 to 0.1, mostly much less. */
+/** Returns numbers from -0.1 to 0.1, mostly much smaller. */
 export const close = (random) => (random() < 0.5 ? -1 : 1) * 10 ** -(1 + 3 * random())
 
 export const pick = (list, random) => list[Math.floor(list.length * random())]
 
 /**
- * A domain: numbers from `from` to `to`. One in twelve is one of `at`, two in ten are close to one
- * of `near`, which are kinks or the ends of the domain. A domain is a function of a source of
- * random numbers.
+ * Makes a domain: numbers from `from` to `to`. One in twelve is one of `at`, two in ten are close to one of `near`, which are
+ * kinks or the ends of the domain. A domain is a function of a source of random numbers.
  */
 export const span =
   (from, to, { at = [], near = at } = {}) =>
@@ -23,15 +22,12 @@ export const span =
 export const awayFromZero = (least, most) => (random) =>
   (random() < 0.5 ? -1 : 1) * (least + (most - least) * random())
 
-/** Whole numbers and halves, from -`most` to `most`. */
+/** Integers and halves, from -`most` to `most`. */
 export const wholes = (most) => Array.from({ length: 2 * most + 1 }, (_, i) => i - most)
 export const halves = (most) => wholes(most).map((n) => n + 0.5)
 
-/**
- * For `adjust`: brings some components of the other operands close to those of the first, or upon
- * them.
- */
-export const meeting = (operands, random) =>
+/** For `adjust`: brings some components of the other operands close to, or exactly to, those of the first. */
+export const makeOperandsMeet = (operands, random) =>
   operands.map((operand, k) =>
     operand.map((x, c) => {
       const chance = k === 0 ? 1 : random()
@@ -40,7 +36,7 @@ export const meeting = (operands, random) =>
     }),
   )
 
-/** A function of numbers as one of vectors, component by component; a number counts for each. */
+/** Applies a function of numbers to vectors by component; a number applies to each component. */
 export const byComponent =
   (f) =>
   (...operands) => {
@@ -50,7 +46,7 @@ export const byComponent =
     return widestOne.map((_, i) => f(...operands.map((x) => x[x.length === 1 ? 0 : i])))
   }
 
-/** The shape of a result by component. */
+/** Returns the shape of a result by component. */
 export const widest = (shapes) => Math.max(...shapes)
 
 export const unary = [[1], [2], [3], [4]]
@@ -77,5 +73,5 @@ export const letterSets = ['xyzw', 'rgba', 'stpq', 'uv']
 
 const indexOf = (letter) => Math.max(...letterSets.map((letters) => letters.indexOf(letter)))
 
-/** The numbers that a swizzle takes from a vector. */
-export const swizzled = (name, v) => [...name].map((letter) => v[indexOf(letter)])
+/** Returns the numbers that a swizzle selects from a vector. */
+export const swizzle = (name, v) => [...name].map((letter) => v[indexOf(letter)])

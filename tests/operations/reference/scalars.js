@@ -1,16 +1,16 @@
-// Operations of one number, and of vectors by component, from GLSL's definitions. A row has
+// Operations on one number, and on vectors by component, from GLSL's definitions. A row has
 // - `name`, `shapes`: lists of the operands' shapes (1 to 4 for numbers and vectors, 'mat2' to
 //   'mat4');
-// - `domains`, one an operand, the last one for all that follow; `adjust` makes the operands of a
-//   point fit each other;
-// - `reference`, which knows nothing of the compiler: takes and gives lists of numbers, matrices
-//   column after column;
-// - `result`, the shape of the result, from the shapes of the operands; the widest of them unless
-//   given;
-// - `kinks`: where it has no derivative, or jumps; without it none may be found;
+// - `domains`, one per operand, the last one for all that follow; `adjust` makes the operands of a
+//   point compatible;
+// - `reference`, which is independent of the compiler: maps lists of numbers to a list, matrices in
+//   column-major order;
+// - `result`, the shape of the result, from the shapes of the operands; default: the
+//   widest of them;
+// - `kinks`: where it has no derivative, or jumps; without it tests fail at kinks;
 // - `tolerance` and `sensitivity`: see tolerances.js;
-// - `build({ glsl, call }, ...operands)`, if the operation is not just called with the operands;
-//   `call` calls it, as a method or as a function of the builder; `note` then says what is built.
+// - `build({ glsl, call }, ...operands)`, if calling the operation with the operands is not enough;
+//   `call` calls it, as a method or as a function of the builder; `note` describes the result.
 import { awayFromZero, byComponent, halves, span, unary, wholes } from './row.js'
 import { arcCosine, exponential, sine } from './tolerances.js'
 
@@ -29,7 +29,7 @@ function roundHalfToEven(x) {
 }
 
 const integers = { at: wholes(4) }
-/** Of 1 - x², in proportion. */
+/** The error is relative to 1 - x². */
 const toOne = (x) => 1 / Math.max(1e-7, 1 - x * x)
 const nearPole = byComponent((x) => 1 / Math.abs(Math.cos(x)))
 
@@ -39,7 +39,7 @@ export const scalars = [
   scalar('inversesqrt', (x) => 1 / Math.sqrt(x), span(0.02, 9), { tolerance: exponential }),
   scalar('sin', Math.sin, span(-7, 7, { at: [0] }), { tolerance: sine }),
   scalar('cos', Math.cos, span(-7, 7, { at: [0] }), { tolerance: sine }),
-  // Either side of its poles, as close as cos(x) is 0.2.
+  // On either side of the poles, up to cos(x) = 0.2.
   scalar(
     'tan',
     Math.tan,
@@ -61,11 +61,11 @@ export const scalars = [
   scalar('atan', Math.atan, span(-20, 20, { at: [0] })),
   scalar('sinh', Math.sinh, span(-4, 4, { at: [0] }), { tolerance: exponential }),
   scalar('cosh', Math.cosh, span(-4, 4, { at: [0] }), { tolerance: exponential }),
-  // Far out it is 1, and not the quotient of two infinite numbers.
+  // Far out the result is 1, rather than the quotient of two infinite numbers.
   scalar('tanh', Math.tanh, span(-5, 5, { at: [-90, 0, 50], near: [0] }), {
     tolerance: exponential,
   }),
-  // Far below zero, log(x + √(x² + 1)) would be the logarithm of nothing.
+  // Far below zero, log(x + √(x² + 1)) would be the logarithm of zero.
   scalar('asinh', Math.asinh, span(-30, 30, { at: [-1e4, 0, 1e4], near: [0] }), {
     tolerance: exponential,
   }),
@@ -102,7 +102,7 @@ export const scalars = [
   scalar('radians', (x) => (x / 180) * Math.PI, span(-400, 400, { at: [0] })),
   scalar('degrees', (x) => (x / Math.PI) * 180, span(-7, 7, { at: [0] })),
 
-  // A constant, as an operand beside an input.
+  // A constant, as an operand next to an input.
   {
     name: 'val',
     only: 'builder',

@@ -1,10 +1,9 @@
-// How far float32 on a GPU may be from the reference: { value, derivative, because }. An error is
-// measured in proportion to the expected number where that is above 1, and to the row's
-// `sensitivity` where it has one, { value, derivative, because }: by how much the mathematics
-// itself enlarges an error of an operand or of a rounding, one number for each component of the
-// result, worked out by hand. The bounds are two to four times what was measured on SwiftShader.
+// Tolerances of float32 on a GPU against the reference: { value, derivative, because }. An error is relative to the expected
+// number if that is above 1, and to the row's `sensitivity` if it has one, { value, derivative, because }: the factor by which
+// the mathematics itself amplifies an error of an operand or of rounding, one number for each component of the result, computed
+// by hand. The bounds are two to four times the errors measured on SwiftShader.
 
-/** Sums, products and quotients, roots, and whatever only chooses. */
+/** Sums, products and quotients, roots, and operations that only select. */
 export const rounding = {
   value: 2e-6,
   derivative: 2e-6,

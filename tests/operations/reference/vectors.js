@@ -1,5 +1,5 @@
-// Operations of whole vectors, and how vectors are made. See scalars.js for what a row has.
-import { span, swizzled } from './row.js'
+// Operations on whole vectors, and constructors of vectors. scalars.js describes rows.
+import { span, swizzle } from './row.js'
 
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0)
 const length = (v) => Math.sqrt(dot(v, v))
@@ -13,9 +13,7 @@ const pairs = sizes.map((size) => [size, size])
 const first = ([shape]) => shape
 const number = () => 1
 
-/**
- * For `adjust`: sometimes all operands are the same, or the first is zero, and often it is short.
- */
+/** For `adjust`: sometimes makes all operands equal, or the first zero, and often short. */
 const short = (operands, random) => {
   const chance = random()
   if (chance < 0.04) return operands.map(() => operands[0])
@@ -23,11 +21,11 @@ const short = (operands, random) => {
   return operands.map((operand, k) => (k === 0 ? times(operand, factor) : operand))
 }
 
-/** For `adjust`: nearly, but not quite, of length 1, as normals in a shader are. */
+/** For `adjust`: makes the length almost, but not exactly 1, like that of normals in a shader. */
 const nearlyUnit = (random) => (v) =>
   times(length(v) < 0.1 ? v.map(() => 1) : unit(v), 0.8 + 0.4 * random())
 
-/** What reflect and refract are given: an incident vector, a normal and whatever follows. */
+/** The operands of reflect and refract: an incident vector, a normal and possibly more. */
 const light = ([incident, normal, ...others], random) => [
   ...[incident, normal].map(nearlyUnit(random)),
   ...others,
@@ -42,7 +40,7 @@ function refract(incident, normal, [eta]) {
   return minus(times(incident, eta), times(normal, along))
 }
 
-const made = (name, shapes, note, reference, more) => ({
+const constructorRow = (name, shapes, note, reference, more) => ({
   name,
   note,
   only: 'builder',
@@ -53,23 +51,23 @@ const made = (name, shapes, note, reference, more) => ({
   ...more,
 })
 
-const joined = (...parts) => parts.flat()
+const join = (...parts) => parts.flat()
 
-/** Named by their letters, as methods; tests/core/operations.test.js has all of them. */
+/** Methods named by their letters; tests/core/operations.test.js tests all of them. */
 const swizzles = {
   2: ['x', 'g', 'u', 'yx', 'ss', 'vu', 'rgrg'],
   3: ['z', 'b', 'xx', 'zyx', 'gbr', 'ptsp'],
   4: ['w', 'q', 'a', 'wy', 'qqs', 'wzyx', 'aaaa', 'xyzw'],
 }
 
-const swizzle = (name, size) => ({
+const swizzleRow = (name, size) => ({
   name,
   group: 'swizzles',
   only: 'method',
   shapes: [[size]],
   result: () => name.length,
   domains: [coordinate],
-  reference: (v) => swizzled(name, v),
+  reference: (v) => swizzle(name, v),
 })
 
 export const vectors = [
@@ -116,8 +114,7 @@ export const vectors = [
     domains: [coordinate],
     adjust: short,
     kinks: 'at 0',
-    // The derivatives of a short vector are large, and those along it are small differences of
-    // them.
+    // The derivatives of a short vector are large, and those along it are small differences of these.
     sensitivity: {
       derivative: (v) => [1 + 1 / Math.max(1e-7, length(v))],
       because: '1 + 1 / length',
@@ -138,7 +135,7 @@ export const vectors = [
     domains: [coordinate, coordinate, span(0.4, 1.7)],
     adjust: light,
     kinks: 'where total reflection begins',
-    // The root of what is close to zero.
+    // The root of a number close to zero.
     sensitivity: {
       derivative: (incident, normal, [eta]) => [
         1 / Math.max(1e-7, Math.min(1, Math.abs(underRoot(incident, normal, eta)))),
@@ -156,22 +153,22 @@ export const vectors = [
       dot(reference, incident) < 0 ? normal : times(normal, -1),
   },
 
-  made('vec2', [1, 1], 'of numbers', joined),
-  made('vec3', [1, 1, 1], 'of numbers', joined),
-  made('vec3', [2, 1], 'of a vector and a number', joined),
-  made('vec3', [1, 2], 'of a number and a vector', joined),
-  made('vec4', [1, 1, 1, 1], 'of numbers', joined),
-  made('vec4', [2, 2], 'of two vectors', joined),
-  made('vec4', [1, 2, 1], 'of a vector amid numbers', joined),
-  made('vec4', [1, 3], 'of a number and a vector', joined),
-  made('vec3', [2], 'of a vector and a constant', ([x, y]) => [x, 0.5, y], {
+  constructorRow('vec2', [1, 1], 'of numbers', join),
+  constructorRow('vec3', [1, 1, 1], 'of numbers', join),
+  constructorRow('vec3', [2, 1], 'of a vector and a number', join),
+  constructorRow('vec3', [1, 2], 'of a number and a vector', join),
+  constructorRow('vec4', [1, 1, 1, 1], 'of numbers', join),
+  constructorRow('vec4', [2, 2], 'of two vectors', join),
+  constructorRow('vec4', [1, 2, 1], 'of a vector amid numbers', join),
+  constructorRow('vec4', [1, 3], 'of a number and a vector', join),
+  constructorRow('vec3', [2], 'of a vector and a constant', ([x, y]) => [x, 0.5, y], {
     build: ({ call }, v) => call(v.x(), 0.5, v.y()),
   }),
   ...[2, 3, 4].map((size) =>
-    made(`vec${size}`, [1], 'of one number for all', ([x]) => Array(size).fill(x)),
+    constructorRow(`vec${size}`, [1], 'of one number for all', ([x]) => Array(size).fill(x)),
   ),
 
   ...Object.entries(swizzles).flatMap(([size, names]) =>
-    names.map((name) => swizzle(name, Number(size))),
+    names.map((name) => swizzleRow(name, Number(size))),
   ),
 ]

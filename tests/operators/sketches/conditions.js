@@ -76,7 +76,7 @@ export const sketches = {
       while (position.x > n) n++
       return position * n
     })`,
-    says: /A loop cannot wait for a condition that differs by vertex/,
+    says: /A loop cannot depend on a condition that differs by vertex/,
   },
   'a switch by a vertex': {
     setup: `wave = createWarp(({ position }) => {
@@ -85,7 +85,7 @@ export const sketches = {
         default: return position * 0.1
       }
     })`,
-    says: /A switch cannot wait for a condition that differs by vertex/,
+    says: /A switch cannot depend on a condition that differs by vertex/,
   },
   'a mode of the sketch': {
     top: `const mode = 'twist'`,

@@ -1,4 +1,4 @@
-// A sketch in a file of its own: its arrow functions and classes are no properties of the page, so that its file has to be read.
+// A sketch in a separate file: its arrow functions and classes are not properties of the page, so its file must be read.
 const frequency = 5
 const swing = (x) => sin(x * frequency)
 

@@ -38,7 +38,7 @@ export const sketches = {
     setup: `wave = createWarp(({ position: { x, y, z } }) => [0, 0, noise(x * 2, y * 2, z * 2)])`,
     twin: ({ glsl, position }) =>
       glsl.vec3(0, 0, position.mult(2).fbm({ octaves: 4 }).mult(0.5).add(0.5)),
-    notes: /^noise: p5's noise\(\) works on numbers; of expressions it is warpjet's glsl.fbm/,
+    notes: /^noise: p5's noise\(\) works on numbers; for expressions it becomes warpjet's glsl.fbm/,
   },
   'dist and mag': {
     setup: `wave = createWarp(({ position: { x, y, z } }) => [0, 0, dist(x, y, 0.2, 0.1) * 0.5 - mag(x, z) * 0.2])`,
@@ -68,7 +68,7 @@ export const sketches = {
       v.mult(0.2)
       return v
     })`,
-    notes: /^v\.mult\(0\.2\) changes nothing: .* v = v\.mult\(2\)/,
+    notes: /^v\.mult\(0\.2\) has no effect: .* v = v\.mult\(2\)/,
   },
   'a vector of p5 whose parts are set': {
     setup: `wave = createWarp(({ position }) => {

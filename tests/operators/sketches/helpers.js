@@ -1,4 +1,4 @@
-// Sketches that call functions, methods and classes of their own.
+// Sketches that call their own functions, methods and classes.
 export const sketches = {
   'a helper function': {
     top: `function ripple(d) {

@@ -1,4 +1,4 @@
-// Sketches whose variables are in functions around the offset function, or have the names of globals.
+// Sketches with variables in functions around the offset function, or with the names of globals.
 export const sketches = {
   'a parameter called height, without operators': {
     top: `function makeWave(height) {
@@ -12,7 +12,7 @@ export const sketches = {
       return createWarp(({ position }) => [0, sin(position.x * 5) * height, 0])
     }`,
     setup: `wave = makeWave(0.3)`,
-    says: /cannot see "height" of the sketch around it, where it is no global; add the option \{ scope: \{ height \} \}/,
+    says: /cannot access "height" of the enclosing scope, where it is not the global; add the option \{ scope: \{ height \} \}/,
   },
   'the same, with a scope': {
     top: `function makeWave(height) {
@@ -32,7 +32,7 @@ export const sketches = {
   'a local in setup': {
     setup: `const amount = random([0.3, 0.3])
     wave = createWarp(({ position }) => [0, position.x * amount, 0])`,
-    says: /cannot see "amount" of the sketch around it; make it global, or add the option \{ scope: \{ amount \} \}/,
+    says: /cannot access "amount" of the enclosing scope; make it global, or add the option \{ scope: \{ amount \} \}/,
   },
   'the same as a global': {
     top: `const amount = 0.3`,
@@ -42,7 +42,7 @@ export const sketches = {
   'a top-level arrow function that takes length': {
     top: `const makeWave = (length) => createWarp(({ position }) => position * length)`,
     setup: `wave = makeWave(0.4)`,
-    says: /cannot see "length" .* scope: \{ length \}/,
+    says: /cannot access "length" .* scope: \{ length \}/,
   },
   'a global and a local of one name, elsewhere': {
     top: `const size = 0.25
@@ -52,7 +52,7 @@ export const sketches = {
   },
   'a variable of the loop around it': {
     setup: `for (let i = 1; i < 3; i++) wave = createWarp(({ position }) => position * (i / 10))`,
-    says: /cannot see "i" .* scope: \{ i \}/,
+    says: /cannot access "i" .* scope: \{ i \}/,
   },
   'a class with its warp': {
     top: `class Blob {
@@ -62,7 +62,7 @@ export const sketches = {
       }
     }`,
     setup: `wave = new Blob(0.3).warp`,
-    says: /cannot see "this" of the object around it; write amount in place of this.amount, and add the option \{ scope: \{ amount: this.amount \} \}/,
+    says: /cannot access "this" of the enclosing object; write amount in place of this.amount, and add the option \{ scope: \{ amount: this.amount \} \}/,
   },
   'a class with its warp, with a scope': {
     top: `class Blob {

@@ -1,4 +1,4 @@
-// Sketches that use no operators, which the script must not change, that read what changes, and in instance mode.
+// Sketches that use no operators and must not change, that read changing variables, and in instance mode.
 const draw = `p.draw = () => { p.background(0); p.lights(); p.noStroke(); p.fill('coral'); wave(); p.sphere(40); done = true }`
 
 export const sketches = {
@@ -105,6 +105,6 @@ export const sketches = {
       }
       ${draw}
     })`,
-    says: /cannot see "amount" of the sketch around it; .* scope: \{ amount \}/,
+    says: /cannot access "amount" of the enclosing scope; .* scope: \{ amount \}/,
   },
 }

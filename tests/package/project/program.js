@@ -1,4 +1,4 @@
-// What a program in Node, or on a server, uses of the package.
+// Uses the package as in a Node program or on a server.
 import { WarpError, compileWarp } from 'warpjet'
 import { gen } from 'warpjet/autodiff'
 import { twist } from 'warpjet/deformers'
@@ -6,7 +6,7 @@ import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import warpjet from 'warpjet/p5'
 import { compileWarp as compileText } from 'warpjet/text'
 
-/** A sentence that says that all works. */
+/** Returns a message that everything works. */
 export async function tryAll() {
   const mesh = await loadMesh('triangle.obj')
   const baked = bakeWarp(

@@ -1,11 +1,11 @@
-// A project of p5 with all that a page uses of the package.
+// A p5 project that uses all parts of the package for pages.
 import p5 from 'p5'
 import 'warpjet/p5'
 import { compileWarp } from 'warpjet'
 import { chain, twist } from 'warpjet/deformers'
 import { loadMesh } from 'warpjet/mesh'
 
-// p5's own check of variable names takes those of a bundle for the sketch's.
+// p5's own check of variable names mistakes those of a bundle for the sketch's.
 p5.disableFriendlyErrors = true
 
 const triangle = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'

@@ -1,4 +1,4 @@
-// As worker.js, where there is no import map.
+// The same as worker.js, without an import map.
 import { compileWarp } from './node_modules/warpjet/dist/warpjet.js'
 import { loadMesh } from './node_modules/warpjet/dist/mesh.js'
 

@@ -9,10 +9,10 @@ export const folder = '.build/package'
 
 const require = createRequire(`${project}/package.json`)
 
-/** The name of the packed package, which lies there. */
+/** The file name of the packed package in it. */
 export const tarball = () => readdirSync(project).find((name) => name.endsWith('.tgz'))
 
-/** A program's module, from the project's own node_modules. */
+/** Imports a program's module from the project's own node_modules. */
 export const load = (name) => import(pathToFileURL(require.resolve(name)).href)
 
 /** Runs a program in the project → { output, status }. */

@@ -1,7 +1,7 @@
-// Functions in GLSL of nearly float32 accuracy, to stand in for built-in ones that are not: SwiftShader computes sin and
-// cos to 2e-4 and acos to 6e-5.
+// GLSL functions of nearly float32 accuracy, to replace inaccurate built-in ones: SwiftShader computes sin and cos to 2e-4 and
+// acos to 6e-5.
 
-// π in three parts: k times the first two is exact in float32 for whole k up to 2^13.
+// π in three parts: k times the first two is exact in float32 for integers k up to 2^13.
 const first = 201 / 64
 const second = Math.floor((Math.PI - first) * 2 ** 21) / 2 ** 21
 const third = Math.PI - first - second
@@ -27,14 +27,14 @@ float exactTan(float x) { return exactSin(x) / exactCos(x); }
 float exactAcos(float x) { return ${Math.PI / 2} - asin(x); }
 ${['Sin', 'Cos', 'Tan', 'Acos'].flatMap((name) => ['xy', 'xyz', 'xyzw'].map((parts) => ofVectors(name, parts))).join('')}`
 
-/** By component. */
+/** Applies the function by component. */
 function ofVectors(name, parts) {
   const vector = `vec${parts.length}`
   const values = [...parts].map((part) => `exact${name}(x.${part})`)
   return `${vector} exact${name}(${vector} x) { return ${vector}(${values.join(', ')}); }\n`
 }
 
-/** The same statements with these functions in place of sin, cos, tan and acos. */
+/** Returns the same statements with these functions instead of sin, cos, tan and acos. */
 export const withAccurateSine = (compiled) => ({
   code: compiled.code.replace(
     /\b(sin|cos|tan|acos)\(/g,
@@ -43,11 +43,11 @@ export const withAccurateSine = (compiled) => ({
   declarations: declarations + compiled.declarations,
 })
 
-/** More than this many sines, each a polynomial, take SwiftShader too long to compile. */
-const mostSines = 100
+/** More sines, each a polynomial, take SwiftShader too long to compile. */
+const maxSines = 100
 
-/** The same where that can be compiled, otherwise the statements as they are. */
+/** Returns the accurate statements if they compile in reasonable time, otherwise the original ones. */
 export const asAccurateAsCanBe = (compiled) =>
-  (compiled.code.match(/\b(sin|cos|tan)\(/g)?.length ?? 0) <= mostSines
+  (compiled.code.match(/\b(sin|cos|tan)\(/g)?.length ?? 0) <= maxSines
     ? withAccurateSine(compiled)
     : compiled

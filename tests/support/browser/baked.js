@@ -1,21 +1,21 @@
-// A bake equals the screen: what `evaluate` computes against what a vertex shader computes.
+// A bake equals the screen: compares `evaluate` with a vertex shader.
 //
-// Positions agree to 1e-5 of the numbers in the formula, normals to 0.02° or what the warp says, with an accurate sine in
-// GLSL in place of the built-in one. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5,
+// Positions agree to 1e-5 of the numbers in the formula, normals to 0.02° or the bound of the warp, with an accurate sine in
+// GLSL instead of the built-in one. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5,
 // positions agree to 2e-5, as they do with the oracle in double. SwiftShader's own sine is 2e-4 off, and with it positions
-// agree to 1e-3. Left out are vertices where the oracle finds a kink nearby, on whose sides two roundings may differ, and
-// those where the surface has all but collapsed.
+// agree to 1e-3. We skip vertices where the oracle finds a kink nearby, since two roundings may be on different sides, and
+// those where the surface is almost collapsed.
 import assert from 'node:assert/strict'
-import { mostSensitive, parts } from './compare.js'
+import { maxSensitivity, parts } from './compare.js'
 import { stride, vertexAt } from './dense-mesh.js'
 import { angleBetween, distanceBetween, warpVertex } from './oracle.js'
 
 const positionBound = { exact: 1e-5, late: 2e-5, builtIn: 1e-3 }
 
 /**
- * The greatest differences of `baked` from the shader's results `exact`, with an accurate sine if that is another list, and
- * `builtIn`; each a list of six numbers a vertex, for each of `draws`. Positions are in parts of what is allowed, but by the own
- * sine. `expected`, if the oracle has been asked before, has what it said.
+ * Returns the max differences of `baked` from the shader's results: `exact`, with an accurate sine if that is another list, and
+ * `builtIn`. Each is a list of six numbers per vertex, for each of `draws`. Differences of positions are relative to the bound, except
+ * with the built-in sine. `expected`, if present, has the results of the oracle.
  */
 export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected) {
   const { offset, reach, step, degrees, mirrors } = warp
@@ -34,7 +34,7 @@ export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expec
       if (angle > degrees || distance > bound) {
         const truth =
           expected?.[k][i] ?? warpVertex(offset, vertexAt(mesh, i), uniforms, step, mirrors)
-        const isSmooth = truth.normal?.some(Boolean) && truth.sensitivity <= mostSensitive
+        const isSmooth = truth.normal?.some(Boolean) && truth.sensitivity <= maxSensitivity
         if (!isSmooth) {
           worst.leftOut++
           continue

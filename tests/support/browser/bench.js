@@ -1,4 +1,4 @@
-// What the tests of the benchmark's pages look at.
+// Helpers for the tests of the benchmark's pages.
 import assert from 'node:assert/strict'
 import { fileURLToPath } from 'node:url'
 
@@ -8,7 +8,7 @@ export const patience = { timeout: 60_000 }
 export const desktop = { viewport: { width: 1280, height: 900 } }
 export const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
 
-/** What the lines of a table of figures say, cell by cell, without the commas of large numbers. */
+/** Returns the cells of each row of a table of figures, without the commas of large numbers. */
 export const cells = (table) =>
   table
     .locator('tbody tr:not(.title)')
@@ -16,7 +16,7 @@ export const cells = (table) =>
       lines.map((line) => [...line.cells].map((cell) => cell.textContent.replaceAll(',', ''))),
     )
 
-/** Waits until nothing stands over the picture and every number beside it is there. */
+/** Waits until no overlay covers the picture and all numbers are shown. */
 export function measured(page) {
   return page.waitForFunction(
     () =>
@@ -43,14 +43,14 @@ export const readOuts = (page, names) =>
     }),
   )
 
-/** The canvas in a frame in which it was drawn → its RGBA. */
+/** Returns the RGBA of the canvas in a frame in which it was drawn. */
 export async function pixels(page) {
   const base64 = await page.evaluate(async () => {
     const source = document.querySelector('canvas')
     const { width, height } = source
     const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })
-    // A browser empties the canvas once it has shown it, and not every frame is drawn anew. Who asks for the next frame between
-    // two frames comes after the page, which asks while it draws.
+    // A browser clears the canvas after it has shown it, and not every frame is drawn again. A frame requested between two frames
+    // comes after that of the page, which requests its own while it draws.
     for (let i = 0; i < 600; i++) {
       await new Promise((drawn) => setTimeout(() => requestAnimationFrame(drawn)))
       copy.drawImage(source, 0, 0)
@@ -62,7 +62,7 @@ export async function pixels(page) {
   return Buffer.from(base64, 'base64')
 }
 
-/** Which share of the pixels differ visibly. */
+/** Returns the fraction of pixels that differ visibly. */
 export function difference(a, b) {
   let count = 0
   for (let i = 0; i < a.length; i += 4)

@@ -1,17 +1,17 @@
-// One of the browsers that `npm test` started for all files of tests, for one file at a time.
+// Borrows one of the browsers that `npm test` has started for all test files, for one file at a time.
 import { rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { chromium } from 'playwright-core'
 import { variable } from '../../../.scripts/lib/browsers.mjs'
 
-/** Null where there are none, or all are taken. `close()` gives it back, without its pages. */
+/** Returns null if there are no browsers, or all are in use. `close()` returns the browser, without its pages. */
 export async function borrow() {
   const { taken, addresses } = JSON.parse(process.env[variable] ?? '{ "addresses": [] }')
   for (const [i, address] of addresses.entries()) {
     const mark = join(taken, `${i}`)
     if (!take(mark)) continue
     const browser = await chromium.connect(address).catch(() => null)
-    // One that broke stays taken.
+    // A browser that crashed stays taken.
     if (!browser) continue
     browser.on('disconnected', () => rmSync(mark, { force: true }))
     return browser
@@ -19,7 +19,7 @@ export async function borrow() {
   return null
 }
 
-/** The file system lets only one process make a file that must be new. */
+/** The file system lets only one process create a file exclusively. */
 function take(mark) {
   try {
     writeFileSync(mark, '', { flag: 'wx' })

@@ -1,33 +1,33 @@
-// A headless Chromium that draws WebGL without a GPU, and pages that remember whatever they printed.
+// A headless Chromium that draws WebGL without a GPU, and pages that record their console messages.
 import { chromium } from 'playwright-core'
 import { findBrowser } from '../../../.scripts/lib/browser.mjs'
 import { softwareFlags, testFlags } from '../../../.scripts/lib/flags.mjs'
 import { borrow } from './borrow.js'
 
-/** The Chromium that WARPJET_CHROMIUM names, or the one that is found. `moreFlags` are added to its command line. */
+/** Starts the Chromium that WARPJET_CHROMIUM names, or the one that is found. `moreFlags` are added to its command line. */
 export const launchBrowser = async (moreFlags = []) =>
   (moreFlags.length ? null : await borrow()) ?? launch([...testFlags, ...moreFlags])
 
 const launch = async (args) =>
   chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM ?? (await findBrowser()), args })
 
-/** One whose WebGPU draws on canvases: that is lost where pages are put together otherwise. */
+/** Starts one whose WebGPU draws on canvases: that fails with other compositing. */
 export const launchBrowserWithWebGPU = () =>
   launch([...softwareFlags, ...webgpuFlags, '--use-vulkan=swiftshader'])
 
-/** For WebGPU without a GPU, on pages of `servePages`. */
+/** Starts one for WebGPU without a GPU, on pages of `servePages`. */
 export const webgpuFlags = [
   '--enable-unsafe-webgpu',
   '--use-webgpu-adapter=swiftshader',
   '--enable-features=Vulkan',
 ]
 
-/** What the driver says of a page that is put together on the CPU, and so reads its canvas. */
+/** The driver's warnings about a page that is composited on the CPU, and so reads its canvas. */
 const isOfDriver = (text) => /GL Driver Message .*: GPU stall due to ReadPixels/.test(text)
 
-/** Of each page what it has printed, and who opened it. */
+/** Maps a page to its console messages, and to the context that opened it. */
 const opened = new WeakMap()
-/** Pages that were left, by who opened them. */
+/** Pages that are free for reuse, by context. */
 const left = new WeakMap()
 
 /** Opens `url` → { page, messages }; `messages` collects console lines and uncaught errors, in order. */
@@ -36,7 +36,7 @@ export async function openPage(browser, url) {
   left.delete(browser)
   const messages = []
   opened.set(page, { browser, messages })
-  // A server may make a model first, while other tests keep the machine busy.
+  // A server may first generate a model, while other tests keep the machine busy.
   await page.goto(url, { timeout: 180_000 })
   return { page, messages }
 }
@@ -50,8 +50,8 @@ async function newPage(browser) {
 }
 
 /**
- * Leaves a page of `servePages` to the next that `openPage` opens: a new one is a new process, which compiles all of p5 anew.
- * So would be one that was at about:blank meanwhile.
+ * Keeps a page of `servePages` for the next `openPage`: a new page is a new process, which compiles all of p5 again. So would be
+ * one that was at about:blank meanwhile.
  */
 export async function leavePage(page) {
   const { browser } = opened.get(page)
@@ -60,7 +60,7 @@ export async function leavePage(page) {
   left.set(browser, page)
 }
 
-/** What the page gave to be saved. The browser may be one that other files of tests use, and then tells no path. */
+/** Returns the file that the page has saved. The browser may be shared by several test files, and then has no download path. */
 export async function bytesOf(download) {
   const chunks = []
   for await (const chunk of await download.createReadStream()) chunks.push(chunk)

@@ -1,4 +1,4 @@
-// Bytes to a page and back by HTTP: as text through the driver, what 50,000 vertices need takes a second.
+// Passes bytes to a page and back by HTTP: as text through the driver, the data of 50,000 vertices takes a second.
 import { createServer } from 'node:http'
 
 const collect = async (stream) => {
@@ -8,8 +8,8 @@ const collect = async (stream) => {
 }
 
 /**
- * Serves an empty page at `url`. There `fetch('/given')` has the bytes last told to `give`, and what is sent to `/taken` by
- * POST is what `take()` gives next, as an ArrayBuffer.
+ * Serves an empty page at `url`. There `fetch('/given')` returns the bytes last passed to `give`, and `take()` returns the next
+ * body sent to `/taken` by POST, as an ArrayBuffer.
  */
 export async function serveBytes() {
   let given = new Uint8Array()

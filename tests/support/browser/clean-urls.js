@@ -1,4 +1,4 @@
-// A server of files like many hosts of static sites: addresses have no .html, and whoever asks for one that has is led on.
+// A file server like many hosts of static sites: addresses have no .html, and requests with it are redirected.
 import { readFile, stat } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import { extname, join } from 'node:path'
@@ -17,8 +17,8 @@ const kindOf = async (file) => {
 }
 
 /**
- * Serves what lies in `folder` below `/base/` → { url, close() }. A folder is given at x/, and at x is led there; without
- * `slashes` it is given at both, and who asks for its index.html is led to x.
+ * Serves the files of `folder` below `/base/` → { url, close() }. A folder is served at x/, and x redirects there; without
+ * `slashes` it is served at both, and its index.html redirects to x.
  */
 export async function serveCleanly(folder, base, { slashes = true } = {}) {
   const server = createServer(async (request, response) => {

@@ -1,11 +1,11 @@
-// How far warped vertices are from what they must be.
+// Measures the errors of warped vertices.
 import { angleBetween, distanceBetween } from './oracle.js'
 
-/** So far off may a normal be, unless its warp says otherwise. */
+/** The max error of a normal, unless its warp says otherwise. */
 export const degrees = 0.02
 
-/** Beyond this a surface has all but collapsed, and float32 cannot tell its direction. */
-export const mostSensitive = 1e5
+/** Above this sensitivity a surface is almost collapsed, and float32 cannot represent its direction. */
+export const maxSensitivity = 1e5
 
 export const moments = [0, 1234, 98765].map((millis) => ({
   millis,
@@ -16,12 +16,12 @@ export const moments = [0, 1234, 98765].map((millis) => ({
 
 const three = (numbers, at) => [numbers[at], numbers[at + 1], numbers[at + 2]]
 
-/** Position and normal of a vertex among six numbers each. */
+/** Offsets of position and normal among the six numbers of a vertex. */
 export const parts = (results, i) => [three(results, 6 * i), three(results, 6 * i + 3)]
 
 /**
- * The greatest differences of `results`, for each moment six numbers a vertex, from `expected`, for each moment and vertex
- * what `warpVertex` gives. Of vertices with a kink nearby, only whether the result is finite. `beyond` counts the normals
+ * Returns the max differences of `results`, for each time six numbers per vertex, from `expected`, for each time and vertex the
+ * result of `warpVertex`. For vertices with a kink nearby, checks only whether the result is finite. `beyond` counts the normals
  * that are more than `bound` degrees off.
  */
 export function compare(results, expected, reach, bound = degrees) {
@@ -49,7 +49,7 @@ export function compare(results, expected, reach, bound = degrees) {
         if (turned.some(Boolean)) counts.notZero++
         return
       }
-      if (sensitivity > mostSensitive) return counts.collapsing++
+      if (sensitivity > maxSensitivity) return counts.collapsing++
       const angle = angleBetween(turned, normal)
       if (!(angle <= bound)) counts.beyond++
       raise('angle', angle)

@@ -1,5 +1,5 @@
-// Vertices to warp, as the float32 numbers that a vertex shader is given: position, normal, uv, color, and how the normal
-// varies over the surface.
+// Vertices to warp, as the float32 inputs of a vertex shader: position, normal, uv, color, and the gradients of the normal over
+// the surface.
 import { normalGradients } from '../../warps/normal-field.js'
 import { directions } from './mesh.js'
 
@@ -39,14 +39,14 @@ const cube = (cells) =>
 
 /** Points on the axes, and normals that a loaded model may have. */
 function oddities() {
-  const scaled = (length) => (n) => n.map((x) => length * x)
+  const scaleTo = (length) => (n) => n.map((x) => length * x)
   const given = [
     [1, 1e-20, 0],
     [1e-20, 1, 0],
     [0, 0, 0],
     [0, 3, 4],
   ].map((n) => () => n)
-  const normals = [...given, ...[1, 1e-3, 1e-6, 1e3, 1e6].map(scaled)]
+  const normals = [...given, ...[1, 1e-3, 1e-6, 1e3, 1e6].map(scaleTo)]
   const onAxes = [0, 1, 2].flatMap((axis) =>
     [-1, 1].map((side) => [0, 1, 2].map((k) => (k === axis ? side : 0))),
   )
@@ -58,7 +58,7 @@ function oddities() {
 
 const color = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
 
-/** Of a sphere and a cube, `size` from the middle to the faces, and of oddities, each `every`th vertex. */
+/** A sphere and a cube, `size` from the middle to the faces, and odd cases, each with every `every`th vertex. */
 export function denseMesh(size, every = 1) {
   const all = [...sphere(1200), ...cube(13), ...oddities()]
   const points = all.filter((_, i) => i % every === 0)
@@ -73,18 +73,18 @@ export function denseMesh(size, every = 1) {
   )
 }
 
-/** A vertex of a mesh as an object, with the very numbers that the shader reads. */
+/** Returns a vertex of a mesh as an object, with exactly the numbers that the shader reads. */
 export function vertexAt(mesh, i) {
   let start = i * stride
   const read = (size) => Array.from(mesh.subarray(start, (start += size)))
   return Object.fromEntries(Object.entries(layout).map(([name, size]) => [name, read(size)]))
 }
 
-/** All of them. */
+/** Returns all vertices. */
 export const vertices = (mesh) =>
   Array.from({ length: mesh.length / stride }, (_, i) => vertexAt(mesh, i))
 
-/** One attribute of all vertices. */
+/** Returns one attribute of all vertices. */
 function column(mesh, name) {
   const names = Object.keys(layout)
   const first = names.slice(0, names.indexOf(name)).reduce((sum, each) => sum + layout[each], 0)
@@ -95,8 +95,10 @@ function column(mesh, name) {
   return all
 }
 
-/** A mesh as `evaluate` takes it for a warp whose text reads `attributes`: how normals vary is known on the CPU where it is
- * in the shader. */
+/**
+ * Returns a mesh as `evaluate` takes it for a warp that reads `attributes`: the gradients of the normal are included if the
+ * shader reads them.
+ */
 export function arraysOf(mesh, attributes) {
   const all = (name) => column(mesh, name)
   const gradients = attributes
@@ -111,8 +113,8 @@ export function arraysOf(mesh, attributes) {
   }
 }
 
-/** Positions and normals, six numbers a vertex, as the shaders give them. */
-export function interleaved({ positions, normals }) {
+/** Returns positions and normals, six numbers per vertex, like the results of the shaders. */
+export function interleave({ positions, normals }) {
   const results = new Float32Array(2 * positions.length)
   for (let i = 0; i < positions.length; i += 3) {
     results.set(positions.subarray(i, i + 3), 2 * i)

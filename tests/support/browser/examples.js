@@ -1,20 +1,20 @@
-// The examples without a GPU: with fewer pixels and frames, and what can be said of the picture that they draw.
+// Runs the examples without a GPU: with fewer pixels and frames, and checks their pictures.
 import assert from 'node:assert/strict'
 import { coarsenShapes, fewSamples, rough } from './frames.js'
 
 /**
- * Vite plugin for a server of the tests: it gives each context the sketches that `lower` asked for, and libraries for a browser to
- * keep, with what it compiled of them. (Of what the driver answers in the server's place a browser keeps nothing.)
+ * Vite plugin for a test server: it serves each context the sketches that `lower` requested, and libraries that a browser may
+ * cache, with their compiled code. (A browser caches nothing of the responses that the driver intercepts.)
  */
 export const sketchesForTests = () =>
-  answering((request, path, content) => {
+  replaceResponses((request, path, content) => {
     const [, name] = /^\/examples\/([\w-]+)\/sketch\.js$/.exec(path) ?? []
     const wish = cookie(request, 'sketches')
-    return name && wish ? lowered(name, String(content), JSON.parse(wish)) : content
+    return name && wish ? reduceSketch(name, String(content), JSON.parse(wish)) : content
   })
 
-/** Vite plugin: what the server answers by itself, in development, is what `change(request, path, content)` makes of it. */
-export const answering = (change) => ({
+/** Vite plugin: replaces the responses of the development server by the results of `change(request, path, content)`. */
+export const replaceResponses = (change) => ({
   name: 'answering',
   enforce: 'pre',
   configureServer({ middlewares }) {
@@ -36,19 +36,18 @@ export function cookie({ headers }, name) {
   return found && decodeURIComponent(found.slice(name.length + 1))
 }
 
-/** Asks the server at `url`, one of `answering`, for something in all requests of the context. */
+/** Adds a header to all requests of the context to the server at `url`, one with `answering`. */
 export const ask = (context, url, name, value) =>
   context.addCookies([{ name, value: encodeURIComponent(value), url }])
 
 /**
- * Sketches are drawn without smooth edges, and those other than `exceptions` with a sixteenth of their pixels and coarse shapes:
- * without a GPU these are what takes long, lit triangles smaller than a pixel most of all. `before` is what p5 does first, or
- * `still`.
+ * Draws sketches without antialiasing, and those other than `exceptions` with a sixteenth of their pixels and coarse shapes:
+ * without a GPU these take most time, above all lit triangles smaller than a pixel. `before` is what p5 runs first, or `still`.
  */
 export const lower = (context, url, { exceptions = [], before = '' } = {}) =>
   ask(context, url, 'sketches', JSON.stringify({ exceptions, before }))
 
-function lowered(name, text, { exceptions, before }) {
+function reduceSketch(name, text, { exceptions, before }) {
   const edges = needsSmoothEdges(name) ? '' : `;(${rough})()\n`
   if (exceptions.includes(name)) return `${text}\n${edges}`
   if (name.startsWith('three-'))
@@ -58,7 +57,7 @@ ${edges}${before === still ? standing : ''}{
   const { createCanvas, pixelDensity } = p5.prototype
   p5.prototype.createCanvas = function (...size) {
     const canvas = createCanvas.apply(this, size)
-    // A canvas comes with the density of the screen, whatever was asked for before.
+    // A canvas gets the density of the screen, whatever was set before.
     this.pixelDensity(1)
     ${before}
     return canvas
@@ -69,14 +68,14 @@ ${edges}${before === still ? standing : ''}{
 ${coarseShapes}}`
 }
 
-/** p5's shapes with a tenth of their triangles, as text for a sketch. */
+/** p5's shapes with a tenth of their triangles, as code for a sketch. */
 export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 32)
 `
 
-/** Without smooth edges these have few colours, or cover little. */
+/** Without antialiasing these have few colours, or cover few pixels. */
 const needsSmoothEdges = (name) => /^(?:deformer-(?:wave|spherify)|spoon)$/.test(name)
 
-/** A sketch of three.js likewise; without a GPU its thousands of instances and triangles are what takes longest. */
+/** Does the same for a sketch of three.js; without a GPU its thousands of instances and triangles take most time. */
 const smaller = (text) =>
   text
     .replaceAll(/setPixelRatio\(.*\)/g, 'setPixelRatio(0.25)')
@@ -84,7 +83,7 @@ const smaller = (text) =>
     .replaceAll('10_000', '800')
     .replaceAll(/(PlaneGeometry\(\d+, \d+), \d{3}, \d{3}/g, '$1, 64, 64')
 
-/** The first shows what the second has to draw: then no more, which the next example would wait for. */
+/** Stops when the first is shown, which the next example would otherwise wait for. */
 const twoFrames = `
 {
   const { requestAnimationFrame } = window
@@ -93,19 +92,19 @@ const twoFrames = `
 }
 `
 
-/** Without the edges of shapes: the warp draws none, and p5 takes seconds to work out those of a model. */
+/** Without the edges of shapes, which the warp does not draw, and which p5 takes seconds to compute for a model. */
 export const plain = `
     p5.Geometry.prototype._edgesToVertices = function () { return this }`
 
-/** One frame of that, of the same time on every machine. */
+/** Draws one frame without edges, at the same time on every machine. */
 export const still = `
     this.noLoop()${plain}`
 
-/** A warp that moves shows little at some moments: a spoon, bent most, less than is asked. */
+/** A moving warp shows little at some moments: a spoon at its max bend shows less than the threshold. */
 const standing = `p5.prototype.millis = () => 2500
 `
 
-/** How many colours the canvas has, in steps of 8, and which share of it is not background. */
+/** Returns the number of colours in the canvas, in steps of 8, and the fraction of it that is not background. */
 export const statistics = (frame) =>
   frame.evaluate(() => {
     const source = document.querySelector('.p5Canvas, canvas[data-engine]')

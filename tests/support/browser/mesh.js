@@ -1,6 +1,6 @@
 // Meshes and directions for tests.
 
-/** `count` unit vectors spread evenly over the sphere: steps of the golden angle from pole to pole. */
+/** Returns `count` unit vectors spread evenly over the sphere: steps of the golden angle from pole to pole. */
 export function directions(count) {
   return Array.from({ length: count }, (_, i) => {
     const y = 1 - (2 * i + 1) / count
@@ -10,7 +10,7 @@ export function directions(count) {
   })
 }
 
-/** A sphere of radius 1 → { vertices, normals, uvs, faces }. */
+/** Returns a sphere of radius 1 → { vertices, normals, uvs, faces }. */
 export function sphereMesh(columns, rows) {
   const grid = Array.from({ length: (columns + 1) * (rows + 1) }, (_, i) => [
     (i % (columns + 1)) / columns,
@@ -31,7 +31,7 @@ export function sphereMesh(columns, rows) {
   return { vertices, normals: vertices, uvs: grid.flat(), faces }
 }
 
-/** The p5 code that makes a mesh a p5.Geometry. */
+/** Returns the p5 code that makes a p5.Geometry from a mesh. */
 export const geometryCode = ({ vertices, normals, uvs, faces }, name) => `
   new p5.Geometry(1, 1, function () {
     const vector = ([x, y, z]) => createVector(x, y, z)

@@ -1,10 +1,10 @@
-// What a warp must give, in double precision and without our compiler: positions from the offset as a plain function of
-// numbers; normals from the tangents of the moved surface, and these from differences of that function.
+// The expected result of a warp, in double precision and independent of our compiler: positions from the offset as a plain
+// function of numbers; normals from the tangents of the moved surface, and these from differences of that function.
 import { add, cross, dot, normalize, subtract } from './matrix.js'
 
 const length = (v) => Math.hypot(...v)
 
-/** Estimates of one derivative that differ by more than this come from a kink or a jump nearby. */
+/** Estimates of one derivative that differ by more than this are due to a kink or a jump nearby. */
 const roughness = 1e-5
 
 const axes = [
@@ -15,8 +15,8 @@ const axes = [
 const oblique = [1, -1.1, 1.2]
 
 /**
- * The derivative of `f` at `p` along a direction, from steps h, h/2 and h/4; null if `f` is not smooth within h.
- * `middle` is f(p).
+ * Returns the derivative of `f` at `p` along a direction, from steps h, h/2 and h/4; null if `f` is not smooth within h. `middle`
+ * is f(p).
  */
 function slope(f, p, direction, h, middle) {
   const [x, y, z] = direction
@@ -26,13 +26,13 @@ function slope(f, p, direction, h, middle) {
   const [after4, before4] = [at(h / 4), at(-h / 4)]
   const slopes = []
   for (let i = 0; i < 3; i++) {
-    // Central differences are f' + a h² + b h⁴ + …; Richardson's extrapolation takes a away, and then b.
+    // Central differences are f' + a h² + b h⁴ + …; Richardson's extrapolation eliminates a, and then b.
     const d1 = (after1[i] - before1[i]) / (2 * h)
     const d2 = (after2[i] - before2[i]) / h
     const d4 = (after4[i] - before4[i]) / (h / 2)
     const coarse = (4 * d2 - d1) / 3
     const fine = (4 * d4 - d2) / 3
-    // Bends are h f'' + O(h³). A kink at p itself shows only here.
+    // Second differences are h f'' + O(h³). Only these show a kink at p itself.
     const bend1 = (after1[i] - 2 * middle[i] + before1[i]) / h
     const bend2 = (after2[i] - 2 * middle[i] + before2[i]) / (h / 2)
     const isSmooth =
@@ -43,15 +43,15 @@ function slope(f, p, direction, h, middle) {
   return slopes
 }
 
-/** The partial derivatives of `f` by x, y and z, each a vector; null if `f` is not smooth within `h` of `p`. */
+/** Returns the partial derivatives of `f` by x, y and z, each a vector; null if `f` is not smooth within `h` of `p`. */
 export function jacobian(f, p, h) {
   const middle = f(p)
-  // The oblique direction finds what x, y and z miss, such as the jump of sign(x) y at the origin.
+  // The oblique direction finds kinks that x, y and z miss, such as the jump of sign(x) y at the origin.
   const columns = [...axes, oblique].map((direction) => slope(f, p, direction, h, middle))
   return columns.includes(null) ? null : columns.slice(0, 3)
 }
 
-/** Vectors u, v with u × v = n, where n has length 1. */
+/** Returns vectors u, v with u × v = n, where n has length 1. */
 function tangents(n) {
   const u = normalize(
     cross(
@@ -62,14 +62,14 @@ function tangents(n) {
   return [u, cross(n, u)]
 }
 
-/** An area this small, of what had area 1, comes from the differences' rounding errors. */
+/** An area this small, of an original area of 1, is a rounding error of the differences. */
 const vanished = 1e-10
 
 /**
- * The vertex after the warp → { position, normal, sensitivity }. `normal` is null where the function is not smooth
- * within `h`, and zero where the moved surface has none. `sensitivity`, 1 for a warp that moves nothing, tells how much an
- * error of the derivatives grows on its way to the normal: much where the surface has all but collapsed. `mirrors` tells, of
- * the inputs, whether the warp mirrors all of space: then the outer side is not where the moved tangents have it.
+ * Returns the vertex after the warp → { position, normal, sensitivity }. `normal` is null if the function is not smooth within
+ * `h`, and zero if the moved surface has none. `sensitivity`, 1 for a warp that moves nothing, is the factor by which an error of
+ * the derivatives grows in the normal: it is large if the surface is almost collapsed. `mirrors` returns, from the inputs,
+ * whether the warp mirrors all of space: then the outer side is opposite to the cross product of the moved tangents.
  */
 export function warpVertex(offset, vertex, inputs, h, mirrors) {
   const all = { ...inputs, ...vertex }
@@ -94,7 +94,7 @@ export function warpVertex(offset, vertex, inputs, h, mirrors) {
   return { position, normal: normalize(normal), sensitivity: size ** 2 / length(normal) }
 }
 
-/** In degrees; accurate for small angles too. */
+/** Returns the angle in degrees; accurate for small angles too. */
 export const angleBetween = (a, b) => (Math.atan2(length(cross(a, b)), dot(a, b)) * 180) / Math.PI
 
 export const distanceBetween = (a, b) => length(subtract(a, b))

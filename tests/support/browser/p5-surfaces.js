@@ -1,15 +1,15 @@
-// The shapes of p5 as its documentation describes them: smooth parametric surfaces in double. `code` draws one; `setup`,
-// for shapes of buildGeometry, runs before and keeps the shape in `warps`. `sides` are its smooth parts: `at(s, t)`
-// gives place, normal and uv, `of(p, n, uv)` the parameters of a vertex, or false if it lies on another part. `edges`
-// are values of t where u has no slope. `grain` says how a warp's offset is sized for the shape.
+// The shapes of p5 as documented: smooth parametric surfaces in double. `code` draws one; `setup`, for shapes of buildGeometry,
+// runs before and stores the shape in `warps`. `sides` are its smooth parts: `at(s, t)` returns position, normal and uv, `of(p,
+// n, uv)` the parameters of a vertex, or false if it is on another part. `edges` are values of t where u has no derivative.
+// `grain` is the scale of a warp's offset for the shape.
 import * as m from './matrix.js'
 
 const { PI, sin, cos, hypot } = Math
 
-/** The size that shapes are drawn at, in pixels. */
+/** The size of the drawn shapes, in pixels. */
 export const radius = 150
 
-/** One side, whose parameters are u and v themselves. */
+/** A shape with one side, whose parameters are u and v themselves. */
 const byUv = (at, edges = []) => [
   { at: (u, v) => ({ ...at(u, v), uv: [u, v] }), of: (_, __, [u, v]) => [u, v], edges },
 ]
@@ -62,8 +62,8 @@ const pillar = (size, taper) => {
 }
 
 /**
- * p5 keeps no trace of what it was built of, so that its poles have no more than their triangles; and it leaves the
- * normals as long as the scale of each shape makes them.
+ * p5 does not record how a shape was built, so its poles have only their triangles; and it does not normalize the normals after
+ * the scale of each shape.
  */
 const built = (name, code, sides) => ({
   isBuilt: true,
@@ -74,9 +74,8 @@ const built = (name, code, sides) => ({
 })
 
 /**
- * p5 scales its own shapes, of size 1, to the `scale` of the draw call; what is built has its size in itself.
- * `height` multiplies an offset, and `length` divides positions in it, and `normals` makes normals of unit length.
- * Shapes without `sides` are flat.
+ * p5 scales its own shapes, of size 1, to the `scale` of the draw call; built shapes include their size. `height` multiplies an
+ * offset, `length` divides positions in it, and `normals` normalizes normals. Shapes without `sides` are flat.
  */
 export const surfaces = {
   sphere: { code: `sphere(${radius})`, sides: ball([1, 1, 1]), scale: [radius, radius, radius] },

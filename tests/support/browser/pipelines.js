@@ -1,6 +1,5 @@
-// Runs compiled text on the real GPU pipelines of a browser, and gives back the float32 numbers
-// that it computed: the text of `glsl100` in WebGL 1, that of `glsl300` in WebGL 2, that of `wgsl`
-// in WebGPU.
+// Runs compiled code on the real GPU pipelines of a browser, and returns the computed float32 numbers: `glsl100` in WebGL 1,
+// `glsl300` in WebGL 2, `wgsl` in WebGPU.
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
 import { launchBrowser, openPage, webgpuFlags } from './browser.js'
 import { servePages } from './server.js'
@@ -19,7 +18,7 @@ async function pipeline(target) {
 const last = {}
 window.run = async (target, program, points) => {
   const work = await (opened[target] ??= pipeline(target))
-  // One after the other: an error is told to the one that asks first.
+  // Runs one after the other: an error is reported to the first that asks.
   const running = (last[target] ?? Promise.resolve())
     .catch(() => {})
     .then(() => work(program, new Float32Array(Uint8Array.fromBase64(points).buffer)))
@@ -29,7 +28,7 @@ window.run = async (target, program, points) => {
 }
 </script>`
 
-/** The dialects that there are pipelines for. */
+/** The languages that have pipelines. */
 export const targets = Object.keys(modules)
 
 /** Those whose numbers this run compares with the references. */
@@ -40,13 +39,13 @@ export const targetsInThisRun = targets.filter(
 /**
  * Starts a browser → { run, close }.
  *
- * `run(target, program, points)` computes a program at many points at once. The program is { code,
- * declarations, inputs, outputs, images }; images, which may be missing, are { width, height, data } by
- * name, with four bytes a texel. Inputs and outputs are lists of { name, shape }, the variables
+ * `run(target, program, points)` runs a program at many points at once. The program is { code,
+ * declarations, inputs, outputs, images }; images, which are optional, are { width, height, data } by
+ * name, with four bytes per texel. Inputs and outputs are lists of { name, shape }, the variables
  * that the code reads and declares. Shapes are 1 for a number, 2 to 4 for vectors, 'mat2' to 'mat4'
- * (column after column) and 'bool' (1 or 0). A point is a list of the floats of all inputs, and so
- * is each result of all outputs, as a Float32Array. A text that does not compile throws an error
- * with the compiler's log and the whole shader, and so does a pipeline that is not there.
+ * (column-major) and 'bool' (1 or 0). A point is a list of the floats of all inputs, and so
+ * is each result of all outputs, as a Float32Array. Code that does not compile throws an error
+ * with the compiler's log and the whole shader, and so does a missing pipeline.
  */
 export async function openPipelines() {
   const browser = await launchBrowser(webgpuFlags)

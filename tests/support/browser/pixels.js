@@ -1,6 +1,6 @@
-// What a WebGL canvas shows, as numbers.
+// Reads the pixels of a WebGL canvas.
 
-/** The first canvas of the page → { width, height, data }: bytes of red, green, blue, alpha, from the top left. */
+/** Returns the first canvas of the page → { width, height, data }: bytes of red, green, blue, alpha, from the top left. */
 export async function readPixels(page) {
   const { width, height, bytes } = await page.$eval('canvas', (canvas) => {
     const gl = canvas.getContext('webgl2') ?? canvas.getContext('webgl')
@@ -13,7 +13,7 @@ export async function readPixels(page) {
   return upright(width, height, bytes)
 }
 
-/** The same of a WebGPU canvas, of what `draw`, a text, draws: it is gone when the page goes on. */
+/** Does the same for a WebGPU canvas, right after the code `draw`: the picture is gone when the page continues. */
 export async function readWebGPUPixels(page, draw) {
   const { width, height, bytes } = await page.evaluate(`(async () => {
     await (${draw})
@@ -35,7 +35,7 @@ function upright(width, height, bytes) {
   return { width, height, data: Buffer.concat(rows) }
 }
 
-/** The colour [red, green, blue] at a point of the image, in pixels: between four pixel centres, their mixture. */
+/** Returns the colour [red, green, blue] at a point of the image, in pixels, interpolated between four pixel centres. */
 export function colorAt({ width, data }, x, y) {
   const [left, top] = [Math.floor(x - 0.5), Math.floor(y - 0.5)]
   const [u, v] = [x - 0.5 - left, y - 0.5 - top]
@@ -47,7 +47,7 @@ export function colorAt({ width, data }, x, y) {
   )
 }
 
-/** The pixels that are not black → [{ x, y, color }], with x and y from the middle of the image. */
+/** Returns the pixels that are not black → [{ x, y, color }], with x and y from the middle of the image. */
 export function litPixels({ width, height, data }) {
   const lit = []
   for (let i = 0; i < width * height; i++) {
@@ -59,7 +59,7 @@ export function litPixels({ width, height, data }) {
   return lit
 }
 
-/** How many pixels of two images differ by more than `tolerance` in some channel. */
+/** Returns the number of pixels of two images that differ by more than `tolerance` in some channel. */
 export function differingPixels(a, b, tolerance) {
   const differing = new Set()
   a.data.forEach((value, i) => {
@@ -68,7 +68,7 @@ export function differingPixels(a, b, tolerance) {
   return differing.size
 }
 
-/** The pixels of `image` that are nowhere between the neighbours of the same pixel of `other`, within `tolerance`. */
+/** Returns the pixels of `image` that are outside the range of the neighbours of the same pixel of `other`, within `tolerance`. */
 export function beyondEdges(image, other, tolerance) {
   const { width, height, data } = image
   const isBeyond = (x, y, channel) => {

@@ -1,4 +1,4 @@
-// What the tests of the playground do with it.
+// Helpers for the tests of the playground.
 import { pathToFileURL } from 'node:url'
 import { desktop, pixels } from './bench.js'
 import { openPage } from './browser.js'
@@ -7,7 +7,7 @@ import { serveSources } from './site.js'
 
 const patience = { timeout: 120_000 }
 
-/** Until what was written is shown, or its mistake. */
+/** Waits until the edited sketch is shown, or its error. */
 export const settled = (page) =>
   page.waitForFunction(
     () =>
@@ -17,24 +17,24 @@ export const settled = (page) =>
     patience,
   )
 
-/** The text in the editor, whole. */
+/** Returns the complete text in the editor. */
 export const text = (page) =>
   page.locator('.cm-content').evaluate((content) => content.cmTile.view.state.doc.toString())
 
-/** Replaces the sketch, as one who pastes. */
+/** Replaces the sketch, like pasting. */
 export async function write(page, sketch) {
   await page.locator('.cm-content').focus()
   await page.keyboard.press('Control+a')
   await page.keyboard.insertText(sketch)
-  // The editor looks at its page a moment later.
+  // The editor updates its page a moment later.
   for (let i = 0; (await text(page)) !== sketch && i < 100; i++) await page.waitForTimeout(50)
   await settled(page)
 }
 
-/** The line that the cursor is on. */
+/** Returns the line of the cursor. */
 export const line = (page) => page.locator('.cm-activeLine').textContent()
 
-/** Drags the first number that reads so by that many pixels to the right, in small ways. */
+/** Drags the first number with this text by that many pixels to the right, in small steps. */
 export async function dragNumber(page, number, pixels) {
   const place = page.locator('.cm-number').getByText(number, { exact: true }).first()
   const { x, y, width, height } = await place.boundingBox()
@@ -45,7 +45,7 @@ export async function dragNumber(page, number, pixels) {
   await page.mouse.up()
 }
 
-/** The frame with the picture that is shown: a sandbox in a page that is a frame of the playground itself. */
+/** Returns the frame of the visible picture: a sandbox in a page that is a frame of the playground itself. */
 export async function shown(page) {
   const host = await (await page.waitForSelector('.stage iframe', patience)).contentFrame()
   const element = await host.waitForSelector('iframe.shown', patience)
@@ -54,7 +54,7 @@ export async function shown(page) {
 
 const isPlayground = (page) => page.locator('.playground').count()
 
-/** Of the canvas that is shown → RGBA. */
+/** Returns the RGBA of the visible canvas. */
 export const canvasPixels = async (page) =>
   pixels((await isPlayground(page)) ? await shown(page) : page)
 
@@ -73,7 +73,7 @@ function draw() {
 }
 `
 
-/** A small sketch of three.js that stands still, of the size of its window. */
+/** A small static sketch of three.js, of the size of its window. */
 export const ball = `import * as THREE from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { warp } from 'warpjet/three'
@@ -92,7 +92,7 @@ warp(mesh, ({ glsl, position }) => glsl.vec3(position.y().mult(3).cos().mult(0.4
 renderer.setAnimationLoop(() => renderer.render(scene, camera))
 `
 
-/** What the menu downloads → Playwright's download. */
+/** Returns the file that the menu downloads, as Playwright's download. */
 export async function saved(page, title) {
   await page.getByText('Save', { exact: true }).click()
   const [download] = await Promise.all([
@@ -102,7 +102,7 @@ export async function saved(page, title) {
   return download
 }
 
-/** Saves the page that opens anywhere as `file`, and opens that from the disk → { page, messages }. */
+/** Saves the page that opens anywhere as `file`, and opens it from the disk → { page, messages }. */
 export async function openFromDisk(page, file, isReady = () => window.frameCount > 1) {
   await (await saved(page, 'Page that opens anywhere')).saveAs(file)
   const opened = await openPage(page.context(), pathToFileURL(file).href)
@@ -110,7 +110,7 @@ export async function openFromDisk(page, file, isReady = () => window.frameCount
   return opened
 }
 
-/** A playground of its own server, open and at rest → { page, messages, context, close }. */
+/** Opens a playground with its own server, and waits until it is idle → { page, messages, context, close }. */
 export async function openPlayground(port, browser) {
   const server = await serveSources(port)
   const context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })

@@ -1,4 +1,4 @@
-// Serves pages on localhost: text that a test wrote, and files of this repository.
+// Serves pages on localhost: source written by a test, and files of this repository.
 import { readFile } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import { extname } from 'node:path'
@@ -13,13 +13,13 @@ const types = {
   '.wasm': 'application/wasm',
 }
 
-/** A browser that keeps a library keeps what it compiled of it, too, which for p5 is half of what opening a page takes. */
+/** A browser that caches a library also caches its compiled code, which for p5 saves half of the time to open a page. */
 const kept = (pathname) =>
   pathname.startsWith('/node_modules/') ? { 'cache-control': 'max-age=86400' } : {}
 
 /**
- * Starts a server → { url, page(html), close() }. `page` gives the address of a page with that text; `/` is an
- * empty one, and every other path is a file of the repository, `/dist/p5.js` for one.
+ * Starts a server → { url, page(html), close() }. `page` returns the address of a page with that source; `/` is an empty page,
+ * and every other path is a file of the repository, such as `/dist/p5.js`.
  */
 export async function servePages() {
   const pages = []
@@ -35,7 +35,7 @@ export async function servePages() {
         .writeHead(200, { 'content-type': `${type}; charset=utf-8`, ...kept(pathname) })
         .end(body)
     } catch {
-      // Browsers ask for an icon on their own, and would print that there is none.
+      // Browsers request an icon on their own, and would print that it is missing.
       response.writeHead(pathname === '/favicon.ico' ? 204 : 404).end()
     }
   })

@@ -1,4 +1,4 @@
-// p5 sketches as pages, drawn frame by frame.
+// Runs p5 sketches as pages, frame by frame.
 import assert from 'node:assert/strict'
 import { after } from 'node:test'
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
@@ -6,27 +6,27 @@ import { launchBrowser, launchBrowserWithWebGPU, leavePage, openPage } from './b
 import { readPixels, readWebGPUPixels } from './pixels.js'
 import { servePages } from './server.js'
 
-/** The p5 versions that the addon promises to work with; the full files, which have p5's friendly errors in them. */
+/** The p5 versions that the addon supports; the full files, which include p5's friendly errors. */
 export const p5Versions = {
   '2.x': '/node_modules/p5/lib/p5.js',
   1.11: '/node_modules/p5-v1/lib/p5.js',
 }
 
-/** What p5 2.x draws with on WebGPU, to be loaded after p5 itself. */
+/** p5 2.x's WebGPU renderer, to be loaded after p5 itself. */
 export const p5WebGPU = '/node_modules/p5/lib/p5.webgpu.js'
 
-/** Those that this run draws with, [[version, file]]. */
+/** The versions of this run, [[version, file]]. */
 export const p5InThisRun = Object.entries(p5Versions).filter(
   ([version]) => version !== '1.11' || isRun('p5 1.11'),
 )
 
-/** How this run draws with p5, [[version, renderer, scripts]]; `openHosts` opens the browsers. */
+/** The renderers of this run, [[version, renderer, scripts]]; `openHosts` opens the browsers. */
 export const p5HostsInThisRun = [
   ...p5InThisRun.map(([version, p5]) => [version, 'WEBGL', [p5]]),
   ...(isRun('p5 on WebGPU') ? [['2.x', 'WEBGPU', [p5Versions['2.x'], p5WebGPU]]] : []),
 ]
 
-/** A server of pages and, by renderer, the browsers that `hosts` need: until the tests of the file that asks for them are over. */
+/** Opens a server of pages and, by renderer, the browsers that `hosts` need, until the tests of the calling file have finished. */
 export async function openHosts(hosts) {
   const server = await servePages()
   const launch = { WEBGL: launchBrowser, WEBGPU: launchBrowserWithWebGPU }
@@ -57,8 +57,8 @@ ${code}
 }
 
 /**
- * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a frame of its own → images by name.
- * `setup` runs after createCanvas, and may keep things in the object `warps`; on p5 2.x it may await; push() and pop() stand around each scene unless
+ * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a separate frame → images by name. `setup` runs after
+ * createCanvas, and may store things in the object `warps`; on p5 2.x it may await. push() and pop() surround each scene unless
  * `isPushed` is false; the mouse is at 30, 10. `renderer` is WEBGL or WEBGPU. Fails if the page prints anything.
  */
 export async function drawScenes(

@@ -1,4 +1,4 @@
-// Runs vertex shaders on the real pipeline and reads back what they computed, by transform feedback.
+// Runs vertex shaders on the real pipeline and reads their results by transform feedback.
 import { serveBytes } from './bytes.js'
 import { layout, stride } from './dense-mesh.js'
 
@@ -32,11 +32,11 @@ export function vertexShader({ code, declarations }, target, params = {}) {
 
 const typeName = (size) => (size === 1 ? 'float' : `vec${size}`)
 
-/** A page with a WebGL2 context, or with a WebGL 1 context, which can only link shaders. */
+/** Opens a page with a WebGL 2 context, or with a WebGL 1 context, which can only link shaders. */
 export async function openPipeline(browser, contextName = 'webgl2') {
   const server = await serveBytes()
   const page = await browser.newPage()
-  // With its browser, too.
+  // Closes its browser, too.
   page.once('close', () => server.close())
   await page.goto(server.url)
   await page.evaluate(prepare, { contextName, layout, stride })
@@ -47,7 +47,7 @@ export async function openPipeline(browser, contextName = 'webgl2') {
     await page.evaluate(() => pipeline.load())
   }
 
-  /** One draw for each set of uniforms → for each a Float32Array with six numbers a vertex. */
+  /** Draws once for each set of uniforms → for each a Float32Array with six numbers per vertex. */
   async function run(source, draws) {
     await page.evaluate(([source, draws]) => pipeline.run(source, draws), [source, draws])
     const numbers = new Float32Array(server.take())
@@ -62,7 +62,7 @@ export async function openPipeline(browser, contextName = 'webgl2') {
 function prepare({ contextName, layout, stride }) {
   const gl = document.createElement('canvas').getContext(contextName)
   let vertexCount
-  // The last two: a warp is often run on many meshes, with and without an accurate sine, and compiling takes long.
+  // Caches the last two programs: a warp often runs on many meshes, with and without an accurate sine, and compiling takes long.
   const programs = new Map()
 
   function programOf(source) {
@@ -139,7 +139,7 @@ function prepare({ contextName, layout, stride }) {
       gl.endTransformFeedback()
       gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, results, i * size, size)
     })
-    // Of a blob the driver is not told what is in it.
+    // The driver does not log the contents of a blob.
     await fetch('/taken', { method: 'POST', body: new Blob([results]) })
   }
 

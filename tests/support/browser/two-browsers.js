@@ -1,4 +1,4 @@
-// Chromium and Firefox by the same calls, those of Puppeteer: Playwright drives no Firefox but its own.
+// Drives Chromium and Firefox by the same calls, those of Puppeteer: Playwright drives only its own Firefox.
 import { spawn } from 'node:child_process'
 import puppeteer from 'puppeteer-core'
 import { findBrowser, findFirefox } from '../../../.scripts/lib/browser.mjs'
@@ -13,7 +13,7 @@ const launchChromium = async () =>
     args: testFlags,
   })
 
-/** A display that nobody sees. → { name, stop() } */
+/** Starts an invisible display. → { name, stop() } */
 async function startDisplay() {
   const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x1024x24'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
@@ -26,7 +26,7 @@ async function startDisplay() {
   return { name, stop: () => server.kill() }
 }
 
-/** On Linux it has WebGL on a display alone. */
+/** On Linux Firefox has WebGL only on a display. */
 export async function launchFirefox() {
   const display = process.platform === 'linux' ? await startDisplay() : undefined
   const browser = await puppeteer.launch({

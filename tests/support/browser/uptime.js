@@ -1,19 +1,19 @@
-// How right a warp's text is after a page has run for so long.
+// Measures the accuracy of a warp's code after a page has run for a long time.
 import { asAccurateAsCanBe } from './accurate.js'
 import { compare, moments } from './compare.js'
 import { denseMesh, vertices } from './dense-mesh.js'
 import { warpVertex } from './oracle.js'
 import { vertexShader } from './transform-feedback.js'
 
-/** In milliseconds, of a week; and what one frame adds to it. */
+/** A week in milliseconds, and the duration of a frame. */
 export const week = 6e8
 const frame = 16
 
 const [{ millis: _, ...others }] = moments
 
 /**
- * How far positions and normals (in degrees) are from the oracle's at the start and after a week, and how far the way that
- * vertices go from one frame to the next is from the right one, in parts of the longest such way.
+ * Returns the errors of positions and normals (in degrees) against the oracle at the start and after a week, and the error of the
+ * vertices' motion from one frame to the next, relative to the longest such motion.
  */
 export async function afterAWeek(gpu, warp, options) {
   const { compile, offset, size, step, every, reach, params, degrees, mirrors } = warp
@@ -23,7 +23,7 @@ export async function afterAWeek(gpu, warp, options) {
   const compiled = compile('glsl300', options)
   const draws = [1234, week, week + frame].map((millis) => ({ ...others, ...params, millis }))
   const given = draws.map((draw) => {
-    // The warp's own parameters stay in the shader.
+    // The warp's own parameters stay uniforms of the shader.
     const inputs = Object.fromEntries(Object.entries(draw).filter(([name]) => !(name in params)))
     return { ...draw, ...compiled.frameUniforms(inputs) }
   })
@@ -49,5 +49,5 @@ function stepError([before, after], [was, is]) {
   return longest > 0 ? worst / longest : 0
 }
 
-/** Warps of sketches; what is text alone has no frame, and deep noise no oracle that is exact enough. */
+/** The warps of sketches; warps that are only code have no frame, and deep noise has no sufficiently exact oracle. */
 export const isMeasured = ({ kept, text, deep }) => kept && !text && !deep

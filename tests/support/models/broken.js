@@ -9,7 +9,7 @@ import { readGlb, writeGlb } from '../glb.js'
 const { cube } = shapes
 const encode = (text) => new TextEncoder().encode(text)
 
-/** A GLB whose document is bent. */
+/** Makes a GLB with a modified document. */
 function bent(file, change) {
   const { json, chunks } = readGlb(file)
   const binary = chunks[1]?.bytes
@@ -163,7 +163,7 @@ export const broken = {
       const { attributes } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
       attributes.TEXCOORD_0 = attributes.POSITION
     }),
-    reason: /has 3 numbers a vertex, not 2/,
+    reason: /expected 2 numbers per vertex, got 3/,
   },
   'a binary STL that is cut off': {
     file: stl.slice(0, -10),
@@ -191,7 +191,7 @@ export const broken = {
   },
   'an OBJ that names too many vertices': {
     file: encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n'),
-    reason: /line 4 of the .obj speaks of position 4, but only 3 came before it/,
+    reason: /line 4 of the .obj refers to position 4, but there are only 3 before it/,
   },
   'an OBJ without faces': {
     file: encode('v 0 0 0\nv 1 0 0\nv 0 1 0\n'),

@@ -1,10 +1,10 @@
 // glTF files that use extensions or weights of morph targets, each with the triangles that it must have.
 import { as, plain, sparse } from './gltf-variants.js'
-import { reversed, trianglesOf } from './shapes.js'
+import { reverseTriangles, trianglesOf } from './shapes.js'
 
 const lift = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i % 2) + 0.5 : 0))
 
-const morphed = (weights, target) => (shape) => {
+const morph = (weights, target) => (shape) => {
   const offsets = lift(shape)
   const writer = plain(shape, {
     mesh: { weights: weights.mesh },
@@ -19,10 +19,10 @@ const morphed = (weights, target) => (shape) => {
 }
 
 const dense = (writer, offsets) => writer.accessor(offsets, 'VEC3')
-const sparsely = (writer, offsets) => {
+const addSparse = (writer, offsets) => {
   const place = sparse(writer, offsets, 'VEC3', 3, true)
-  const { bufferView, ...accessor } = writer.json.accessors[place]
-  // Of the first element: zeros.
+  const { bufferView: _, ...accessor } = writer.json.accessors[place]
+  // The first element stays zero.
   offsets.fill(0, 0, 3)
   return writer.json.accessors.push({ ...accessor, min: [0, 0, 0], max: [0, 1.5, 0] }) - 1
 }
@@ -37,7 +37,7 @@ const scales = [
   [2, 1, 0.5],
   [-1, 1, 1],
 ]
-// None, a quarter around z, and a half around x.
+// No rotation, a quarter turn around z, and a half turn around x.
 const turns = [
   [0, 0, 0, 1],
   [0, 0, Math.SQRT1_2, Math.SQRT1_2],
@@ -45,8 +45,8 @@ const turns = [
 ]
 const turn = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, z]) => [x, -y, -z]]
 
-/** `rotation` makes the array of the quaternions. */
-const instanced =
+/** Makes instances. `rotation` makes the array of quaternions. */
+const makeInstances =
   (parts, rotation = (numbers) => Float32Array.from(numbers), more) =>
   (shape) => {
     const writer = plain(shape, {
@@ -71,14 +71,14 @@ const instanced =
         const turned = isTurned ? turn[i](scaled) : scaled
         return turned.map((x, k) => x + place[k] + (k === 2 ? 100 : 0))
       })
-      return isSized && scales[i][0] < 0 ? reversed(moved) : moved
+      return isSized && scales[i][0] < 0 ? reverseTriangles(moved) : moved
     })
     return { ...writer.glb(), triangles, tolerance: more ? 0.02 : 1e-5 }
   }
 
 const hidden = { extensions: { KHR_node_visibility: { visible: false } } }
 
-const painted = (extension, texture) => (writer) => {
+const addTexture = (extension, texture) => (writer) => {
   writer.extension(extension)
   writer.add('images', { bufferView: writer.view(new Uint8Array(8)), mimeType: 'image/webp' })
   writer.add('textures', texture)
@@ -86,9 +86,9 @@ const painted = (extension, texture) => (writer) => {
   writer.json.meshes[0].primitives[0].material = 0
 }
 
-const requiring = (extension) =>
+const requireExtension = (extension) =>
   as((shape) =>
-    plain(shape, {}, painted(extension, { extensions: { [extension]: { source: 0 } } })),
+    plain(shape, {}, addTexture(extension, { extensions: { [extension]: { source: 0 } } })),
   )
 
 const glossy = as((shape) =>
@@ -100,8 +100,8 @@ const glossy = as((shape) =>
   }),
 )
 
-/** Positions as integers: `unit` is the largest, `range` what it stands for, `shift` makes them unsigned. */
-function quantized(Type, { unit, normalized = false, shift = 0 }) {
+/** Stores positions as integers: `unit` is the largest one and represents `range`; `shift` makes them unsigned. */
+function quantize(Type, { unit, normalized = false, shift = 0 }) {
   return (shape) => {
     const range = Math.max(...shape.positions.map(Math.abs))
     const numbers = Type.from(shape.positions, (x) =>
@@ -145,18 +145,18 @@ function quantized(Type, { unit, normalized = false, shift = 0 }) {
 }
 
 export const extensionVariants = {
-  'morph weights of the mesh': morphed({ mesh: [0.5] }, dense),
-  'morph weights of the node': morphed({ mesh: [0.5], node: [-2] }, dense),
-  'a morph target upon zeros': morphed({ mesh: [1.25] }, sparsely),
-  'morph weights of 0': morphed({ mesh: [0] }, dense),
-  'instances by places': instanced(['TRANSLATION']),
-  'instances by places, turns and sizes': instanced(['TRANSLATION', 'ROTATION', 'SCALE']),
-  'instances whose turns are shorts': instanced(
+  'morph weights of the mesh': morph({ mesh: [0.5] }, dense),
+  'morph weights of the node': morph({ mesh: [0.5], node: [-2] }, dense),
+  'a morph target upon zeros': morph({ mesh: [1.25] }, addSparse),
+  'morph weights of 0': morph({ mesh: [0] }, dense),
+  'instances by places': makeInstances(['TRANSLATION']),
+  'instances by places, turns and sizes': makeInstances(['TRANSLATION', 'ROTATION', 'SCALE']),
+  'instances whose turns are shorts': makeInstances(
     ['TRANSLATION', 'ROTATION'],
     (numbers) => Int16Array.from(numbers, (x) => Math.round(x * 32767)),
     { normalized: true },
   ),
-  'instances whose turns are bytes': instanced(
+  'instances whose turns are bytes': makeInstances(
     ['TRANSLATION', 'ROTATION', 'SCALE'],
     (numbers) => Int8Array.from(numbers, (x) => Math.round(x * 127)),
     { normalized: true },
@@ -176,17 +176,17 @@ export const extensionVariants = {
     }),
   ),
   'colours of specular-glossiness': glossy,
-  'required WebP textures': requiring('EXT_texture_webp'),
-  'required Basis textures': requiring('KHR_texture_basisu'),
-  'required AVIF textures': requiring('EXT_texture_avif'),
-  'required DDS textures': requiring('MSFT_texture_dds'),
-  'positions of 16 bits': quantized(Int16Array, { unit: 32767, normalized: true }),
-  'positions of 16 bits, not normalized': quantized(Int16Array, { unit: 30000 }),
-  'positions of 16 unsigned bits': quantized(Uint16Array, {
+  'required WebP textures': requireExtension('EXT_texture_webp'),
+  'required Basis textures': requireExtension('KHR_texture_basisu'),
+  'required AVIF textures': requireExtension('EXT_texture_avif'),
+  'required DDS textures': requireExtension('MSFT_texture_dds'),
+  'positions of 16 bits': quantize(Int16Array, { unit: 32767, normalized: true }),
+  'positions of 16 bits, not normalized': quantize(Int16Array, { unit: 30000 }),
+  'positions of 16 unsigned bits': quantize(Uint16Array, {
     unit: 65535,
     normalized: true,
     shift: 1,
   }),
-  'positions of 8 bits': quantized(Int8Array, { unit: 127, normalized: true }),
-  'positions of 8 unsigned bits': quantized(Uint8Array, { unit: 255, shift: 1 }),
+  'positions of 8 bits': quantize(Int8Array, { unit: 127, normalized: true }),
+  'positions of 8 unsigned bits': quantize(Uint8Array, { unit: 255, shift: 1 }),
 }

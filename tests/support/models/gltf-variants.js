@@ -1,15 +1,15 @@
 // glTF files in many forms, each with the triangles that its shape must have: { file, files?, triangles, tolerance? }.
 import { GltfWriter, extent } from './writer.js'
-import { reversed, trianglesOf } from './shapes.js'
+import { reverseTriangles, trianglesOf } from './shapes.js'
 
-/** The accessors of a shape's attributes; `own` replaces some of them. */
+/** Makes the accessors of a shape's attributes; `own` replaces some of them. */
 const attributesOf = (writer, shape, own = {}) => ({
   POSITION: own.POSITION ?? writer.accessor(shape.positions, 'VEC3'),
   NORMAL: own.NORMAL ?? writer.accessor(shape.normals, 'VEC3'),
   TEXCOORD_0: own.TEXCOORD_0 ?? writer.accessor(shape.uvs, 'VEC2'),
 })
 
-/** A file of one node with one mesh; `change` bends it before it is written. */
+/** Makes a file of one node with one mesh; `change` modifies it before it is written. */
 function plain(shape, { indices = Uint16Array, node, mesh, more, own } = {}, change = () => {}) {
   const writer = new GltfWriter()
   const corners = indices && { indices: writer.accessor(indices.from(shape.indices), 'SCALAR') }
@@ -24,7 +24,7 @@ const as =
   (make, form = 'glb', move) =>
   (shape) => ({ ...make(shape)[form](), triangles: trianglesOf(shape, move) })
 
-const unindexed = (shape) => {
+const removeIndices = (shape) => {
   const gather = (numbers, width) =>
     Float32Array.from(
       [...shape.indices].flatMap((i) => [...numbers.slice(width * i, width * (i + 1))]),
@@ -37,7 +37,7 @@ const unindexed = (shape) => {
   }
 }
 
-/** One strip, whose pieces are joined by triangles without area; each piece starts at an even place. */
+/** Makes one strip, whose pieces are joined by degenerate triangles; each piece starts at an even index. */
 function stripOf(indices) {
   const strip = []
   for (let i = 0; i < indices.length; i += 3) {
@@ -61,7 +61,7 @@ function fans(shape) {
   return writer
 }
 
-function interleaved(shape, byteStride) {
+function interleave(shape, byteStride) {
   const count = shape.positions.length / 3
   const bytes = new Float32Array((count * byteStride) / 4)
   for (let i = 0; i < count; i++) {
@@ -83,7 +83,7 @@ function interleaved(shape, byteStride) {
   return plain(shape, { own })
 }
 
-/** An accessor whose elements from place 1 on are sparse; `base` says whether the others have a view. */
+/** Makes an accessor whose elements from index 1 on are sparse; `base` says whether the others have a view. */
 export function sparse(writer, numbers, type, width, base, more) {
   const count = numbers.length / width
   const places = Uint16Array.from({ length: count - 1 }, (_, i) => i + 1)
@@ -104,7 +104,7 @@ export function sparse(writer, numbers, type, width, base, more) {
   })
 }
 
-/** So that the first element is zero. */
+/** Moves the shape so that the first element is zero. */
 const fromOrigin = (shape) => {
   const [x, y, z] = shape.positions
   return { ...shape, positions: shape.positions.map((n, i) => n - [x, y, z][i % 3]) }
@@ -118,7 +118,7 @@ const sparsePositions = (isZero) => (given) => {
   return { ...plain(shape, { own }).glb(), triangles: trianglesOf(shape) }
 }
 
-/** The same triangles, beginning with vertex 0. */
+/** Reorders the triangles to begin with vertex 0. */
 function fromVertex0(indices) {
   const at = indices.indexOf(0)
   const start = at - (at % 3)
@@ -138,8 +138,8 @@ const sparseIndices = as((shape) =>
 const matrix = [0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1.5, 0, 3, 4, 5, 1]
 const byMatrix = ([x, y, z]) => [-y + 3, 2 * x + 4, 1.5 * z + 5]
 
-/** Each vertex follows two bones, by a quarter and by three quarters. */
-function skinned(shape) {
+/** Weights each vertex by two bones, 1/4 and 3/4. */
+function skin(shape) {
   const count = shape.positions.length / 3
   const each = (Type, four) => Type.from({ length: 4 * count }, (_, i) => four[i % 4])
   return plain(shape, {}, (writer) => {
@@ -161,19 +161,19 @@ export const plainVariants = {
   'an external buffer': as(plain, 'external'),
   'indices of 8 bits': as((shape) => plain(shape, { indices: Uint8Array })),
   'indices of 32 bits': as((shape) => plain(shape, { indices: Uint32Array })),
-  'no indices': as((shape) => plain(unindexed(shape), { indices: null })),
+  'no indices': as((shape) => plain(removeIndices(shape), { indices: null })),
   'a strip': as((shape) =>
     plain({ ...shape, indices: stripOf(shape.indices) }, { more: () => ({ mode: 5 }) }),
   ),
   fans: as(fans),
-  'interleaved attributes': as((shape) => interleaved(shape, 32)),
-  'a stride with gaps': as((shape) => interleaved(shape, 44)),
+  'interleaved attributes': as((shape) => interleave(shape, 32)),
+  'a stride with gaps': as((shape) => interleave(shape, 44)),
   'sparse positions': sparsePositions(false),
   'sparse positions upon zeros': sparsePositions(true),
   'sparse indices upon zeros': sparseIndices,
   'a negative scale': (shape) => ({
     ...plain(shape, { node: () => ({ scale: [-2, 1, 1] }) }).glb(),
-    triangles: reversed(trianglesOf(shape, ([x, y, z]) => [-2 * x, y, z])),
+    triangles: reverseTriangles(trianglesOf(shape, ([x, y, z]) => [-2 * x, y, z])),
   }),
   'a matrix': as((shape) => plain(shape, { node: () => ({ matrix }) }), 'glb', byMatrix),
   'nested nodes': as(
@@ -185,7 +185,7 @@ export const plainVariants = {
     'glb',
     ([x, y, z]) => [x, 3 * y, z + 1],
   ),
-  'two bones': as(skinned, 'glb', ([x, y, z]) => [x + 1, y + 6, z]),
+  'two bones': as(skin, 'glb', ([x, y, z]) => [x + 1, y + 6, z]),
   'vertex colours of 8 bits': as((shape) =>
     plain(shape, {}, (writer) => {
       const colors = new Uint8Array((shape.positions.length / 3) * 4).fill(128)

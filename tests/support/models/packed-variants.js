@@ -8,7 +8,7 @@ import { GltfWriter, bytesOf, componentTypes, extent, widths } from './writer.js
 await MeshoptEncoder.ready
 const encoderModule = await draco.createEncoderModule({})
 
-/** Packs the views of a writer into its buffer; what they stand for lies in a second one, which may be missing. */
+/** Compresses the views of a writer in its buffer; the uncompressed data is in a second buffer, which may be missing. */
 class Packer {
   #plain = []
 
@@ -19,7 +19,7 @@ class Packer {
     writer.add('buffers', { byteLength: 0, ...(fallback && { uri: fallback }), ...marks })
   }
 
-  /** `bytes` are what `filter` made of the numbers, `raw` what it will make of them again. */
+  /** `bytes` are the encoded numbers, and `raw` the numbers that `filter` decodes them to. */
   view(bytes, count, byteStride, mode, { filter, raw = bytes } = {}) {
     const version = this.extension === 'KHR_meshopt_compression' ? 1 : 0
     const encoded = MeshoptEncoder.encodeGltfBuffer(bytes, count, byteStride, mode, version)
@@ -75,7 +75,7 @@ class Packer {
   }
 }
 
-/** Vectors of three as four numbers each, as the filters take them. */
+/** Pads vectors of three to four numbers, as the filters need. */
 const fourWide = (numbers) =>
   Float32Array.from({ length: (numbers.length / 3) * 4 }, (_, i) =>
     i % 4 < 3 ? numbers[Math.floor(i / 4) * 3 + (i % 4)] : 0,
@@ -100,7 +100,7 @@ const exponential = (packer, { positions }) => {
 const floats = (packer, { positions }) =>
   packer.accessor(positions, 'VEC3', 'ATTRIBUTES', extent(positions))
 
-/** `change` bends the document before it is written. */
+/** `change` modifies the document before it is written. */
 function packed(
   {
     extension = 'EXT_meshopt_compression',
@@ -139,8 +139,8 @@ function packed(
   }
 }
 
-/** Instances whose turns are quaternions of a filter. */
-const turning = (packer, shape) => {
+/** Makes instances whose rotations are quaternions of a filter. */
+const addRotations = (packer, shape) => {
   const turns = Float32Array.from([0, 0, 0, 1, 0, 0, Math.SQRT1_2, Math.SQRT1_2])
   const bytes = MeshoptEncoder.encodeFilterQuat(turns, 2, 8, 16)
   const view = packer.view(bytes, 2, 8, 'ATTRIBUTES', { filter: 'QUATERNION' })
@@ -152,7 +152,7 @@ const turning = (packer, shape) => {
   return [...trianglesOf(shape), ...trianglesOf(shape, ([x, y, z]) => [-y, x, z])]
 }
 
-const coloured = (packer, { positions }) => {
+const addColors = (packer, { positions }) => {
   const count = positions.length / 3
   const colors = new Float32Array(4 * count).fill(0.5)
   const bytes = MeshoptEncoder.encodeFilterColor(colors, count, 4, 8)
@@ -203,10 +203,10 @@ export const packedVariants = {
   'meshopt, normals of 8 bits': packed({ normals: octahedral(Int8Array, 4, 8) }),
   'meshopt, normals of 16 bits': packed({ normals: octahedral(Int16Array, 8, 12) }),
   'meshopt, exponential positions': packed({ positions: exponential, tolerance: 1e-3 }),
-  'meshopt, quaternions': packed({ tolerance: 1e-3 }, turning),
+  'meshopt, quaternions': packed({ tolerance: 1e-3 }, addRotations),
   'meshopt with a fallback': packed({ fallback: 'plain.bin' }),
   'KHR meshopt': packed({ extension: 'KHR_meshopt_compression' }),
-  'KHR meshopt, colours': packed({ extension: 'KHR_meshopt_compression' }, coloured),
+  'KHR meshopt, colours': packed({ extension: 'KHR_meshopt_compression' }, addColors),
   'Draco, edge breaker': dracoFile({ method: 'MESH_EDGEBREAKER_ENCODING' }),
   'Draco, in order': dracoFile({ method: 'MESH_SEQUENTIAL_ENCODING' }),
   'Draco, of 12 bits': dracoFile({

@@ -57,7 +57,7 @@ const withUvs = (mesh) => ({
   uvs: [...mesh.positions].filter((_, i) => i % 3 < 2).map((x) => x / 4),
 })
 
-const typed = ({ positions, normals, uvs, indices }) => ({
+const toTypedArrays = ({ positions, normals, uvs, indices }) => ({
   positions: Float32Array.from(positions),
   normals: Float32Array.from(normals),
   uvs: Float32Array.from(uvs),
@@ -65,23 +65,23 @@ const typed = ({ positions, normals, uvs, indices }) => ({
 })
 
 export const shapes = {
-  cube: typed(cube()),
-  tetrahedron: typed(tetrahedron()),
-  sphere: typed(sphere(8, 6)),
-  grid: typed(withUvs(grid(4, 3))),
+  cube: toTypedArrays(cube()),
+  tetrahedron: toTypedArrays(tetrahedron()),
+  sphere: toTypedArrays(sphere(8, 6)),
+  grid: toTypedArrays(withUvs(grid(4, 3))),
 }
 
-/** Three corners of three numbers for each triangle; `move` moves a corner, by its place and its vertex. */
+/** Lists the corners of each triangle, 3 × 3 numbers; `move(position, vertex)` moves a corner. */
 export function trianglesOf({ positions, indices }, move = (corner) => corner) {
   const corners = [...(indices ?? Array(positions.length / 3).keys())]
   const points = corners.map((i) => move([...positions.slice(3 * i, 3 * i + 3)], i))
   return Array.from({ length: points.length / 3 }, (_, i) => points.slice(3 * i, 3 * i + 3))
 }
 
-/** The same triangles from behind, as where something is mirrored. */
-export const reversed = (triangles) => triangles.map(([a, b, c]) => [a, c, b])
+/** Reverses triangles, as mirroring does. */
+export const reverseTriangles = (triangles) => triangles.map(([a, b, c]) => [a, c, b])
 
-/** Without area, as triangles at the pole of a sphere are. */
+/** Tests for a triangle without area, such as those at the pole of a sphere. */
 function isFlat([a, b, c]) {
   const [u, v] = [b, c].map((point) => point.map((x, k) => x - a[k]))
   const normal = [0, 1, 2].map((k) => {
@@ -92,14 +92,14 @@ function isFlat([a, b, c]) {
 }
 
 const distance = (a, b) => Math.max(...a.flatMap((p, i) => p.map((x, k) => Math.abs(x - b[i][k]))))
-const turned = ([a, b, c], by) =>
+const rotateCorners = ([a, b, c], by) =>
   [
     [a, b, c],
     [b, c, a],
     [c, a, b],
   ][by]
 
-/** The largest distance of a corner from where it should be, or a sentence: triangles may come in any order. */
+/** Returns the maximum distance of a corner from its expected position, or a message. Triangles may be in any order. */
 export function compareTriangles(came, expected) {
   const [found, open] = [came, expected].map((triangles) =>
     triangles.filter((triangle) => !isFlat(triangle)),
@@ -110,7 +110,7 @@ export function compareTriangles(came, expected) {
     let best = { far: Infinity, place: -1 }
     open.forEach((other, place) => {
       for (const by of [0, 1, 2]) {
-        const far = distance(triangle, turned(other, by))
+        const far = distance(triangle, rotateCorners(other, by))
         if (far < best.far) best = { far, place }
       }
     })

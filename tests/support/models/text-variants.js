@@ -7,7 +7,7 @@ const points = (numbers, width, word) =>
     [word, ...numbers.slice(width * i, width * (i + 1))].join(' '),
   )
 
-/** The lines of an OBJ; `corner` writes a corner of a face. */
+/** Writes the lines of an OBJ; `corner` writes a corner of a face. */
 function objLines(
   { positions, normals, uvs, indices },
   corner = (i) => `${i + 1}/${i + 1}/${i + 1}`,
@@ -34,8 +34,8 @@ function utf16(isBigEndian, hasMark) {
   }
 }
 
-/** With a spare vertex, so that a line that is lost moves every corner. */
-const marked = (lines) => encode('\uFEFF' + [...lines, 'v 9 9 9'].join('\n'))
+/** Adds an unused vertex, so that a lost line shifts every corner. */
+const encodeWithMark = (lines) => encode('\uFEFF' + [...lines, 'v 9 9 9'].join('\n'))
 
 const relative = (shape) => {
   const count = shape.positions.length / 3
@@ -86,7 +86,7 @@ export const textVariants = {
   'an OBJ': obj(),
   'an OBJ with CR LF': obj((lines) => encode(lines.join('\r\n'))),
   'an OBJ with CR': obj((lines) => encode(lines.join('\r'))),
-  'an OBJ with a byte order mark': obj(marked),
+  'an OBJ with a byte order mark': obj(encodeWithMark),
   'an OBJ in UTF-16, little endian': obj(utf16(false, true)),
   'an OBJ in UTF-16, big endian': obj(utf16(true, true)),
   'an OBJ in UTF-16 without a mark': obj(utf16(false, false)),

@@ -1,20 +1,20 @@
-// What three.js' own loaders make of a model file: the triangles of its scene.
+// Loads model files by three.js' own loaders: the triangles of the scene.
 import { LoadingManager, Matrix4, Vector3 } from 'three'
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js'
 import { OBJLoader } from 'three/examples/jsm/loaders/OBJLoader.js'
 import { STLLoader } from 'three/examples/jsm/loaders/STLLoader.js'
 import { MeshoptDecoder } from 'meshoptimizer'
 
-// The loader looks for Safari.
+// The loader detects Safari.
 globalThis.navigator ??= { userAgent: '' }
 globalThis.self ??= globalThis
 globalThis.ProgressEvent ??= class {}
 
-/** By what it does not read, or shows otherwise: pictures need a page, Draco needs workers. */
+/** Maps files that three.js does not load, or loads differently → reason: pictures need a page, Draco needs workers. */
 const unread =
   /texture|Draco|external|fallback|UTF-16|mark|"solid"|none|specular|CR$|KHR meshopt|hidden/
 
-export async function readByThree(name, file, files = {}) {
+export async function readByThree(name, file) {
   if (unread.test(name)) return undefined
   const buffer = file.slice().buffer
   const text = () => new TextDecoder().decode(file)

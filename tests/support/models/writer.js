@@ -19,7 +19,7 @@ export class GltfWriter {
   #parts = []
   #length = 0
 
-  /** Appends to one of the document's lists; answers the element's place. */
+  /** Appends to one of the document's arrays; returns the index. */
   add(list, element) {
     this.json[list] ??= []
     return this.json[list].push(element) - 1
@@ -33,7 +33,7 @@ export class GltfWriter {
     }
   }
 
-  /** Appends bytes to the buffer; answers where they are. */
+  /** Appends bytes to the buffer; returns their position. */
   bytes(bytes) {
     const byteOffset = this.#length
     const padded = new Uint8Array(Math.ceil(bytes.length / 4) * 4)
@@ -47,7 +47,7 @@ export class GltfWriter {
     return this.add('bufferViews', { ...this.bytes(bytesOf(array)), ...more })
   }
 
-  /** `numbers` is a typed array; `more` adds members of the accessor. */
+  /** Adds an accessor. `numbers` is a typed array; `more` adds members of the accessor. */
   accessor(numbers, type, more = {}) {
     const count = numbers.length / widths[type]
     const componentType = componentTypes.get(numbers.constructor)
@@ -61,12 +61,12 @@ export class GltfWriter {
     })
   }
 
-  /** A mesh of one primitive. */
+  /** Adds a mesh of one primitive. */
   mesh(attributes, more, ofMesh) {
     return this.add('meshes', { primitives: [{ attributes, ...more }], ...ofMesh })
   }
 
-  /** A node of the scene. */
+  /** Adds a node of the scene. */
   node(node) {
     const place = this.add('nodes', node)
     this.json.scenes[0].nodes.push(place)
@@ -107,7 +107,7 @@ export class GltfWriter {
   }
 }
 
-/** What an accessor says of its numbers, three each. */
+/** The bounds that an accessor declares for vectors of three numbers. */
 export function extent(numbers) {
   const [min, max] = [Array(3).fill(Infinity), Array(3).fill(-Infinity)]
   numbers.forEach((value, i) => {

@@ -1,4 +1,4 @@
-// What the shipped types must allow and refuse under every TypeScript from 5.4 on, without p5; only checked, never run.
+// Checks which uses the shipped types allow and reject under every TypeScript from 5.4 on, without p5. Compiled only, never run.
 import { type OffsetFunction, type Vec3, WarpError, compile, compileWarp, version } from 'warpjet'
 import { type Op, gen } from 'warpjet/autodiff'
 import { type TwistOptions, chain, twist } from 'warpjet/deformers'
@@ -36,15 +36,15 @@ export const gradient: string = differentiate('float map(vec3 p) { return p.x; }
 // @ts-expect-error no such language
 differentiate('', { target: 'hlsl' })
 
-// One class and one kind of vector, whichever entry they come from.
+// Entries share one class and one type of vector.
 export const isOurs = (error: unknown): error is WarpError => error instanceof WarpError
 compileWarp(twist(), { target: 'wgsl' })
 compileText(twist())
 
-// Without types of p5.
+// Works without types of p5.
 warpjet(class {})
 export const model = (sketch: Loading): Promise<WarpModel> => sketch.loadWarpModel('bunny.glb')
 
-// @ts-expect-error what the addon asks the meshes for is not shipped
+// @ts-expect-error functions for the addon are not shipped
 import { varyGeometry } from 'warpjet/mesh'
 void varyGeometry

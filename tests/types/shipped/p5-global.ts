@@ -1,4 +1,4 @@
-// A sketch in global mode, as of two script tags.
+// A sketch in global mode, with two script tags.
 /// <reference types="p5/global" />
 /// <reference types="warpjet/globals" />
 

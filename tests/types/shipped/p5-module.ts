@@ -1,4 +1,4 @@
-// The shipped types beside p5's own, in a sketch of a project with modules.
+// The shipped types together with p5's own, in a project with modules.
 import p5 from 'p5'
 import type { Distort, Loading, Warping } from 'warpjet/p5'
 
@@ -22,7 +22,7 @@ new p5((sketch) => {
     if (plane.texture) p.texture(plane.texture)
     p.model(plane)
     const sentences: string[] = plane.warnings
-    // @ts-expect-error it is to be awaited
+    // @ts-expect-error it must be awaited
     p.model(p.loadWarpModel('airplane.glb'))
     void sentences
   }

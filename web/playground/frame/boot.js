@@ -1,28 +1,28 @@
-// Runs first in the frame of a sketch. The frame has an origin of its own, which no page shares: it can load nothing from the site, so
-// the page sends the scripts, modules and files as blobs, over a channel that only the two of them have.
+// Runs first in a sketch's frame. The frame has a unique opaque origin and can load nothing from the site, so the page sends scripts,
+// modules and files as blobs over a private channel.
 {
   const { page } = document.currentScript.dataset
   const { port1: port, port2 } = new MessageChannel()
-  // A sandbox has no sensors. p5 listens to them for every sketch, of which the browser would warn each time.
+  // A sandbox has no sensors. p5 listens to them in every sketch, and the browser would log a warning each time.
   const { addEventListener } = window
   window.addEventListener = (type, ...how) =>
     /^device(?:motion|orientation)$/.test(type) ? undefined : addEventListener(type, ...how)
 
   const isLoaded = new Promise((resolve) => addEventListener('load', resolve, { once: true }))
-  // p5 and sketches wait for the page to be complete, which it is once their scripts have run.
+  // p5 and sketches wait until the page is complete, which it is only after their scripts have run.
   Object.defineProperty(document, 'readyState', { configurable: true, get: () => 'interactive' })
-  // No Content-Security-Policy covers WebRTC, which would tell others the visitor's address.
+  // No Content-Security-Policy covers WebRTC, which could reveal the visitor's IP address.
   for (const name of ['RTCPeerConnection', 'webkitRTCPeerConnection']) delete window[name]
 
   const addressOf = (blob) => URL.createObjectURL(blob)
   const mapAddresses = (blobs) =>
     Object.fromEntries(Object.entries(blobs).map(([name, blob]) => [name, addressOf(blob)]))
 
-  /** Runs a script at `src`. To those that read it, its address is `href`, where the site has it. */
+  /** Runs a script at `src`. Code that reads its address sees `href`, its address on the site. */
   function run({ src, href, isModule }, parent) {
     const tag = document.createElement('script')
     const hasRun = new Promise((resolve) => (tag.onload = tag.onerror = resolve))
-    // In the order in which they are appended.
+    // Run scripts in the order in which they are appended.
     tag.async = false
     if (isModule) tag.type = 'module'
     tag.src = src
@@ -50,7 +50,7 @@
     dispatchEvent(new Event('load'))
   }
 
-  /** Answers a question of the page by the function of that name. One without `id` awaits no answer. */
+  /** Answers a request of the page with the function of that name. The page ignores the answer to a request without `id`. */
   async function answer({ id, method, args }) {
     try {
       const value = await window.playground.answers[method](...args)
@@ -61,6 +61,6 @@
   }
 
   port.onmessage = ({ data }) => (data.kind === 'start' ? start(data) : answer(data))
-  // The page around the host of this frame.
+  // The playground's page is two levels up: the frame's parent is host.html.
   parent.parent.postMessage('ready', page, [port2])
 }

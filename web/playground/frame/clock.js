@@ -1,5 +1,5 @@
-// In the playground's frame, after the libraries: the sketch's time can be stopped and set. p5 itself goes on drawing, since
-// it looks at the browser's clock to know when; three.js gets the time with each frame.
+// Runs in the playground's frame after the libraries, and lets the page stop and set the sketch's time. p5 keeps drawing, since it
+// schedules frames by the browser's clock; three.js receives the time with each frame.
 {
   const { clock: start } = window.playground
   const real = performance.now.bind(performance)

@@ -1,6 +1,6 @@
-// Before the libraries: files that the sketch loads by name come from `sketchFiles`, which has an address of their data for each. In the
-// playground these are the files that were dropped on it and those that the sketch names; in a saved page all that it names, since a
-// page that was opened as a file can read no other.
+// Runs before the libraries, and redirects files that the sketch loads by name to `sketchFiles`, which maps name → data address. In the
+// playground these are the dropped files and those that the sketch names. A saved page contains all files that the sketch names, since
+// a page opened from disk cannot read others.
 {
   const { fetch, FontFace, playground } = window
   const address = (name) => {
@@ -13,10 +13,10 @@
   const byAddress = new Map(
     Object.entries(window.sketchFiles).map(([name, data]) => [address(name), data]),
   )
-  /** The address of the file's data, or undefined. p5 passes a name, an address or a Request. */
+  /** Returns the address of the file's data, or undefined. p5 passes a name, an address or a Request. */
   const dataOf = (from) => byAddress.get(address(from?.url ?? String(from)))
 
-  // p5 asks for the head of a font before it loads it, which data lack.
+  // p5 requests a font by HEAD before it loads it, which data: addresses do not support.
   window.fetch = async (from, options) => {
     const data = dataOf(from)
     if (data) return fetch(data)

@@ -1,19 +1,24 @@
-// In the playground's frame, before everything else: reports to the page what goes wrong, what is printed, what is blocked, the time,
-// the frames, and the first picture.
+// Runs in the playground's frame before everything else, and reports to the page: errors, console output, blocked addresses, the time,
+// the number of frames, and the first picture.
 {
   const { report, source, root, answers } = window.playground
   const place = new RegExp(`${source.replaceAll(/[.*+?^${}()|[\]\\/]/g, '\\$&')}:(\\d+):(\\d+)`)
-  // clock.js puts the sketch's time in its place.
+  // Saved here, because clock.js replaces performance.now by the sketch's time.
   const now = performance.now.bind(performance)
   const began = now()
 
-  /** With the first place in the sketch that the error went through, if there is one. */
-  function tell(error, line, column) {
+  /** Reports an error with the first position in the sketch on its stack, if there is one. */
+  function reportMistake(error, line, column) {
     const text = String(error?.message ?? error).replaceAll(source, 'sketch.js')
-    // warpjet says it itself, and knows of functions that it has rewritten.
-    const [said, message, file, named] = /^(.*) \((\S+), line (\d+)\)$/s.exec(text) ?? [text, text]
-    const isSaid = file && source.endsWith(file)
-    const found = isSaid ? [said, named] : (place.exec(error?.stack ?? '') ?? [said, line, column])
+    // warpjet's own messages name the line, also in functions that it has rewritten.
+    const [whole, message, file, lineInText] = /^(.*) \((\S+), line (\d+)\)$/s.exec(text) ?? [
+      text,
+      text,
+    ]
+    const hasLine = file && source.endsWith(file)
+    const found = hasLine
+      ? [whole, lineInText]
+      : (place.exec(error?.stack ?? '') ?? [whole, line, column])
     const isPlain = !error?.name || error.name === 'WarpError' || error.name === 'Error'
     report({
       kind: 'error',
@@ -22,21 +27,21 @@
       column: found[2] && Number(found[2]),
     })
   }
-  // The page shows them, so that the browser's own console need not.
+  // The page shows errors, so keep them out of the browser's console.
   addEventListener('error', (event) => {
     const { error, message, filename, lineno, colno } = event
     const isHere = filename === source
     event.preventDefault()
-    tell(error ?? message, isHere ? lineno : undefined, isHere ? colno : undefined)
+    reportMistake(error ?? message, isHere ? lineno : undefined, isHere ? colno : undefined)
   })
   addEventListener('unhandledrejection', (event) => {
     event.preventDefault()
-    tell(event.reason)
+    reportMistake(event.reason)
   })
-  // An image or a script that is missing says so on itself alone.
+  // The error event of a missing script does not bubble, so listen in the capture phase.
   addEventListener(
     'error',
-    ({ target }) => target?.tagName === 'SCRIPT' && tell(`${target.src} is not there.`),
+    ({ target }) => target?.tagName === 'SCRIPT' && reportMistake(`Cannot load ${target.src}.`),
     true,
   )
 
@@ -44,7 +49,7 @@
     if (/^https?:/.test(blockedURI)) report({ kind: 'blocked', address: blockedURI })
   })
 
-  // Files of the site that no text names, such as one whose name is put together: the page has them.
+  // Asks the page for files whose names are not literal in the sketch, such as concatenated ones.
   const wanted = []
   window.playground.findFile = (address) =>
     address?.startsWith(root)
@@ -72,46 +77,46 @@
     }
   }
 
-  // Frames are counted where both hosts ask for them.
+  // Count frames in requestAnimationFrame, which both hosts use.
   const { requestAnimationFrame } = window
   let frames = 0
   const waiting = []
   window.requestAnimationFrame = (work) =>
     requestAnimationFrame((time) => {
-      // What a slow machine drew before is no loop of the sketch's.
+      // Reset the loop guard, so that earlier slow drawing does not count as an endless loop.
       alive = now()
       work(window.playground.clock?.frameTime(time) ?? time)
       frames++
       for (const take of waiting.splice(0)) take()
     })
 
-  // A page that stands still runs no timer.
-  const MOST = 5000
+  // Max milliseconds of a loop. A page that hangs runs no timers, so `alive` stops being updated.
+  const MAX_LOOP_TIME = 5000
   let alive = now()
   let rounds = 0
   setInterval(() => (alive = now()), 200)
 
   /** Throws in a loop that seems to have no end. */
   window.playground.goOn = () => {
-    if (++rounds % 1024 || now() - alive < MOST) return
+    if (++rounds % 1024 || now() - alive < MAX_LOOP_TIME) return
     alive = now()
     throw new Error(
-      'This loop went on for five seconds and was stopped: see that its condition becomes false.',
+      'This loop ran for five seconds and was stopped: check that its condition becomes false.',
     )
   }
-  /** Since the page began; of p5 those that it has drawn. */
+  /** Counts frames since the page was loaded; in p5, frames that p5 has drawn. */
   const count = () => window.frameCount ?? frames
   const findCanvas = () => document.querySelector('canvas.p5Canvas, canvas[data-engine], canvas')
 
   Object.assign(answers, {
-    /** So many seconds of the canvas as a Blob. */
+    /** Records the canvas for some seconds and returns a Blob. */
     async film(seconds) {
       const canvas = findCanvas()
       const type = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'].find((kind) =>
         window.MediaRecorder?.isTypeSupported(kind),
       )
       if (!type || !canvas?.captureStream)
-        throw new Error('This browser records no WebM: save a picture, or take another browser.')
+        throw new Error('This browser cannot record WebM: save a picture, or use another browser.')
       const recorder = new MediaRecorder(canvas.captureStream(60), {
         mimeType: type,
         videoBitsPerSecond: 12e6,
@@ -127,7 +132,7 @@
       await stopped
       return new Blob(parts, { type: 'video/webm' })
     },
-    /** The canvas as a Blob, right after it was drawn: later a browser may have emptied it. */
+    /** Returns the canvas as a Blob, right after a frame: later the browser may have cleared it. */
     snapshot: () =>
       new Promise((resolve) => {
         let isTaken = false
@@ -147,7 +152,7 @@
   const reportState = () =>
     report({ kind: 'state', frames: count(), millis: window.playground.clock?.now() ?? 0 })
 
-  // p5 counts a frame before it draws it, and says later what went wrong in it.
+  // p5 counts a frame before it draws it, and reports its errors later, so wait for three.
   let seen = 0
   const look = () => {
     if (count() >= 1) seen++

@@ -1,5 +1,5 @@
-// In the frame of a sketch with three.js in the place of 'warpjet/three': each warp that the sketch makes is kept, and drawn as the
-// page says.
+// Replaces 'warpjet/three' in the frame of a three.js sketch: records each warp that the sketch makes, and draws normals as colours if
+// the page asks for that.
 import { MeshNormalMaterial, ShaderLib } from 'three'
 import { compileWarp } from 'warpjet/itself'
 import * as warpjet from 'warpjet/three/itself'
@@ -7,14 +7,14 @@ import * as warpjet from 'warpjet/three/itself'
 export * from 'warpjet/three/itself'
 
 const { playground } = window
-const isOfNormals = playground.view === 'normals'
+const drawsNormals = playground.view === 'normals'
 
 export function warp(object, offset, options, ...rest) {
-  const moved = playground.withSliders(options, { isCopied: false })
-  const putOn = isOfNormals ? showNormals(object) : () => {}
-  const warped = warpjet.warp(object, offset, moved, ...rest)
-  putOn()
-  keep('warp', offset, moved, () => {
+  const withSliders = playground.withSliders(options, { isCopied: false })
+  const finish = drawsNormals ? showNormals(object) : () => {}
+  const warped = warpjet.warp(object, offset, withSliders, ...rest)
+  finish()
+  record('warp', offset, withSliders, () => {
     const objects = []
     object.traverse((part) => objects.push(part))
     return objects
@@ -23,23 +23,23 @@ export function warp(object, offset, options, ...rest) {
 }
 
 export function warpMaterial(material, offset, options, ...rest) {
-  const moved = playground.withSliders(options, { isCopied: false })
-  const given = isOfNormals && !options?.share ? normalsOf(material) : material
-  const warped = warpjet.warpMaterial(given, offset, moved, ...rest)
-  if (given !== material) likeBefore(warped.material, material)
-  // Whichever they are put on.
+  const withSliders = playground.withSliders(options, { isCopied: false })
+  const drawn = drawsNormals && !options?.share ? normalsOf(material) : material
+  const warped = warpjet.warpMaterial(drawn, offset, withSliders, ...rest)
+  if (drawn !== material) copyOwnProperties(warped.material, material)
+  // Collect the objects that the material is used on.
   const objects = new Set()
   const { onBeforeRender } = warped.material
   warped.material.onBeforeRender = function (...how) {
     objects.add(how[4])
     return onBeforeRender.apply(this, how)
   }
-  keep('warpMaterial', offset, moved, () => [...objects])
+  record('warpMaterial', offset, withSliders, () => [...objects])
   return warped
 }
 
-function keep(maker, offset, { space = 'local', uniforms = {}, surfaceVariation } = {}, objects) {
-  playground.keep(
+function record(maker, offset, { space = 'local', uniforms = {}, surfaceVariation } = {}, objects) {
+  playground.record(
     maker,
     () =>
       playground.withLines(
@@ -61,14 +61,14 @@ function keep(maker, offset, { space = 'local', uniforms = {}, surfaceVariation 
   )
 }
 
-/** As `compileWarp` takes it, which knows nothing of three.js. */
+/** Converts a value of three.js to one that `compileWarp` accepts. */
 function plain(given) {
   const value = typeof given === 'function' ? given() : given
   if (value?.isTexture) return { width: 1, height: 1 }
   return value?.toArray?.() ?? value
 }
 
-/** As arrays, for mesh.js. */
+/** Returns the shapes as arrays for mesh.js. */
 function shapesOf(objects) {
   const meshes = objects.filter(({ isMesh, geometry }) => isMesh && geometry)
   return meshes.map((mesh) => {
@@ -79,7 +79,7 @@ function shapesOf(objects) {
       mesh.morphTargetInfluences
     )
       throw new Error(
-        `The shape cannot be saved: ${mesh.name || `the ${mesh.type}`} is moved by instances, bones or morph targets, too.`,
+        `The shape cannot be saved: ${mesh.name || `the ${mesh.type}`} also uses instances, bones or morph targets.`,
       )
     mesh.updateWorldMatrix(true, false)
     const { positions, normals, uvs, indices } = warpjet.fromBufferGeometry(mesh.geometry)
@@ -93,7 +93,7 @@ function shapesOf(objects) {
   })
 }
 
-const copied = [
+const copiedProperties = [
   'bumpMap',
   'bumpScale',
   'displacementBias',
@@ -107,27 +107,27 @@ const copied = [
   'wireframe',
 ]
 
-/** A material that shows normals; those whose shader is the sketch's own stay as they are. */
+/** Returns a material that shows normals; a material with the sketch's own shader is returned unchanged. */
 function normalsOf(material) {
   if (!material?.isMaterial || material.isShaderMaterial) return material
   const normals = new MeshNormalMaterial()
-  for (const name of copied) if (name in material) normals[name] = material[name]
+  for (const name of copiedProperties) if (name in material) normals[name] = material[name]
   if (material.normalScale) normals.normalScale.copy(material.normalScale)
   return normals
 }
 
-// Three.js hands the shader whatever a material has, such as a colour that glows.
-if (isOfNormals)
+// three.js sets uniforms for every property of a material, such as an emissive colour.
+if (drawsNormals)
   ShaderLib.normal.uniforms = { ...ShaderLib.physical.uniforms, ...ShaderLib.normal.uniforms }
 
-/** The sketch goes on setting what its own material has, such as its colour. */
-function likeBefore(normals, material) {
+/** Copies the properties of the sketch's material that the sketch may continue to set, such as its colour. */
+function copyOwnProperties(normals, material) {
   for (const name of Object.keys(material))
     if (!(name in normals) && !/^_?is[A-Z]|^_?transmission$/.test(name))
       normals[name] = material[name]
 }
 
-/** Puts such materials on the meshes of an object → what is left to do once they are warped. */
+/** Puts such materials on the meshes of an object and returns a function to call after the warp. */
 function showNormals(object) {
   const made = new Map()
   const meshes = []
@@ -144,7 +144,7 @@ function showNormals(object) {
   return () => {
     for (const [part, before] of meshes) {
       const after = [part.material].flat()
-      for (const [i, material] of [before].flat().entries()) likeBefore(after[i], material)
+      for (const [i, material] of [before].flat().entries()) copyOwnProperties(after[i], material)
     }
   }
 }

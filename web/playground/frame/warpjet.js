@@ -1,5 +1,5 @@
-// In the frame of a sketch with three.js in the place of 'warpjet': what the sketch makes is kept.
+// Replaces 'warpjet' in the frame of a three.js sketch, and records the shader code that the sketch makes.
 import * as warpjet from 'warpjet/itself'
 
 export * from 'warpjet/itself'
-export const { compile, compileWarp, gen } = window.playground.keeping(warpjet)
+export const { compile, compileWarp, gen } = window.playground.recordAll(warpjet)

@@ -1,5 +1,5 @@
-// In the playground's frame, after p5's libraries and before the sketch: each warp that the sketch makes is kept, and drawn as the
-// page says.
+// Runs in the playground's frame after p5's libraries and before the sketch: records each warp that the sketch makes, and draws normals
+// as colours if the page asks for that.
 {
   const { playground } = window
   const { compileWarp } = window.warpjet
@@ -7,15 +7,15 @@
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, options, ...rest) {
-      const moved = playground.withSliders(options, { isCopied: true })
-      const warp = createWarp.call(this, offset, withView(moved), ...rest)
+      const withSliders = playground.withSliders(options, { isCopied: true })
+      const warp = createWarp.call(this, offset, withView(withSliders), ...rest)
       const { surfaceVariation = true, space = 'local' } = options ?? {}
-      playground.keep(
+      playground.record(
         'createWarp',
         () =>
           playground.withLines(
             compileWarp(plainOffset(offset, options), {
-              uniforms: moved?.uniforms,
+              uniforms: withSliders?.uniforms,
               surfaceVariation,
               debug: true,
             }),
@@ -24,7 +24,7 @@
           surfaceVariation,
           space,
           radius: space === 'local' ? 1 : 150,
-          declared: Object.keys(moved?.uniforms ?? {}),
+          declared: Object.keys(withSliders?.uniforms ?? {}),
           shapes,
         },
       )
@@ -32,7 +32,7 @@
     }
   }
 
-  // The shape that was drawn last with a shader of the sketch's, and where it stood.
+  // The shape that was last drawn with a shader of the sketch, with its model matrix.
   let drawn
   const { Renderer3D, RendererGL } = p5
   const [renderers, method] = Renderer3D
@@ -47,7 +47,7 @@
     return draw.call(this, given, ...rest)
   }
 
-  /** As arrays, for mesh.js. */
+  /** Returns the shape as arrays for mesh.js. */
   function shapes() {
     if (!drawn) return []
     const { vertices, vertexNormals, uvs, faces } = drawn.geometry
@@ -61,7 +61,7 @@
     return [{ ...arrays, matrix: drawn.matrix, isUpsideDown: true }]
   }
 
-  /** As `compileWarp` takes it, which reads neither operators nor places. */
+  /** Converts an offset function to one that `compileWarp` accepts, which supports neither operators nor `returns: 'position'`. */
   function plainOffset(given, { scope, returns } = {}) {
     const operators = window[Symbol.for('warpjet.operators')]
     const offset = operators?.(given, scope) ?? given
@@ -71,9 +71,9 @@
   const withView = (options) =>
     playground.view === 'normals' ? { ...options, type: 'normal' } : options
 
-  // The page may have the script for GLSL, or not; asking for what it brings without it throws.
+  // The page may lack the script for GLSL; reading `differentiate` without it throws.
   const { compile, gen } = window.warpjet
   const hasGLSL = Object.hasOwn(window.warpjet, 'differentiate')
   const differentiate = hasGLSL && window.warpjet.differentiate
-  Object.assign(window.warpjet, playground.keeping({ compile, compileWarp, gen, differentiate }))
+  Object.assign(window.warpjet, playground.recordAll({ compile, compileWarp, gen, differentiate }))
 }

@@ -1,4 +1,4 @@
-// A copy of the declarations with three of its own.
+// A copy of the declarations with three more rows.
 #pragma once
 
 #define declarations standardDeclarations
@@ -11,7 +11,7 @@ inline constexpr auto declarations = [] {
   constexpr std::size_t count = standardDeclarations.size();
   std::array<Declaration, count + 3> all{};
   for (std::size_t i = 0; i < count; ++i) all[i] = standardDeclarations[i];
-  all[count] = unary("cbrt", floats, Rising);
+  all[count] = unary("cbrt", floats, Increasing);
   all[count + 1] = binary("hypot", floats, Chained, OnMatrices, Commutative);
   all[count + 2] = binary("times", floats, Divides);
   return all;

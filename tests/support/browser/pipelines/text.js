@@ -1,10 +1,9 @@
-// What the three pipelines have in common: how GLSL and WGSL write the shapes of values, 1 to 4 for
-// a number and vectors, 'mat2' to 'mat4', 'bool', 'bvec2' to 'bvec4', and how a value is put
-// together from plain floats and taken apart again.
+// Code shared by the three pipelines: how GLSL and WGSL write the shapes of values, 1 to 4 for a number and vectors, 'mat2' to
+// 'mat4', 'bool', 'bvec2' to 'bvec4', and how a value is composed from plain floats and decomposed again.
 
 const isTruth = (shape) => /^b/.test(shape)
 const isMatrix = (shape) => /^mat/.test(shape)
-/** Of a vector, or of each column of a matrix. */
+/** Returns the size of a vector, or of each column of a matrix. */
 const lengthOf = (shape) => (shape === 'bool' ? 1 : Number(`${shape}`.at(-1)))
 
 const languages = {
@@ -25,13 +24,13 @@ const languages = {
   },
 }
 
-/** The number of floats of a shape; those of a matrix are its columns, one after the other. */
+/** Returns the number of floats of a shape; those of a matrix are in column-major order. */
 export const sizeOf = (shape) => lengthOf(shape) ** (isMatrix(shape) ? 2 : 1)
 
 export const totalSize = (variables) =>
   variables.reduce((size, { shape }) => size + sizeOf(shape), 0)
 
-/** Statements that declare the inputs, given the text that reads the float number i. */
+/** Returns statements that declare the inputs, given the code that reads float number i. */
 export function declareInputs(language, inputs, floatAt) {
   const { type, local } = languages[language]
   let next = 0
@@ -44,7 +43,7 @@ export function declareInputs(language, inputs, floatAt) {
     .join('\n')
 }
 
-/** The outputs as a list of texts, each a float. */
+/** Returns the outputs as a list of expressions, each a float. */
 const outputFloats = (language, outputs) =>
   outputs.flatMap(({ name, shape }) => {
     const length = lengthOf(shape)
@@ -54,7 +53,7 @@ const outputFloats = (language, outputs) =>
     return isTruth(shape) ? parts.map(languages[language].toFloat) : parts
   })
 
-/** The same, four in a vector; `type` is the vector's. The last one is filled up with zeros. */
+/** Returns the outputs as vectors of four; `type` is the vector's. The last one is padded with zeros. */
 export function outputVectors(language, outputs, type) {
   const floats = outputFloats(language, outputs)
   return Array.from({ length: Math.ceil(floats.length / 4) }, (_, i) => {

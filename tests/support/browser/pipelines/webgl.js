@@ -1,5 +1,5 @@
-// WebGL of both versions: programs, their inputs, and how a vertex shader gives back more floats
-// than it has outputs. Runs in the page.
+// WebGL of both versions: programs, their inputs, and how a vertex shader returns more floats than it has outputs. Runs in the
+// page.
 import { declareInputs, outputVectors, totalSize } from './text.js'
 
 function compile(gl, type, source) {
@@ -11,10 +11,7 @@ function compile(gl, type, source) {
   return shader
 }
 
-/**
- * A linked program; an error has the log and the text. `prepare` may ask for transform feedback
- * first.
- */
+/** Returns a linked program; an error has the log and the source. `prepare` may set up transform feedback first. */
 export function link(gl, vertexSource, fragmentSource, prepare = () => {}) {
   const program = gl.createProgram()
   const shaders = [
@@ -33,9 +30,8 @@ export function link(gl, vertexSource, fragmentSource, prepare = () => {}) {
 const floatAt = (i) => `given${i >> 2}.${'xyzw'[i & 3]}`
 
 /**
- * The parts of a vertex shader around a program: `attributes` are the names of its inputs, four
- * floats each; `body` reads them, runs the code, and puts the vec4s number `pass * width` and on
- * into the variables `result0`, `result1`, …
+ * The parts of a vertex shader around a program: `attributes` are the names of its inputs, four floats each; `body` reads them,
+ * runs the code, and puts the vec4s from number `pass * width` into the variables `result0`, `result1`, …
  */
 export function vertexParts({ code, inputs, outputs }, width) {
   const vectors = outputVectors('glsl', outputs, 'vec4')
@@ -54,15 +50,14 @@ export function vertexParts({ code, inputs, outputs }, width) {
 }
 
 /**
- * Hands `points`, `size` floats each, to the attributes, four floats one after the other → a
- * function that takes them back. An attribute that stayed on without its buffer would stop the next
- * draw.
+ * Binds `points`, `size` floats each, to the attributes, four floats one after the other → a function that unbinds them. An
+ * attribute that stays enabled without its buffer would break the next draw.
  */
 export function feed(gl, program, attributes, points, size) {
   const buffer = gl.createBuffer()
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer)
   gl.bufferData(gl.ARRAY_BUFFER, points, gl.STREAM_DRAW)
-  // An input that the code does not read is not there.
+  // An input that the code does not read does not exist.
   const locations = attributes.map((name) => gl.getAttribLocation(program, name))
   const used = locations.filter((location) => location >= 0)
   locations.forEach((location, i) => {
@@ -76,13 +71,13 @@ export function feed(gl, program, attributes, points, size) {
   }
 }
 
-/** Declarations of the images; WebGL 1 is told their sizes. */
+/** Declares the images; WebGL 1 needs a size uniform. */
 export const declareImages = (images) =>
   Object.keys(images)
     .map((name) => `uniform sampler2D ${name};\nuniform vec2 ${name}Size;`)
     .join('\n')
 
-/** Hands the images, as WebGL filters them by itself, to a program that is in use → a function that takes them back. */
+/** Binds the images, with WebGL's default filter, to the current program → a function that unbinds them. */
 export function showImages(gl, program, images) {
   const textures = Object.entries(images).map(([name, { width, height, data }], unit) => {
     const texture = gl.createTexture()
@@ -110,10 +105,7 @@ export function showImages(gl, program, images) {
   return () => textures.forEach((texture) => gl.deleteTexture(texture))
 }
 
-/**
- * Four floats of each point at a time, as `take(point, vector)` gives them → all the floats of each
- * point.
- */
+/** Collects four floats of each point at a time, from `take(point, vector)` → all the floats of each point. */
 export function gather(count, size, take) {
   const results = new Float32Array(count * size)
   for (let point = 0; point < count; point++)

@@ -1,6 +1,5 @@
-// The vertex shader of WebGL 1, which can only draw: each point is a pixel of a float texture,
-// which is then read. A draw gives four floats of each point. An infinite float comes back as NaN,
-// for the rasterizer multiplies it by zero. Runs in the page.
+// The vertex shader of WebGL 1, which can only draw: each point is a pixel of a float texture, which is then read. A draw returns
+// four floats of each point. An infinite float is returned as NaN, since the rasterizer multiplies it by zero. Runs in the page.
 import { totalSize } from './text.js'
 import { declareImages, feed, gather, link, showImages, vertexParts } from './webgl.js'
 

@@ -2,10 +2,7 @@
 import { totalSize } from './text.js'
 import { declareImages, feed, gather, link, showImages, vertexParts } from './webgl.js'
 
-/**
- * vec4s that a draw gives back of each point. More than a few take SwiftShader longer to compile
- * than more draws take.
- */
+/** The number of vec4s that a draw returns for each point. More take SwiftShader longer to compile than additional draws. */
 const width = 2
 const names = Array.from({ length: width }, (_, i) => `result${i}`)
 

@@ -1,10 +1,9 @@
-// A compute shader of WebGPU. Runs in the page, which must come from localhost: about:blank has no
-// WebGPU.
+// A compute shader of WebGPU. Runs in the page, which must be from localhost: about:blank has no WebGPU.
 import { declareInputs, outputVectors, totalSize } from './text.js'
 
 const group = 64
 
-/** How many vec4s hold the outputs: to write those takes SwiftShader less than to write floats. */
+/** The number of vec4s for the outputs, which SwiftShader writes faster than floats. */
 const vectorCount = (outputs) => Math.ceil(totalSize(outputs) / 4)
 
 function computeSource({ code, declarations, inputs, outputs, images }) {
@@ -37,7 +36,7 @@ export async function open() {
   return (program, points) => run(device, program, points)
 }
 
-/** Runs `work`; what WebGPU says against it is thrown, with the text. */
+/** Runs `work`; throws WebGPU's errors, with the source. */
 async function checked(device, source, work) {
   device.pushErrorScope('validation')
   const [outcome] = await Promise.allSettled([work()])
@@ -105,7 +104,7 @@ function textureOf(device, { width, height, data }) {
   return texture
 }
 
-/** The first `size` floats of each of `count` rows. */
+/** Returns the first `size` floats of each of `count` rows. */
 function withoutPadding(rows, count, size) {
   const [results, width] = [new Float32Array(count * size), rows.length / count]
   for (let i = 0; i < count; i++) results.set(rows.subarray(i * width, i * width + size), i * size)

@@ -1,4 +1,4 @@
-// Frame times of a warped mesh and of one with the same motion and its derivatives by hand, for `npm run bench:three`.
+// Frame times of a warped mesh and of one with the same motion and its derivatives by hand, for `npm run bench -- three`.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 

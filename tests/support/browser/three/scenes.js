@@ -11,7 +11,7 @@ export const motion = new THREE.Matrix4()
 export const mirroredMotion = motion.clone().multiply(new THREE.Matrix4().makeScale(-1, 1, 1))
 
 /** The offset that does it. The matrix is a uniform, and the shift a function of the time. */
-export const offset = ({ glsl, position, uniforms, millis }) =>
+export const offset = ({ position, uniforms, millis }) =>
   uniforms.linear
     .mult(position)
     .sub(position)

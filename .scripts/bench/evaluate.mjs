@@ -1,0 +1,172 @@
+// npm run bench -- evaluate: how many vertices a second a warp moves on the CPU, positions and normals: by warp.evaluate, by its
+// interpreter (for engines that forbid compiling), by the same function written by hand in JavaScript, and by the same C++ compiled
+// natively with -O3; and how long making the machine code takes. The last two write into arrays of the caller, as `evaluate` does with
+// its option `out`; without it, `evaluate` makes new arrays at each call.
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { compileWarp } from '../../dist/warpjet.js'
+import { cmakeBuild } from '../lib/cmake.mjs'
+import { path } from '../lib/files.mjs'
+import { median, time } from '../lib/median.mjs'
+import { rows, warps } from './evaluate-rows.mjs'
+
+/** Loads the library once more, in an engine that compiles nothing but the library itself. */
+async function interpretedLibrary(offset) {
+  const library = await import('../../dist/warpjet.min.js')
+  const warp = library.compileWarp(offset)
+  const once = () => warp.evaluateAt([1, 2, 3], { uniforms: { millis: 0 } })
+  once()
+  const { Module } = WebAssembly
+  WebAssembly.Module = function () {
+    throw new WebAssembly.CompileError('forbidden')
+  }
+  once()
+  WebAssembly.Module = Module
+  return library
+}
+
+export async function measure() {
+  await cmakeBuild('release', 'warpjet_bench_evaluate')
+  const interpreted = await interpretedLibrary(warps.twist.warp)
+  console.log('Millions of vertices a second, and median ratios of neighbours.')
+  console.table(rows.map((row) => measureRow(row, interpreted)))
+  console.log('\nMilliseconds until the first vertex is moved, and microseconds of one more.')
+  console.table(
+    Object.fromEntries(Object.entries(warps).map(([name, { warp }]) => [name, startUp(warp)])),
+  )
+}
+
+/** Times all ways in turn, so that other load on the machine slows all of them. */
+function measureRow({ name, vertices, rounds }, interpreted) {
+  const { warp: offset, byHand } = warps[name]
+  const warp = compileWarp(offset)
+  const plain = interpreted.compileWarp(offset)
+  const mesh = randomMesh(vertices)
+  const uniforms = { millis: 1234 }
+  const arrays = () => ({
+    positions: new Float32Array(3 * vertices),
+    normals: new Float32Array(3 * vertices),
+  })
+  const results = arrays()
+  const out = arrays()
+  const native = nativeRunner(warp, mesh, 1234)
+  let moved
+  const ways = {
+    evaluate: () => time(() => (moved = warp.evaluate(mesh, { uniforms }))),
+    'into out': () => time(() => warp.evaluate(mesh, { uniforms, out })),
+    interpreter: () => time(() => plain.evaluate(mesh, { uniforms })),
+    'by hand': () => time(() => byHand(mesh, 1234, results)),
+    native: native.time,
+  }
+  const times = Object.fromEntries(Object.keys(ways).map((way) => [way, []]))
+  // Until the engine has used its best compiler.
+  for (let i = vertices > 100_000 ? 2 : 20; i > 0; i--) {
+    ways.evaluate()
+    ways['into out']()
+  }
+  for (let round = -1; round < rounds; round++)
+    for (const [way, run] of Object.entries(ways)) {
+      const took = run()
+      if (round >= 0) times[way].push(took)
+    }
+  native.end()
+  const speeds = Object.entries(times).map(([way, each]) => [
+    way,
+    (vertices / median(each) / 1000).toFixed(2),
+  ])
+  const ratio = (a, b) => median(times[a].map((took, i) => took / times[b][i])).toFixed(2)
+  return {
+    warp: name,
+    vertices,
+    ...Object.fromEntries(speeds),
+    'by hand / into out': ratio('by hand', 'into out'),
+    'into out / native': ratio('into out', 'native'),
+    'interpreter / native': ratio('interpreter', 'native'),
+    'largest difference': largestDifference(moved, results).toExponential(1),
+  }
+}
+
+/** Returns the shortest times of machine code, which the second call makes, and of the interpreter, which runs the first. */
+function startUp(offset) {
+  const at = { normal: [0, 1, 0], uniforms: { millis: 1234 } }
+  const best = {
+    'machine code, ms': Infinity,
+    'interpreter, ms': Infinity,
+    'evaluateAt, µs': Infinity,
+  }
+  const keep = (name, value) => (best[name] = Math.min(best[name], value))
+  for (let round = 0; round < 15; round++) {
+    const warp = compileWarp(offset)
+    const once = () => warp.evaluateAt([1, 2, 3], at)
+    // Finds beforehand what depends on the inputs.
+    warp.evaluateAt([1, 2, 3], { uniforms: at.uniforms })
+    keep('interpreter, ms', time(once))
+    keep('machine code, ms', time(once))
+    keep('evaluateAt, µs', 2 * time(() => { for (let i = 0; i < 500; i++) once() })) // prettier-ignore
+  }
+  return best
+}
+
+/** Vertices on a sphere of radius 100, whose normals point outwards. */
+function randomMesh(vertices) {
+  const positions = new Float32Array(3 * vertices)
+  const normals = new Float32Array(3 * vertices)
+  for (let i = 0; i < vertices; i++) {
+    const z = 1 - (2 * (i + 0.5)) / vertices
+    const angle = i * 2.399963229728653
+    const r = Math.sqrt(1 - z * z)
+    normals.set([r * Math.cos(angle), r * Math.sin(angle), z], 3 * i)
+    for (let k = 0; k < 3; k++) positions[3 * i + k] = 100 * normals[3 * i + k]
+  }
+  return { positions, normals }
+}
+
+/** Returns the largest difference of positions and normals, relative to the size of the mesh. */
+function largestDifference(moved, results) {
+  let largest = 0
+  for (const [name, size] of [
+    ['positions', 100],
+    ['normals', 1],
+  ])
+    for (let i = 0; i < results[name].length; i++)
+      largest = Math.max(largest, Math.abs(moved[name][i] - results[name][i]) / size)
+  return largest
+}
+
+/** Writes program and mesh into a file. Each run of the native program times one pass over the mesh. */
+function nativeRunner(warp, { positions, normals }, millis) {
+  const program = warp[Symbol.for('warpjet.program')].program()
+  const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
+  const file = join(folder, 'program')
+  const sizes = program.inputs.map(({ shape: [columns, rows] }) => columns * rows)
+  const header = new Uint32Array([
+    program.words.length,
+    program.instructions,
+    sizes.length,
+    program.inputs.findIndex((input) => input.name === 'millis'),
+    ...sizes,
+  ])
+  const moment = new Float32Array([millis])
+  const parts = [
+    header,
+    program.words,
+    new Uint32Array([positions.length / 3]),
+    positions,
+    normals,
+    moment,
+  ]
+  writeFileSync(file, Buffer.concat(parts.map((part) => Buffer.from(part.buffer))))
+  return {
+    /** Returns the milliseconds of one pass over the mesh. */
+    time() {
+      const { stdout, status, stderr } = spawnSync(path('.build/release/warpjet_bench_evaluate'), [
+        file,
+      ])
+      if (status !== 0) throw new Error(`${stderr}`)
+      return 1000 * Number(stdout)
+    },
+    end: () => rmSync(folder, { recursive: true }),
+  }
+}

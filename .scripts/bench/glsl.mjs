@@ -1,0 +1,112 @@
+// npm run bench -- glsl: how long webgl-noise's 3D simplex takes to become an offset with exact normals, the length of its shader code and
+// the time to its first picture, beside our own simplex; and a frame of a ray-marched field, lit by four evaluations and by one.
+import { readFileSync } from 'node:fs'
+import { glslOffset } from '../../dist/glsl.js'
+import { compileWarp } from '../../dist/warpjet.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { servePages } from '../../tests/support/browser/server.js'
+import { path } from '../lib/files.mjs'
+import { median, time } from '../lib/median.mjs'
+
+export async function measure() {
+  const original = readFileSync(path('node_modules/glsl-noise/simplex/3d.glsl'), 'utf8')
+  const source = `${original}\nvec3 offset(vec3 p) { return vec3(snoise(p), 0.0, 0.0); }`
+  const own = ({ glsl, position }) => glsl.vec3(position.simplex(), 0, 0)
+  const compileSource = (options) => compileWarp(glslOffset(source), options)
+
+  const all = Array.from({ length: 150 }, () => time(() => compileSource()))
+  const length = ({ code, declarations }) => code.length + declarations.length
+  console.table({
+    'source → offset, ms': { median: median(all), best: Math.min(...all), first: all[0] },
+  })
+  console.table({
+    characters: {
+      original: original.length,
+      'as an offset': length(compileSource({ normals: false })),
+      'with exact normals': length(compileSource()),
+      'our own simplex': length(compileWarp(own)),
+    },
+  })
+  await measureInBrowser({
+    "webgl-noise's, as it is": { declarations: source, code: 'vec3 moved = p + offset(p), n = p;' },
+    "webgl-noise's, exact normals": shaderOf(compileSource({ surfaceVariation: false })),
+    'our own, exact normals': shaderOf(compileWarp(own, { surfaceVariation: false })),
+  })
+}
+
+function shaderOf({ code, declarations }) {
+  const given = 'vec3 position = p, normal = normalize(p);'
+  return { declarations, code: `${given}\n${code}\nvec3 moved = warpedPosition, n = warpedNormal;` }
+}
+
+async function measureInBrowser(shaders) {
+  const server = await servePages()
+  const browser = await launchBrowser()
+  const { page } = await openPage(browser, server.page('<!doctype html><meta charset="utf-8">'))
+  console.log('\nTo the first picture (compiled, linked, drawn), median ms of 15')
+  console.table(await page.evaluate(firstDraws, shaders))
+
+  const field = await openPage(browser, `${server.url}/examples/ray-marched-field/index.html`)
+  await field.page.waitForFunction(() => globalThis.frameCount > 1)
+  // Reads the sketch's own variables; `panel` waits for the GPU.
+  const frames = await field.page.evaluate(`{
+    noLoop()
+    const all = Array.from({ length: 9 }, () => [panel(-160, usual), panel(160, exact)])
+    all
+  }`)
+  const [four, one] = [0, 1].map((i) => median(frames.map((pair) => pair[i])))
+  console.log('\nA frame of the ray-marched field, median ms of 9')
+  console.table({ 'four evaluations': four, 'one function': one })
+  await browser.close()
+  await server.close()
+}
+
+/** Runs in a page. Each program has a different constant, so that no driver has it cached. */
+function firstDraws(shaders) {
+  const gl = document.createElement('canvas').getContext('webgl2')
+  const stage = (program, type, source) => {
+    const shader = gl.createShader(type)
+    gl.shaderSource(shader, `#version 300 es\nprecision highp float;\n${source}`)
+    gl.compileShader(shader)
+    gl.attachShader(program, shader)
+  }
+  let salt = 1
+  const draw = ({ declarations, code }) => {
+    const start = performance.now()
+    const program = gl.createProgram()
+    stage(
+      program,
+      gl.VERTEX_SHADER,
+      `out vec3 light;\n${declarations}
+      void main() {
+        vec3 p = vec3(gl_VertexID % 64, gl_VertexID / 64, ${salt++}.5) / 32.0;
+        ${code}
+        light = n;
+        gl_PointSize = 1.0;
+        gl_Position = vec4(moved * 0.3, 1.0);
+      }`,
+    )
+    stage(
+      program,
+      gl.FRAGMENT_SHADER,
+      'in vec3 light; out vec4 color; void main() { color = vec4(light, 1.0); }',
+    )
+    gl.linkProgram(program)
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+      throw new Error(gl.getShaderInfoLog(gl.getAttachedShaders(program)[0]))
+    gl.useProgram(program)
+    gl.drawArrays(gl.POINTS, 0, 4096)
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
+    return performance.now() - start
+  }
+  const found = Object.fromEntries(Object.keys(shaders).map((name) => [name, []]))
+  for (let i = 0; i < 16; i++)
+    for (const [name, shader] of Object.entries(shaders)) {
+      const time = draw(shader)
+      // The first draw also starts the renderer.
+      if (i > 0) found[name].push(time)
+    }
+  return Object.fromEntries(
+    Object.entries(found).map(([name, all]) => [name, all.sort((a, b) => a - b)[7]]),
+  )
+}

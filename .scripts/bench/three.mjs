@@ -1,0 +1,68 @@
+// npm run bench -- three: the cost of a ray on a warped mesh, beside three-mesh-bvh on a baked one; of bounds; and the time of a frame
+// and of the first one, beside the same warp with derivatives by hand in onBeforeCompile.
+import * as THREE from 'three'
+import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
+import { bakeWarp } from '../../dist/mesh.js'
+import { fromBufferGeometry, toBufferGeometry, warp } from '../../dist/three.js'
+import { compileWarp } from '../../dist/warpjet.js'
+import { median, medianTime, time } from '../lib/median.mjs'
+import { threePages } from '../../tests/support/browser/three/open.js'
+
+const offset = ({ glsl, position, millis }) =>
+  glsl.vec3(position.y().mult(5).add(millis).sin().mult(0.2), 0, 0)
+
+const rays = Array.from({ length: 1000 }, (_, i) => {
+  const angle = i * 2.4
+  const from = new THREE.Vector3(5 * Math.cos(angle), 3 * Math.sin(i), 5 * Math.sin(angle))
+  const to = new THREE.Vector3(Math.cos(i), Math.sin(2 * i), Math.cos(3 * i)).multiplyScalar(0.6)
+  return new THREE.Raycaster(from, to.sub(from).normalize())
+})
+const microsecondsPerRay = (target) =>
+  1000 * median(rays.map((ray) => time(() => ray.intersectObject(target))))
+
+/** Returns one row: microseconds per ray, and the milliseconds that a change of the time costs. */
+function measureRays(segments) {
+  const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, segments, 20)
+  const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial())
+  const warped = warp(mesh, offset)
+  const compiled = compileWarp(offset)
+  microsecondsPerRay(mesh)
+  const ray = microsecondsPerRay(mesh)
+  let now = 0
+  const afterChange = (work) =>
+    median(
+      Array.from({ length: 15 }, () => {
+        warped.update(++now)
+        return time(work)
+      }),
+    )
+  const first = afterChange(() => rays[1].intersectObject(mesh))
+  const bounds = afterChange(() => warped.bounds())
+  const bake = () => {
+    const uniforms = { millis: now++ }
+    return toBufferGeometry(bakeWarp(fromBufferGeometry(geometry), compiled, { uniforms }))
+  }
+  const baked = new THREE.Mesh(bake(), mesh.material)
+  baked.raycast = acceleratedRaycast
+  baked.geometry.boundsTree = new MeshBVH(baked.geometry)
+  microsecondsPerRay(baked)
+  const row = {
+    triangles: geometry.index.count / 3,
+    'µs a ray, warped': ray,
+    'baked, BVH': microsecondsPerRay(baked),
+    'ms first ray': first,
+    'ms bounds': bounds,
+    'ms baking and BVH': medianTime(5, () => new MeshBVH(bake())),
+  }
+  warped.dispose()
+  return row
+}
+
+export async function measure() {
+  console.table([64, 256, 1024].map(measureRays))
+  const pages = await threePages()
+  const { page } = await pages.open('three', 'page-bench.js')
+  console.log('\nMilliseconds, medians; the quotient is the median of those of neighbours.')
+  console.table(await page.evaluate(() => bench()))
+  await pages.close()
+}

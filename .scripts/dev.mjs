@@ -1,0 +1,95 @@
+// npm run dev: builds again whatever changes, and reruns the tests that depend on it.
+//
+//   npm run dev                 all tests but those in browsers
+//   npm run dev -- tests/mesh   only files whose path begins so; a browser test runs if you name its file
+//
+// A change of C++ also reruns .build/native/warpjet_tests.
+import { existsSync, readFileSync, statSync, watch } from 'node:fs'
+import { dirname, join } from 'node:path/posix'
+import { setTimeout } from 'node:timers/promises'
+import { build } from './build.mjs'
+import { cmakeBuild } from './lib/cmake.mjs'
+import { path, walk } from './lib/files.mjs'
+import { exitCode } from './lib/run.mjs'
+import { Stop, bad, heading, main, say } from './lib/terminal.mjs'
+import { setup } from './setup.mjs'
+
+const watched = ['src', 'js-bindings', 'tests', 'web', 'examples', '.scripts']
+const isCpp = (file) => /^(src|tests\/cpp)\/.*\.[ch]pp$/.test(file)
+/** Waits for an editor that writes several files, in milliseconds. */
+const pause = 200
+
+const importPattern = /\b(?:from|import)\s*\(?\s*["'](\.[^"']+)["']/g
+
+/** Lists the files that a test loads, itself included: through its imports, into dist. */
+function filesOf(test) {
+  const files = new Set([test])
+  for (const file of files) {
+    if (!/\.m?js$/.test(file) || !existsSync(path(file))) continue
+    const text = readFileSync(path(file), 'utf8')
+    for (const [, relative] of text.matchAll(importPattern))
+      files.add(join(dirname(file), relative))
+  }
+  return files
+}
+
+/** Maps each source file → when it was modified. */
+const listSources = () =>
+  new Map(
+    watched
+      .flatMap((folder) => walk(folder))
+      .filter((file) => !file.startsWith('js-bindings/generated/'))
+      .map((file) => [file, statSync(path(file)).mtimeMs]),
+  )
+const readDist = () =>
+  new Map(walk('dist', /\.js$/).map((file) => [file, readFileSync(path(file), 'utf8')]))
+
+/** Lists the tests to run after the files in `changed`. */
+function testsAfter(changed, wanted) {
+  const isWanted = (test) =>
+    wanted.length ? wanted.some((start) => test.startsWith(start)) : !test.includes('.browser.')
+  return ['tests', 'web/tests']
+    .flatMap((folder) => walk(folder, /\.test\.js$/))
+    .filter((test) => isWanted(test) && [...filesOf(test)].some((file) => changed.has(file)))
+}
+
+async function buildAndTest(changed, wanted) {
+  const before = readDist()
+  await build()
+  for (const [file, text] of readDist()) if (before.get(file) !== text) changed.add(file)
+  if ([...changed].some(isCpp)) {
+    await cmakeBuild('native', 'warpjet_tests')
+    await exitCode(path('.build/native/warpjet_tests'), ['--gtest_brief=1'])
+  }
+  const tests = testsAfter(changed, wanted)
+  heading(`${tests.length} test files`)
+  if (tests.length) await exitCode(process.execPath, ['--test', '--test-reporter=dot', ...tests])
+}
+
+await main(async () => {
+  const wanted = process.argv.slice(2)
+  process.env.WARPJET_CHROMIUM = (await setup()).chromium
+  await build()
+  say('\nWatching. Stop with Ctrl+C.')
+  let known = listSources()
+  let wake
+  for (const folder of watched) watch(path(folder), { recursive: true }, () => wake?.())
+  for (;;) {
+    const now = listSources()
+    const changed = new Set([...now.keys()].filter((file) => now.get(file) !== known.get(file)))
+    known = now
+    if (!changed.size) {
+      await new Promise((resolve) => (wake = resolve))
+      await setTimeout(pause)
+      continue
+    }
+    heading([...changed].slice(0, 5).join(', '))
+    try {
+      await buildAndTest(changed, wanted)
+    } catch (error) {
+      if (!(error instanceof Stop)) throw error
+      bad(error.message)
+    }
+    say('\nWatching. Stop with Ctrl+C.')
+  }
+})

@@ -1,0 +1,152 @@
+// npm run pictures: draws each example as web/posters/*.webp, which the gallery shows before any script runs; the first page's warp
+// (`hero`); and the picture of web/docs/composition.md (`composition.png`). Names after `--` draw only those. A picture shows a moment of
+// the sketch's own clock, so that a slow machine draws the same.
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { chromium } from 'playwright-core'
+import { createServer } from 'vite'
+import { sections } from '../web/catalogue.js'
+import { build } from './build.mjs'
+import { findBrowser } from './lib/browser.mjs'
+import { path } from './lib/files.mjs'
+import { softwareFlags } from './lib/flags.mjs'
+import { Stop, good, main } from './lib/terminal.mjs'
+
+const [width, height] = [480, 360]
+/** The whole grid has fewer bytes than a photograph. */
+const maxBytes = 20_000
+/** The moment at which a sketch shows its point, in milliseconds. Default: 1500. */
+const moments = {
+  'deformer-genie': 3600,
+  'deformer-melt': 500,
+  'deformer-spherify': 200,
+  'deformer-taper': 4700,
+  'deformer-twist': 3000,
+  genie: 250,
+}
+const patience = { timeout: 240_000 }
+
+/** Runs in the page: the second frame is at `moment`, each further one 17 ms later. Before the first one a sketch may load a model. */
+function slowClock(moment) {
+  let now = 0
+  performance.now = () => (now += 0.01)
+  const { requestAnimationFrame } = window
+  window.requestAnimationFrame = (draw) =>
+    requestAnimationFrame(() => {
+      const hasBegun = (window.frameCount ?? 1) >= 1
+      now += hasBegun && now < moment ? moment : 17
+      draw(now)
+    })
+  // Keeps the drawing until the screenshot.
+  const { getContext } = HTMLCanvasElement.prototype
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
+  }
+}
+
+/** Runs in the page: returns the picture as WebP in base64, in the best quality that fits. */
+async function packPicture({ png, width, height, maxBytes }) {
+  const image = new Image()
+  image.src = `data:image/png;base64,${png}`
+  await image.decode()
+  const canvas = Object.assign(document.createElement('canvas'), { width, height })
+  const context = canvas.getContext('2d')
+  context.imageSmoothingQuality = 'high'
+  context.drawImage(image, 0, 0, width, height)
+  for (let quality = 0.86; quality > 0.1; quality -= 0.06) {
+    const address = canvas.toDataURL('image/webp', quality)
+    if (address.length * 0.75 < maxBytes) return address.split(',')[1]
+  }
+}
+
+async function poster(browser, url, name) {
+  const page = await browser.newPage({
+    viewport: name.startsWith('three-') ? { width, height } : { width: 640, height: 480 },
+  })
+  try {
+    await page.addInitScript(slowClock, moments[name] ?? 1500)
+    await page.goto(`${url}examples/${name}/gallery.html`, patience)
+    await page.waitForFunction(() => window.frameCount >= 3, null, patience)
+    // Hides the panels of the sketch.
+    await page.addStyleTag({
+      content: '.lil-gui, body > div[style*="z-index"] { display: none !important }',
+    })
+    const png = await page.screenshot({ timeout: 120_000 })
+    const size = { width, height, maxBytes }
+    const bytes = await page.evaluate(packPicture, { png: png.toString('base64'), ...size })
+    writeFileSync(path(`web/posters/${name}.webp`), Buffer.from(bytes, 'base64'))
+    good(`web/posters/${name}.webp`)
+  } finally {
+    await page.close()
+  }
+}
+
+/** Draws the first page's own warp at rest, on a transparent background. */
+async function hero(browser, url) {
+  const page = await browser.newPage({
+    viewport: { width: 1280, height: 900 },
+    reducedMotion: 'reduce',
+  })
+  try {
+    await page.addInitScript(slowClock, 0)
+    await page.goto(url, patience)
+    await page.waitForSelector('.hero canvas', patience)
+    await page.waitForTimeout(500)
+    const png = await page.evaluate(
+      () => document.querySelector('.hero canvas').toDataURL('image/png').split(',')[1],
+    )
+    const bytes = await page.evaluate(packPicture, {
+      png,
+      width: 640,
+      height: 640,
+      maxBytes: 30_000,
+    })
+    writeFileSync(path('web/site/hero.webp'), Buffer.from(bytes, 'base64'))
+    good('web/site/hero.webp')
+  } finally {
+    await page.close()
+  }
+}
+
+/** Draws examples/composition at the moment 0, where its warps swing out furthest. */
+async function composition(browser, url) {
+  const viewport = { width: 640, height: 480 }
+  const page = await browser.newPage({ viewport, deviceScaleFactor: 1.25 })
+  await page.goto(`${url}examples/composition/index.html`, patience)
+  await page.waitForFunction(() => window.frameCount >= 1, null, patience)
+  await page.evaluate(async () => {
+    window.noLoop()
+    window.p5.instance.millis = () => 0
+    await window.redraw()
+  })
+  await page.screenshot({ path: path('web/docs/composition.png') })
+  await page.close()
+  good('web/docs/composition.png')
+}
+
+await main(async () => {
+  const others = { hero, 'composition.png': composition }
+  const examples = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
+  const known = [...Object.keys(others), ...examples]
+  const wanted = process.argv.slice(2)
+  const unknown = wanted.find((name) => !known.includes(name))
+  if (unknown)
+    throw new Stop(`Expected names of examples, hero or composition.png, got ${unknown}.`)
+  await build()
+  mkdirSync(path('web/posters'), { recursive: true })
+  const server = await createServer({
+    configFile: path('web/vite.config.js'),
+    logLevel: 'warn',
+    server: { port: 5510, watch: null },
+  })
+  await server.listen()
+  const executablePath = await findBrowser()
+  const browser = await chromium.launch({ executablePath, args: softwareFlags })
+  const [url] = server.resolvedUrls.local
+  try {
+    for (const name of wanted.length ? wanted : known)
+      await (others[name] ?? poster)(browser, url, name)
+  } finally {
+    await browser.close()
+    await server.close()
+  }
+})

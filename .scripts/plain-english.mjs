@@ -1,0 +1,152 @@
+// Finds wording in comments, messages, names and Markdown that a native-speaking engineer would not choose.
+//
+//   node .scripts/plain-english.mjs [--list] [FOLDER…]   counts it, in all files or those folders
+//   npm test -- language                                  rejects it where a branch adds it
+//
+// A find is a place to reread, not proof of a fault. If a sentence is right as it is, add it to `exceptions`.
+import { existsSync, readFileSync } from 'node:fs'
+import { parseArgs } from 'node:util'
+import { path } from './lib/files.mjs'
+import { capture } from './lib/run.mjs'
+import { NotRun, Stop, isMain, main, say } from './lib/terminal.mjs'
+
+/** Sentences that the rules find and that are right. Compared with the excerpts that this tool prints. */
+const exceptions = new Set([])
+
+const roots = 'src js-bindings .scripts .cmake web tests examples README.md CONTRIBUTING.md'.split(
+  ' ',
+)
+const code = /\.(ts|mjs|js|cpp|hpp|cmake)$|CMakeLists\.txt$/
+const prose = /\.md$/
+const skipped = /types\/methods\.ts|corpus|golden|plain-english/
+const isRead = (file) => (code.test(file) || prose.test(file)) && !skipped.test(file)
+
+const comments =
+  /\/\*\*?([\s\S]*?)\*\/|(?<![:\\'"`])\/\/([^\n]*(?:\n[ \t]*\/\/[^\n]*)*)|'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*"|`(?:\\.|[^`\\])*`/g
+const strings = /'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*"|`(?:\\.|[^`\\])*`/g
+
+const commentRules = {
+  'comment without a subject':
+    /^(What|Of|By|As|Those|Whose|Who|How|Whether|Which|In which|For what|Under which|Around what|With what|From what|Where(?! possible)|The same|Likewise)\b(?![^.]*\?)/,
+}
+const textRules = {
+  '"unless given": write "Default: …"': /\bunless given\b/i,
+  '"so many", "so large": write the number': /\b(?<!not )so (many|much|large|far)\b(?! that)/i,
+  '"is told", "tells": write reports, passes, knows, throws':
+    /\b(is|are|was|be|been|gets?|has it) told\b|\btells\b/i,
+  '"but X came": write "expected X, got Y"': /\bbut \S+( \S+)? came\b|\bcame\b/i,
+  'stands, lies, laid: write is, is in, is stored, copied':
+    /\b(stands? (here|there|in|above|below|for itself|beside)|lies? in|laid)\b/i,
+  '"nothing if": write "empty if", "undefined if"': /\b(nothing|none) (if|where|unless)\b/i,
+  '"of what is": name the thing':
+    /\b(in|of|by|from|to|with|and|is|are) what (is|are|has|have|was|it|they|the)\b/i,
+  'most, least, usual: write max, min, default': /\b(at most (?!\d)|usual(ly)?)\b/,
+}
+const nameRules = {
+  'function named by a participle or adverb':
+    /\b(?:function|const)\s+((?!(?:apply|reply|multiply|supply|speed|feed|seed|need|embed|string|ring|thing|king|spring|padding|encoding|warning|setting|heading|timing|rendering|drawing|shading|family|assembly)\b)[a-z]+(?:ed|ing|ly)|told|kept|laid|made|done|given|asked|woven|written|sealed|solved)\b\s*(?:=\s*(?:async\s*)?(?:\(|[a-z]+\s*=>|<)|\(|<)/g,
+  'name begins with most, least or usual':
+    /\b(?:const|constexpr|static|int|double|auto)\s+(?:most|least|usual)[A-Z]\w*/g,
+}
+
+const withoutMarks = (text) => text.replace(/\s*\n\s*(\*|\/\/)?\s*/g, ' ').trim()
+
+/** Finds the places to reread in one file: [{ rule, line, text }]. */
+export function findWording(file, source) {
+  const found = []
+  const report = (rule, at, text) =>
+    found.push({ rule, line: source.slice(0, at).split('\n').length, text: text.slice(0, 110) })
+  const apply = (rules, text, at) => {
+    for (const [rule, pattern] of Object.entries(rules))
+      if (pattern.test(text)) report(rule, at, text)
+  }
+  if (prose.test(file)) {
+    for (const line of source.matchAll(/[^\n]+/g)) apply(textRules, line[0], line.index)
+    return found
+  }
+  for (const { 1: block, 2: line, index } of source.matchAll(comments)) {
+    const text = withoutMarks(block ?? line ?? '')
+    if (!text || /^clang-format|^@|^prettier/.test(text)) continue
+    apply({ ...commentRules, ...textRules }, text, index)
+  }
+  for (const { 0: text, index } of source.matchAll(strings))
+    if (text.length > 30) apply(textRules, text, index)
+  for (const [rule, pattern] of Object.entries(nameRules))
+    for (const { 0: text, index } of source.matchAll(pattern)) report(rule, index, text)
+  return found.filter(({ text }) => !exceptions.has(text))
+}
+
+/** Returns the finds of `after` that `before` lacks, however they moved: what was there before is not new. */
+export function addedWording(before, after) {
+  const keyOf = ({ rule, text }) => `${rule}\n${text}`
+  const left = before.map(keyOf)
+  return after.filter((find) => {
+    const i = left.indexOf(keyOf(find))
+    if (i >= 0) left.splice(i, 1)
+    return i < 0
+  })
+}
+
+const git = async (...args) => (await capture('git', args))?.trim() || null
+const linesOf = (text) => (text ? text.split('\n') : [])
+
+/** Returns the commit that a branch is compared with: where it left main, or the commit before on main itself. */
+async function base() {
+  const head = await git('rev-parse', 'HEAD')
+  if (!head) throw new NotRun('this folder is no git repository')
+  for (const main of ['origin/main', 'main']) {
+    const fork = await git('merge-base', main, 'HEAD')
+    if (fork && fork !== head) return fork
+  }
+  const before = await git('rev-parse', '--verify', '--quiet', 'HEAD~1')
+  if (!before) throw new NotRun('the history has no commit to compare with')
+  return before
+}
+
+const readNow = (file) => (existsSync(path(file)) ? readFileSync(path(file), 'utf8') : '')
+
+/** Throws if a file has wording to reread that the base does not have. */
+export async function checkWording() {
+  const since = await base()
+  const changed = await git('diff', '--name-only', '--no-renames', since, '--', ...roots)
+  const untracked = await git('ls-files', '--others', '--exclude-standard', '--', ...roots)
+  const files = [...linesOf(changed), ...linesOf(untracked)].filter(isRead)
+  const before = []
+  const after = []
+  for (const file of files) {
+    before.push(...findWording(file, (await git('show', `${since}:${file}`)) ?? ''))
+    after.push(...findWording(file, readNow(file)).map((find) => ({ ...find, file })))
+  }
+  const added = addedWording(before, after)
+  if (added.length)
+    throw new Stop(
+      `${added.map(describe).join('\n')}\n${added.length} to reread, in lines added since ${since.slice(0, 9)}. CONTRIBUTING.md has the style; .scripts/plain-english.mjs has exceptions.`,
+    )
+}
+
+const describe = ({ file, line, rule, text }) => `${file}:${line}  ${text}\n    ${rule}`
+
+/** Prints the number of finds by rule and in all; with `isListed` every place. */
+async function count(folders, isListed) {
+  const listed = linesOf(await git('ls-files', '--', ...(folders.length ? folders : roots)))
+  const files = listed.filter((file) => isRead(file) && existsSync(path(file)))
+  const finds = files.flatMap((file) =>
+    findWording(file, readNow(file)).map((find) => ({ ...find, file })),
+  )
+  const rules = {}
+  for (const find of finds) (rules[find.rule] ??= []).push(find)
+  for (const [rule, places] of Object.entries(rules).sort(([, a], [, b]) => b.length - a.length)) {
+    say(`${String(places.length).padStart(5)}  ${rule}`)
+    if (isListed) for (const { file, line, text } of places) say(`       ${file}:${line}  ${text}`)
+  }
+  say(`${String(finds.length).padStart(5)}  in ${files.length} files`)
+}
+
+if (isMain(import.meta))
+  await main(async () => {
+    const { values, positionals } = parseArgs({
+      options: { list: { type: 'boolean' } },
+      allowPositionals: true,
+    })
+    await count(positionals, values.list)
+  })

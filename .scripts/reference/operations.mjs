@@ -1,0 +1,81 @@
+// The tables of web/docs/operations.md, one per group of operations.
+import { Stop } from '../lib/terminal.mjs'
+
+/** Returns the generated parts of the page. `page` is its text, which must mention every operation. */
+export function operationParts({ operations, aliases, others, headings }, page) {
+  const missing = others.filter(({ name }) => !page.includes(`${name}(`))
+  if (missing.length)
+    throw new Stop(`web/docs/operations.md lacks ${missing.map(({ name }) => name).join(', ')}.`)
+  const groups = headings.map((heading) =>
+    group(
+      heading,
+      operations.filter((operation) => operation.heading === heading),
+    ),
+  )
+  return { operations: groups.join('\n'), aliases: `From glsl-autodiff: ${sentence(aliases)}.` }
+}
+
+function group(heading, operations) {
+  const isByComponent = ({ kinds }) => kinds.every((kind) => kind === 'number or vector')
+  const columns = [
+    ['function', (operation) => code(functionForm(operation))],
+    ['method', (operation) => code(methodForm(operation))],
+    ['what it is', ({ meaning }) => meaning],
+  ]
+  if (!operations.every(isByComponent)) columns.push(['takes → gives', types])
+  if (operations.some(({ missingIn }) => missingIn.length))
+    columns.push(['lowered in', ({ missingIn }) => languages(missingIn)])
+  return `## ${heading}\n\n${table(columns, operations)}\n${notes[heading] ?? ''}`
+}
+
+const table = (columns, rows) =>
+  [
+    columns.map(([head]) => head),
+    columns.map(() => '---'),
+    ...rows.map((row) => columns.map(([, cell]) => cell(row).replaceAll('|', '\\|'))),
+  ]
+    .map((cells) => `| ${cells.join(' | ')} |`)
+    .join('\n')
+
+const code = (text) => `\`${text}\``
+const more = ({ isChained }) => (isChained ? ', …' : '')
+
+function functionForm(operation) {
+  return `glsl.${operation.name}(${operation.operands.join(', ')}${more(operation)})`
+}
+
+function methodForm(operation) {
+  const [receiver, ...others] = operation.operands
+  return `${receiver}.${operation.name}(${others.join(', ')}${more(operation)})`
+}
+
+function types({ kinds, result }) {
+  return `${kinds.join(', ')} → ${result}`
+}
+
+const languages = (names) => (names.length === 3 ? 'all' : names.map(code).join(', '))
+
+/** Maps a heading → the note below its table. */
+const notes = {
+  Conditions: `
+A condition is 1 or 0 where it is used as a number.
+`,
+  Matrices: `
+Matrices also have \`neg\`, \`add\`, \`sub\`, \`mix\`, \`mult\`, and \`div\` by a number. \`m.mult(v)\` is a matrix times a column,
+\`v.mult(m)\` a row times a matrix.
+`,
+  Derivatives: `
+An input is what the shader gives, such as \`millis\`, \`position.x()\` or \`glsl.param('speed')\`, and nothing computed.
+Derivatives may be derived again: \`height.derivative(millis).derivative(millis)\` is an acceleration.
+`,
+}
+
+/** `a` and `b` are `c`, `d` is `e`, … */
+function sentence(aliases) {
+  const originals = [...new Set(aliases.map(({ of }) => of))]
+  const texts = originals.map((original) => {
+    const names = aliases.filter(({ of }) => of === original).map(({ name }) => code(name))
+    return `${names.join(' and ')} ${names.length > 1 ? 'are' : 'is'} ${code(original)}`
+  })
+  return texts.join(', ')
+}

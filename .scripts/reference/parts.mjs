@@ -1,0 +1,28 @@
+// The generated parts of hand-written pages: a part is between `<!-- name -->` and `<!-- end of name -->`.
+import { readFileSync } from 'node:fs'
+import { path } from '../lib/files.mjs'
+import { Stop } from '../lib/terminal.mjs'
+
+/** Returns the text of a page with these parts, an object of Markdown by name, formatted. */
+export async function pageWith(file, parts) {
+  let text = readFileSync(path(file), 'utf8')
+  for (const [name, part] of Object.entries(parts)) {
+    const pattern = RegExp(`(<!-- ${name} -->\\n)[^]*?(<!-- end of ${name} -->)`)
+    if (!pattern.test(text))
+      throw new Stop(`${file} lacks <!-- ${name} --> … <!-- end of ${name} -->.`)
+    text = text.replace(pattern, (_, start, end) => `${start}\n${part}\n\n${end}`)
+  }
+  return formatted(file, text)
+}
+
+/** Formats text as Prettier formats that file. */
+export async function formatted(file, text) {
+  const { format, resolveConfig } = await import('prettier')
+  return format(text, { ...(await resolveConfig(path(file))), filepath: path(file) })
+}
+
+/** Returns rows of cells as a Markdown table. The columns after the first are aligned to the right if `isNumeric`. */
+export const markdownTable = (head, rows, isNumeric = false) =>
+  [head, head.map((_, i) => (isNumeric && i ? '--:' : '---')), ...rows]
+    .map((cells) => `| ${cells.join(' | ')} |`)
+    .join('\n')

@@ -1,0 +1,64 @@
+// Measures every operation on the CPU and on three GPU pipelines, as the tests do.
+import { say } from '../lib/terminal.mjs'
+import { markdownTable } from '../reference/parts.mjs'
+import { measure as measureOperation } from '../../tests/operations/measure.js'
+import { programOf, runOnCpu } from '../../tests/operations/program.js'
+import { cases } from '../../tests/operations/reference.js'
+import { openPipelines } from '../../tests/support/browser/pipelines.js'
+
+const dialects = ['CPU', 'glsl300', 'glsl100', 'wgsl']
+
+const short = (error) => (error ? error.toExponential(0) : '0')
+const unique = (texts) => [...new Set(texts)].join('; ')
+
+export async function measure() {
+  const pipelines = await openPipelines()
+  const rows = []
+  for (const name of new Set(cases.map(({ group }) => group))) {
+    const group = cases.filter((operation) => operation.group === name)
+    rows.push(await rowOf(name, group, pipelines))
+    say(rows.at(-1).join('  '))
+  }
+  await pipelines.close()
+  const bounds = [...new Set(cases.map(({ tolerance }) => tolerance))]
+  return {
+    operations: markdownTable(
+      ['operation', ...dialects, 'points', 'derivatives', 'left out', 'in proportion to'],
+      rows,
+    ),
+    bounds: markdownTable(
+      ['value', 'derivative', 'reason'],
+      bounds.map(({ value, derivative, because }) => [short(value), short(derivative), because]),
+    ),
+  }
+}
+
+function measureIn(dialect, operation, pipelines) {
+  const isCpu = dialect === 'CPU'
+  const program = programOf(operation, isCpu ? 'glsl300' : dialect)
+  return measureOperation(operation, (points) =>
+    isCpu ? runOnCpu(program, points) : pipelines.run(dialect, program, points),
+  )
+}
+
+async function rowOf(name, group, pipelines) {
+  const cells = [`\`${name}\``]
+  let measured
+  for (const dialect of dialects) {
+    measured = []
+    for (const operation of group)
+      if (dialect !== 'CPU' || !operation.inShaders)
+        measured.push(await measureIn(dialect, operation, pipelines))
+    const worst = (kind) => short(Math.max(...measured.map((found) => found[kind].error)))
+    cells.push(measured.length ? `${worst('value')}, ${worst('derivative')}` : '–')
+  }
+  const sum = (kind) => measured.reduce((total, found) => total + found[kind], 0)
+  const kinks = unique(group.flatMap((operation) => operation.kinks ?? []))
+  return [
+    ...cells,
+    sum('points'),
+    sum('derivatives'),
+    sum('excluded') ? `${sum('excluded')}: ${kinks}` : '',
+    unique(group.flatMap(({ sensitivity }) => sensitivity.because ?? [])),
+  ]
+}

@@ -1,0 +1,84 @@
+// Draws the picture of web/docs/noise.md and measures its figures, by warpjet on the CPU.
+import { writeFileSync } from 'node:fs'
+import { compileWarp } from '../../dist/warpjet.js'
+import { png } from '../../tests/support/png.js'
+import { path } from '../lib/files.mjs'
+import { markdownTable } from '../reference/parts.mjs'
+
+const kinds = ['noise', 'simplex', 'valueNoise', 'worley', 'fbm', 'ridged', 'turbulence']
+
+const tile = 150
+const gap = 6
+/** Cells along the side of a tile. */
+const cells = 6
+
+/** Evaluates a noise at many points at once, as the height of a warp → { values, slopes }. */
+function sample(kind, dimensions, points) {
+  const value = ({ glsl, position }) => {
+    const p = [position.x(), position.xy(), position][dimensions - 1]
+    return kind === 'worley' ? glsl[kind](p).x() : glsl[kind](p)
+  }
+  const warp = (derive) =>
+    compileWarp(
+      (inputs) => {
+        const height = value(inputs)
+        const { glsl, position } = inputs
+        return derive ? glsl.gradient(height, position) : glsl.vec3(height, 0, 0)
+      },
+      { normals: false },
+    )
+  const moved = warp(false).evaluate({ positions: points }).positions
+  const derived = warp(true).evaluate({ positions: points }).positions
+  const count = points.length / 3
+  const slope = (i) => Math.hypot(...[0, 1, 2].map((k) => derived[3 * i + k] - points[3 * i + k]))
+  return {
+    values: Float32Array.from({ length: count }, (_, i) => moved[3 * i] - points[3 * i]),
+    slopes: Float32Array.from({ length: count }, (_, i) => slope(i)),
+  }
+}
+
+const pixels = Float32Array.from({ length: 3 * tile * tile }, (_, i) => {
+  const pixel = Math.floor(i / 3)
+  return [((pixel % tile) * cells) / tile, (Math.floor(pixel / tile) * cells) / tile, 0.37][i % 3]
+})
+
+/** Draws values above and slopes below, one column per kind, in gray. */
+function picture() {
+  const width = kinds.length * (tile + gap) - gap
+  const height = 2 * tile + gap
+  const bytes = new Uint8Array(width * height).fill(255)
+  for (const [column, kind] of kinds.entries()) {
+    const { values, slopes } = sample(kind, 3, pixels)
+    const signed = ['noise', 'simplex', 'valueNoise', 'fbm'].includes(kind)
+    const gray = [(i) => (signed ? 0.5 + 0.6 * values[i] : values[i]), (i) => slopes[i] / 4]
+    for (const [row, brightness] of gray.entries())
+      for (let i = 0; i < tile * tile; i++) {
+        const x = column * (tile + gap) + (i % tile)
+        const y = row * (tile + gap) + Math.floor(i / tile)
+        bytes[y * width + x] = 255 * Math.min(Math.max(brightness(i), 0), 1)
+      }
+  }
+  return png(width, height, (x, y) => Array(3).fill(bytes[y * width + x]))
+}
+
+/** Returns the range of 100,000 values, that of the middle nine tenths, and the root of the mean square of their slopes. */
+function figures(kind, dimensions) {
+  let state = 1
+  const random = () => (state = (state * 16807) % 2147483647) / 2147483647
+  const count = 100_000
+  const points = Float32Array.from({ length: 3 * count }, () => 4091 * (random() - 0.5))
+  const { values, slopes } = sample(kind, dimensions, points)
+  const sorted = [...values].sort((a, b) => a - b)
+  const at = (share) => sorted[Math.floor(share * (count - 1))].toFixed(2)
+  const slope = Math.sqrt(slopes.reduce((sum, x) => sum + x * x, 0) / count).toFixed(2)
+  return [`${at(0)} to ${at(1)}`, `${at(0.05)} to ${at(0.95)}`, slope]
+}
+
+export function measure() {
+  writeFileSync(path('web/docs/noise.png'), picture())
+  const rows = kinds.flatMap((kind) =>
+    [2, 3].map((dimensions) => [`\`${kind}\``, `${dimensions}D`, ...figures(kind, dimensions)]),
+  )
+  const head = ['noise', 'of', 'least to largest found', 'nine tenths of all', 'typical slope']
+  return { figures: markdownTable(head, rows) }
+}

@@ -1,0 +1,141 @@
+// Measures how many triangles `subdivide` needs for an error on the gallery's warps, adaptively and uniformly.
+import { compileWarp } from '../../dist/warpjet.js'
+import { subdivide } from '../../dist/mesh.js'
+import { box, icosahedron, plane } from '../../tests/support/coarse-meshes.js'
+import { deviation } from '../../tests/support/deviation.js'
+import { cube, noiseWarps } from '../../tests/support/noise-warps.js'
+import { sketchWarps } from '../../tests/warps/sketches.js'
+import { say } from '../lib/terminal.mjs'
+import { markdownTable } from '../reference/parts.mjs'
+
+const levels = [1, 2, 3, 4, 5, 6]
+/** The main table has, for each warp, the first level that is so near: a share of the length of the mesh. */
+const near = 0.005
+/** Tolerances are tried from large to small, so many to each halving. */
+const triesAHalving = 4
+/** On a cube of 180 units that noise moves by up to 20. */
+const tolerances = [1, 0.5, 0.25]
+/** Samples on the longest edge that comes. */
+const samples = 64
+
+// Sizes are those of the gallery's models. Twists and the spoon are at the moment at which they bend most.
+const cases = {
+  'airplane-twist': ['box', box([100, 34, 98]), { millis: 1885 }],
+  'bunny-twist': ['icosahedron', icosahedron(100), { millis: 1414 }],
+  'bunny-flatten': ['icosahedron', icosahedron(100), { millis: 1414 }],
+  carousel: ['plane', plane([55, 85]), { millis: 400, phase: 1.7 }],
+  'coarse-and-fine': ['box', box([90, 90, 90]), { millis: 1571 }],
+  fingers: ['box', box([128, 200, 42]), { millis: 300 }],
+  genie: ['icosahedron', icosahedron(100), { millis: 400 }],
+  lotus: ['icosahedron', icosahedron(1), { bend: 1.2 }],
+  'sine-cube': ['box', box([100, 100, 100]), { millis: 500 }],
+  'sine-sphere': ['icosahedron', icosahedron(1), { millis: 500 }],
+  spoon: ['box', box([100, 12.5, 20.6]), { millis: 2356 }],
+  'tangent-plane': ['plane', plane([75, 75]), { millis: 500 }],
+  'text-bulge': ['plane', plane([250, 60]), { millis: 500, mouse: [320, 240], size: [640, 480] }],
+}
+
+export async function measure() {
+  const found = []
+  for (const { name, warp } of await sketchWarps()) {
+    if (!cases[name]) continue
+    found.push(measureWarp(name, compileWarp(warp, { normals: false })))
+    say(
+      `${name}: ${found
+        .at(-1)
+        .rows.map(({ ratio }) => short(ratio))
+        .join(' ')}`,
+    )
+  }
+  const bending = found.filter(({ chosen }) => chosen.adaptive)
+  const reached = bending.filter(({ chosen }) => chosen.ratio <= 1 / 3)
+  const list = reached.map(({ name }) => `\`${name}\``).join(', ')
+  return {
+    reached: `At most a third of the triangles are needed for ${reached.length} of ${bending.length} warps that bend: ${list}.`,
+    'chosen levels': markdownTable(
+      [
+        'warp',
+        'base mesh',
+        'uniform triangles',
+        'its error',
+        'adaptive triangles',
+        'its error',
+        'ratio',
+      ],
+      found.map(({ name, shape, triangles, chosen }) => [
+        `\`${name}\``,
+        `${shape}, ${triangles}`,
+        ...cells(chosen),
+      ]),
+      true,
+    ),
+    'all levels': markdownTable(
+      ['warp', ...levels],
+      found.map(({ name, rows }) => [`\`${name}\``, ...rows.map(({ ratio }) => short(ratio))]),
+      true,
+    ),
+    nearness: markdownTable(
+      ['noise', ...tolerances.map((tolerance) => `tolerance ${tolerance}`)],
+      nearness(),
+      true,
+    ),
+  }
+}
+
+/** Returns a row per kind of noise: its name, and the errors as shares of the tolerances. */
+function nearness() {
+  const errorOf = (warp, tolerance) => {
+    const fine = subdivide(cube, { warp, tolerance, angle: Infinity })
+    return deviation(fine, warp, {}, Math.min(1, 2 * tolerance)) / tolerance
+  }
+  return Object.entries(noiseWarps).map(([name, warp]) => [
+    `\`${name}\``,
+    ...tolerances.map((tolerance) => errorOf(warp, tolerance).toFixed(2)),
+  ])
+}
+
+/** Returns a row per level: the uniform mesh, and the smallest adaptive mesh with at most its error. */
+function measureWarp(name, warp) {
+  const [shape, mesh, uniforms] = cases[name]
+  const length = 2 * mesh.positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0)
+  const measured = (fine) => ({
+    triangles: fine.indices.length / 3,
+    error: deviation(fine, warp, uniforms, length / samples),
+  })
+  // What is left of a mesh that the warp does not bend is the rounding of float32.
+  const isNothing = (error) => error < 1e-6 * length
+
+  const uniform = levels.map((level) => measured(subdivide(mesh, { levels: level })))
+  const adaptive = []
+  if (!isNothing(uniform[0].error)) {
+    const last = uniform.at(-1)
+    const options = { warp, uniforms, angle: Infinity }
+    for (let tolerance = 4 * uniform[0].error; ; tolerance *= 2 ** (-1 / triesAHalving)) {
+      adaptive.push(measured(subdivide(mesh, { ...options, tolerance })))
+      const { error, triangles } = adaptive.at(-1)
+      if (error <= last.error || triangles > 2 * last.triangles) break
+    }
+  }
+  const rows = uniform.map((row) => {
+    const [best] = adaptive
+      .filter(({ error }) => error <= row.error)
+      .sort((a, b) => a.triangles - b.triangles)
+    return { uniform: row, adaptive: best, ratio: best && best.triangles / row.triangles }
+  })
+  const chosen = rows.find((row) => row.uniform.error <= near * length) ?? rows.at(-1)
+  return { name, shape, triangles: mesh.indices.length / 3, rows, chosen }
+}
+
+function short(number) {
+  return number === undefined ? '–' : String(Number(number.toPrecision(2)))
+}
+
+function cells({ uniform, adaptive, ratio }) {
+  return [
+    uniform.triangles,
+    short(uniform.error),
+    adaptive?.triangles ?? '–',
+    short(adaptive?.error),
+    short(ratio),
+  ]
+}

@@ -1,0 +1,33 @@
+// Measures the gallery's warps after a week, with and without the numbers that are computed once a frame.
+import { markdownTable } from '../reference/parts.mjs'
+import { launchBrowser } from '../../tests/support/browser/browser.js'
+import { openPipeline } from '../../tests/support/browser/transform-feedback.js'
+import { afterAWeek, isMeasured } from '../../tests/support/browser/uptime.js'
+import { warps } from '../../tests/warps/index.js'
+
+const size = (value) => (value === 0 ? '0' : value.toExponential(0))
+const degrees = (value) => (value < 0.0001 ? '0' : value.toFixed(value < 0.1 ? 4 : 1))
+const share = (value) => `${(100 * value).toFixed(value < 0.1 ? 1 : 0)} %`
+const cells = ({ then, step }) => [size(then.position), degrees(then.angle), share(step)]
+const columns = ['positions', 'normals (°)', '16 ms']
+
+export async function measure() {
+  const browser = await launchBrowser()
+  const gpu = await openPipeline(browser)
+  const rows = []
+  for (const warp of warps.filter(isMeasured)) {
+    const before = await afterAWeek(gpu, warp, {})
+    const now = await afterAWeek(gpu, warp, { perFrame: true })
+    const start = [size(now.start.position), degrees(now.start.angle)]
+    rows.push([`\`${warp.name}\``, ...start, ...cells(before), ...cells(now)])
+  }
+  await browser.close()
+  const head = ['at start: positions', 'normals (°)', 'after a week, before: positions']
+  return {
+    warps: markdownTable(
+      ['warp', ...head, ...columns.slice(1), 'now: positions', ...columns.slice(1)],
+      rows,
+      true,
+    ),
+  }
+}

@@ -1,0 +1,98 @@
+// The uniforms of a warp in shaders of Babylon.js: what they are called and typed there, and how their numbers are sent.
+import { type HostUniform, type HostWarp, shaderNames } from '../compile/hosts.js'
+
+/** A warp, and the names of its frame constants, which are vec4s. */
+export interface ShaderParts {
+  warp: HostWarp
+  frame: readonly string[]
+}
+
+export interface SentUniform {
+  name: string
+  type: string
+}
+
+/** Matrices of 3 rows are sent as 4 by 4, since WGSL lays them out with gaps. */
+const sentType = (type: string) => (type === 'mat3' ? 'mat4' : type)
+
+export const sentName = (label: string) => `${label}Sent`
+
+/** Uniforms but images, and frame constants. The warp's code has other names for them than the shader. */
+export const numberUniforms = ({
+  warp,
+  frame,
+}: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
+  ...warp.uniforms.inShader.filter(({ image }) => !image),
+  ...frame.map((label) => ({ label, type: 'vec4' as const })),
+]
+
+/** Tells both stages whether the warp mirrors all of space. */
+export const orientationUniform: SentUniform = { name: shaderNames.orientation, type: 'float' }
+
+/** The uniforms of the vertex shader as it declares them. */
+export const sentUniforms = (parts: ShaderParts): SentUniform[] => [
+  { name: shaderNames.millis, type: 'float' },
+  ...numberUniforms(parts).map(({ label, type }) => ({
+    name: sentName(label),
+    type: sentType(type),
+  })),
+]
+
+/** Sets uniforms by name: a UniformBuffer, or an effect without one. */
+export interface NumberSetter {
+  updateFloat(name: string, x: number): unknown
+  updateFloat2(name: string, x: number, y: number): unknown
+  updateFloat3(name: string, x: number, y: number, z: number): unknown
+  updateFloat4(name: string, x: number, y: number, z: number, w: number): unknown
+  updateMatrices(name: string, numbers: Float32Array): unknown
+}
+
+export function sendNumbers(setter: NumberSetter, label: string, numbers: readonly number[]) {
+  const name = sentName(label)
+  const [x, y, z, w] = numbers as [number, number, number, number]
+  if (numbers.length === 1) setter.updateFloat(name, x)
+  else if (numbers.length === 2) setter.updateFloat2(name, x, y)
+  else if (numbers.length === 3) setter.updateFloat3(name, x, y, z)
+  else if (numbers.length === 4) setter.updateFloat4(name, x, y, z, w)
+  else
+    setter.updateMatrices(
+      name,
+      Float32Array.from(numbers.length === 9 ? withFourthRow(numbers) : numbers),
+    )
+}
+
+const withFourthRow = (n: readonly number[]) => [
+  ...[...n.slice(0, 3), 0, ...n.slice(3, 6), 0, ...n.slice(6), 0],
+  ...[0, 0, 0, 1],
+]
+
+/** Declares in the vertex shader what the warp's code calls a uniform. */
+export function localUniform(
+  { label, type }: Pick<HostUniform, 'label' | 'type'>,
+  isWGSL: boolean,
+) {
+  const sent = isWGSL ? `uniforms.${sentName(label)}` : sentName(label)
+  const isNarrow = type === 'mat3'
+  if (!isWGSL) return `${type} ${label} = ${isNarrow ? `mat3(${sent})` : sent};`
+  const columns = [0, 1, 2].map((i) => `${sent}[${i}].xyz`)
+  return `let ${label} = ${isNarrow ? `mat3x3f(${columns.join(', ')})` : sent};`
+}
+
+const wgslTypes: Record<string, string> = {
+  float: 'f32',
+  vec2: 'vec2f',
+  vec3: 'vec3f',
+  vec4: 'vec4f',
+  mat4: 'mat4x4f',
+}
+
+export const declareUniform = ({ name, type }: SentUniform, isWGSL: boolean) =>
+  isWGSL ? `uniform ${name}: ${wgslTypes[type]};` : `uniform ${type} ${name};`
+
+export const declareAttribute = (name: string, size: 2 | 3 | 4, isWGSL: boolean) =>
+  isWGSL ? `attribute ${name}: vec${size}f;` : `attribute vec${size} ${name};`
+
+export const declareImage = (label: string, isWGSL: boolean) =>
+  isWGSL
+    ? `var ${label}Sampler: sampler;\nvar ${label}: texture_2d<f32>;`
+    : `uniform highp sampler2D ${label};`

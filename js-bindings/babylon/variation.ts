@@ -1,0 +1,50 @@
+// The surface variation of a mesh, kept as vertex buffers: how its normals and texture coordinates change along the surface.
+import { Buffer, VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
+import { Material } from '@babylonjs/core/Materials/material.js'
+import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
+import { variationAttribute, variationNames } from '../compile/hosts.js'
+import { describe } from '../errors/errors.js'
+import { Place } from '../options/place.js'
+
+/** The kinds of the vertex buffers, first three for the normal, then two for the texture coordinates. */
+export const variationKinds = variationNames.map(variationAttribute)
+
+/**
+ * Computes how normal and uv vary over a mesh and adds that to it as vertex buffers, so that the normals of offsets that depend
+ * on them, such as along the normal, are exact: `await addSurfaceVariation(mesh)`, once, before the mesh is drawn. Loads
+ * 'warpjet/mesh'. Returns the mesh.
+ *
+ * @throws {WarpError} for a mesh without vertices.
+ */
+export async function addSurfaceVariation<Kind extends Mesh>(mesh: Kind): Promise<Kind> {
+  const read = (kind: string) => (mesh as Partial<Mesh> | undefined)?.getVerticesData?.(kind)
+  const positions = read(VertexBuffer.PositionKind)
+  if (!positions)
+    throw new Place('addSurfaceVariation').expected(
+      'a mesh of Babylon.js with vertices',
+      describe(mesh),
+    )
+  const [normals, uvs] = [read(VertexBuffer.NormalKind), read(VertexBuffer.UVKind)]
+  const indices = mesh.getIndices()
+  const { surfaceVariation } = await import('../mesh/surface-variation.js')
+  const variation = surfaceVariation({
+    positions: Float32Array.from(positions),
+    ...(normals && { normals: Float32Array.from(normals) }),
+    ...(uvs && { uvs: Float32Array.from(uvs) }),
+    ...(indices && { indices: Uint32Array.from(indices) }),
+  })
+  const lists = variationNames.flatMap((name) => variation[`${name}s`] ?? [])
+  // One buffer, since WebGPU allows 8.
+  const stride = 3 * lists.length
+  const numbers = new Float32Array(lists.length * positions.length)
+  lists.forEach((list, at) => {
+    for (let i = 0; i < list.length; i += 3)
+      numbers.set(list.subarray(i, i + 3), (i / 3) * stride + 3 * at)
+  })
+  const buffer = new Buffer(mesh.getEngine(), numbers, false, stride)
+  lists.forEach((_, i) =>
+    mesh.setVerticesBuffer(buffer.createVertexBuffer(variationKinds[i]!, 3 * i, 3)),
+  )
+  mesh.material?.markAsDirty(Material.AttributesDirtyFlag)
+  return mesh
+}

@@ -1,0 +1,155 @@
+// A recorded function as a serialized module (src/module): a word stream outside of the wasm. Shader code and CPU programs are
+// made from it any number of times.
+import { WarpError } from '../../errors/errors.js'
+import { oneOf } from '../../options/kinds.js'
+import { type Module, core } from '../../wasm/core.js'
+import { languages } from '../../wasm/tables.js'
+import type { ReadAsFloats, Variable } from '../expression/shapes.js'
+
+/** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
+export type Target = keyof typeof languages
+
+export const targets = Object.keys(languages) as readonly Target[]
+
+/** The kind of the option `target`. */
+export const targetKind = oneOf(targets, 'glsl300')
+
+export type SerializedModule = Uint32Array & {
+  readonly isSerialized: unique symbol
+  /** Maps the number of an input that is not a float in the host → how it is read as floats. */
+  conversions: ReadonlyMap<number, ReadAsFloats>
+}
+
+/** A CPU program (src/eval/program.hpp): a word stream that outlives the session. */
+export interface Program {
+  words: Uint32Array
+  instructions: number
+  /** The inputs whose numbers it takes, in order. */
+  inputs: Variable[]
+}
+
+/** The host's name for an input or a result. */
+type Naming = readonly [number: number, name: string]
+
+export interface Names {
+  inputs?: readonly Naming[]
+  /** Default: all results, under their own names. */
+  results?: readonly Naming[]
+  /** Selects the inputs that frame constants are computed from; see compile/frame.ts. */
+  isFrameConstant?: IsFrameConstant | undefined
+}
+
+/** Tests for an input that is constant during a frame, and whose value the host knows. */
+export type IsFrameConstant = (variable: Variable) => boolean
+
+/** Moves what depends on frame constants alone into a result of its own, and returns its count of vec4s. */
+function separateFrame(module: Module, isFrameConstant: IsFrameConstant | undefined): number {
+  if (!isFrameConstant) return 0
+  const constants = module.inputs().filter(isFrameConstant)
+  return module.separate(constants.map(({ number }) => number))
+}
+
+/** Makes the program that computes those vec4s; `isRead` says which inputs it reads. `undefined` if there are none. */
+export const makeFrame = (serialized: SerializedModule, isFrameConstant: IsFrameConstant) =>
+  withModule(serialized, (module) => {
+    const count = separateFrame(module, isFrameConstant)
+    if (count === 0) return undefined
+    const program = programOf(serialized, module, [module.results().length - 1])
+    return program && { program, count, isRead: inputsRead(program) }
+  })
+
+/** Returns for each input of the program whether it is read. */
+function inputsRead({ words, instructions, inputs }: Program): boolean[] {
+  const sizes = inputs.map(({ shape: [columns, rows] }) => columns * rows)
+  return Array.from(core.get().inputsRead(words, instructions, sizes), Boolean)
+}
+
+/** Shader code. */
+export interface Text {
+  code: string
+  declarations: string
+  /** The inputs that the code reads. */
+  inputs: Variable[]
+  stats: { nodes: number; operations: number; temporaries: number; vectors: number }
+}
+
+/** Writes shader code. With a `maxDepth` only depth decides where an expression is split, not the number of variables that it reads. */
+export const writeText = (
+  serialized: SerializedModule,
+  target: Target,
+  { inputs = [], results = [], isFrameConstant }: Names = {},
+  maxDepth = 0,
+): Text =>
+  withModule(serialized, (module) => {
+    separateFrame(module, isFrameConstant)
+    const conversions = Array.from(serialized.conversions, ([number, { texts }]): Naming => [
+      number,
+      texts[target]!,
+    ])
+    const names = [...conversions, ...inputs]
+    const { problem, ...text } = module.write(
+      target,
+      names.map(numberOf),
+      names.map(nameOf),
+      results.map(numberOf),
+      results.map(nameOf),
+      Math.min(maxDepth, 2 ** 30),
+    )
+    if (problem) throw new WarpError(problem)
+    return { ...text, inputs: withReads(serialized, text.inputs) }
+  })
+
+const numberOf = ([number]: Naming) => number
+const nameOf = ([, name]: Naming) => name
+
+/** Returns all inputs, read or not. */
+export const inputsOf = (serialized: SerializedModule): Variable[] =>
+  withModule(serialized, (module) => withReads(serialized, module.inputs()))
+
+/** Returns the inputs that results depend on. `results` are their numbers. */
+export const inputsReadBy = (
+  serialized: SerializedModule,
+  results: readonly number[],
+): Variable[] =>
+  withModule(serialized, (module) => withReads(serialized, module.inputsRead(results)))
+
+/** Returns the results in order. */
+export const resultsOf = (serialized: SerializedModule): Variable[] =>
+  withModule(serialized, (module) => module.results())
+
+/**
+ * Makes the CPU program of results, given by number; `undefined` if it would call a function of the host. With `isFrameConstant`
+ * it reads the vec4s of the frame.
+ */
+export const makeProgram = (
+  serialized: SerializedModule,
+  results: readonly number[],
+  isFrameConstant?: IsFrameConstant,
+): Program | undefined =>
+  withModule(serialized, (module) => {
+    separateFrame(module, isFrameConstant)
+    return programOf(serialized, module, results)
+  })
+
+function programOf(
+  serialized: SerializedModule,
+  module: Module,
+  results: readonly number[],
+): Program | undefined {
+  const { problem, words, instructions, inputs } = module.program(results)
+  if (problem) throw new WarpError(problem)
+  return words.length ? { words, instructions, inputs: withReads(serialized, inputs) } : undefined
+}
+
+/** Does `work` with the deserialized module, and deletes it. */
+const withModule = <Result>(
+  serialized: SerializedModule,
+  work: (module: Module) => Result,
+): Result => core.use(({ Module }) => new Module(serialized), work)
+
+/** Adds the conversions of inputs that are not floats in the host. */
+const withReads = ({ conversions }: SerializedModule, inputs: readonly Variable[]): Variable[] =>
+  inputs.map((input) => {
+    const read = conversions.get(input.number)
+    return read ? { ...input, name: read.name ?? input.name, read } : input
+  })

@@ -1,0 +1,193 @@
+/** Replaces a sketch's hook that moves positions by one that calls it and transforms the normal by its exact derivative. */
+import { compileWarp } from '#text-compiler'
+import { type OffsetFunction, type Target, drawInputs } from '../../compile/hosts.js'
+import { WarpError } from '../../errors/errors.js'
+import { asOwn } from '../../errors/operators.js'
+import { glslOffset } from '../../glsl-source/offset.js'
+import { aboveStrands, glslOf } from './strands-wgsl.js'
+import { type ModifiedShader, isWgsl } from './modified-shader.js'
+import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
+import { readsVariation, variationVariables } from '../variation/variation-text.js'
+
+type CompiledText = ReturnType<typeof compileWarp>
+
+export type Hooks = Record<string, string>
+
+/** Renames inputs of an offset that a hook lacks: uniforms of the sketch may have the same names. */
+const missingInputs = Object.fromEntries(
+  Object.keys(drawInputs).map((name) => [name, `warpjetMissing_${name}`]),
+)
+
+export interface HookTemplate {
+  /** Maps inputs of an offset to expressions in the new hook. */
+  names: Record<'position' | 'normal' | 'uv' | 'color', string>
+  /** Returns statements that compute the new `position` by calling the sketch's hook. */
+  moveCode: (own: string) => string
+  /**
+   * Returns the new hook. `text` is the source of the sketch's hook as the function `own`; `code`, the code of `warp`, computes the
+   * normal in the variable `normal`.
+   */
+  hook: (parts: {
+    code: string
+    own: string
+    text: string
+    normal: string
+    warp: CompiledText
+  }) => Hooks
+}
+
+export interface ExactHooks {
+  hooks: Hooks
+  declarations: string[]
+  texts: string[]
+  /** Hooks whose normals depend on the gradients of normal and uv. */
+  varying: { name: string; warp: CompiledText }[]
+}
+
+/** Returns new hooks that call the sketch's hooks and transform the normal; `undefined` if no hook moves a position. */
+export function makeExactHooks(
+  shader: ModifiedShader,
+  names: readonly string[],
+  templateOf: (name: string) => HookTemplate,
+): ExactHooks | undefined {
+  const made: NonNullable<ReturnType<typeof makeExactHook>>[] = []
+  for (const name of names.filter((each) => shader.hooks.modified.vertex[each])) {
+    const hook = makeExactHook(shader, name, templateOf, made.length === 0)
+    if (hook) made.push(hook)
+  }
+  if (made.length === 0) return undefined
+  return {
+    hooks: Object.assign({}, ...made.map(({ hook }) => hook)) as Hooks,
+    declarations: made.map(({ declarations }) => declarations),
+    texts: made.map(({ text }) => text),
+    varying: made.filter(({ warp }) => readsVariation(warp)),
+  }
+}
+
+/** `isFirst` means that no earlier hook has moved the surface. Returns `undefined` if the hook moves no position. */
+function makeExactHook(
+  shader: ModifiedShader,
+  name: string,
+  templateOf: (name: string) => HookTemplate,
+  isFirst: boolean,
+) {
+  const [type, word] = name.split(' ')
+  const own = `warpjetOriginal_${word}`
+  const outputs = {
+    offset: `warpjetOffset_${word}`,
+    position: `warpjetPosition_${word}`,
+    normal: `warpjetNormal_${word}`,
+  }
+  const hook = shader.hooks.vertex[name]!
+  const text = `${isWgsl(shader) ? 'fn' : type} ${own}${hook}`
+  checkReadable(shader, name, hook)
+  const template = templateOf(name)
+  const isOfShape = /Object|Local/.test(word!)
+  const source = `${toGlslSource(shader, `${type} ${own}`, hook, isOfShape)}
+vec3 warpjetMovedPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
+  ${isWgsl(shader) ? '' : attributes.map((each) => each.isSet(isOfShape)).join('')}
+  ${template.moveCode(own)}
+}`
+  const options = {
+    target: targetOf(shader, type!),
+    names: { ...missingInputs, ...variationVariables, ...template.names },
+    outputs,
+    surfaceVariation: true,
+  } as const
+  const read = glslOffset(source, {
+    function: 'warpjetMovedPosition',
+    returns: 'position',
+    maxIterations: 256,
+  })
+  // Withholds the other inputs, since millis, size and instance are names of the sketch here.
+  const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, color, uniforms }) =>
+    read({ glsl, position, normal, uv, color, uniforms } as never),
+  )
+  try {
+    if (compileWarp(offset, { ...options, normals: false }).stats.operations === 0) return undefined
+    const exact = compileWarp(offset, options)
+    const isKnown = isFirst || !readsVariation(exact)
+    if (!isKnown) warnSecondHook(word!)
+    const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
+    const { code, declarations } = warp
+    const parts = { code, own, text, normal: outputs.normal, warp }
+    return { name, declarations, text, warp, hook: template.hook(parts) }
+  } catch (error) {
+    if (!(error instanceof WarpError && isOfStrands(hook))) throw error
+    throw new WarpError(inStrandsWords(error.message, word!))
+  }
+}
+
+const warnSecondHook = (word: string) =>
+  console.warn(
+    `exactNormals: ${word} moves vertices by normal or texCoord after another hook has moved them, so its normals are only approximate; move the vertices in one hook.`,
+  )
+
+function targetOf(shader: ModifiedShader, type: string): Target {
+  if (isWgsl(shader)) return 'wgsl'
+  // p5 1.11 may run on WebGL 1.
+  return type === 'Vertex' || shader._vertSrc.includes('300 es') ? 'glsl300' : 'glsl100'
+}
+
+/**
+ * Attributes that a hook may read directly. We declare them as globals that start with the values of the offset's inputs. Unless
+ * `isFree`, an attribute is in the shape's own space, so only hooks of that space may read it.
+ */
+const attributes = [
+  { name: 'aPosition', type: 'vec3', value: 'position', isFree: false },
+  { name: 'aNormal', type: 'vec3', value: 'normal', isFree: false },
+  { name: 'aTexCoord', type: 'vec2', value: 'uv', isFree: true },
+].map((attribute) => ({
+  ...attribute,
+  isKnown: (isOfShape: boolean) => isOfShape || attribute.isFree,
+  isSet: (isOfShape: boolean) =>
+    isOfShape || attribute.isFree ? `${attribute.name} = ${attribute.value};\n  ` : '',
+}))
+
+/** Returns the hook as a function in GLSL, with the declarations above it. */
+function toGlslSource(
+  shader: ModifiedShader,
+  head: string,
+  hook: string,
+  isOfShape: boolean,
+): string {
+  if (!isWgsl(shader)) return `${aboveHooks(shader, isOfShape)}\n${head}${hook}`
+  const { uniforms, varyingVariables = [], vertex, declarations } = shader.hooks
+  const above = [
+    ...Object.keys(uniforms).map((uniform) => `uniform var ${uniform};`),
+    ...varyingVariables.map((varying) => `var ${varying};`),
+    // p5 puts its noise() and random() above every hook, called or not.
+    vertex.declarations?.replace(/^fn (\w+)[^]*?^\}/gm, (text, called) =>
+      hook.includes(`${called}(`) ? text : '',
+    ),
+    declarations,
+  ].join('\n')
+  return `${aboveStrands}\n${glslOf(above)}\n${head}${glslOf(hook)}`
+}
+
+/** Mirrors the function that p5 puts above its shaders. */
+const getTexture = `vec4 getTexture(sampler2D content, vec2 coord) {
+  vec4 color = texture(content, coord);
+  if (color.a > 0.0) color.rgb /= color.a;
+  return color;
+}`
+
+/** Returns the declarations that p5 writes above a shader's hooks and that the hooks can read. */
+function aboveHooks({ hooks, _vertSrc }: ModifiedShader, isOfShape: boolean): string {
+  const inner = _vertSrc.match(
+    /^[ \t]*(?:(?:IN|OUT|uniform|in|out)\s[^;()]+;|struct Vertex\s*\{[^}]*\};)/gm,
+  )
+  const known = attributes.filter(({ isKnown }) => isKnown(isOfShape))
+  const isKnown = (line: string) => known.some(({ name }) => new RegExp(`\\b${name}\\b`).test(line))
+  return [
+    '#define IN in\n#define OUT out',
+    ...(inner ?? []).filter((line) => !isKnown(line)),
+    ...known.map(({ type, name }) => `${type} ${name};`),
+    getTexture,
+    ...Object.keys(hooks.uniforms).map((uniform) => `uniform ${uniform};`),
+    ...(hooks.varyingVariables ?? []).map((varying) => `out ${varying};`),
+    hooks.declarations ?? '',
+    withoutRandom(hooks.vertex.declarations ?? ''),
+    ...Object.entries(hooks.helpers).map(([head, body]) => head + body),
+  ].join('\n')
+}

@@ -1,0 +1,183 @@
+#include "frame/separation.hpp"
+
+#include <numbers>
+#include <optional>
+
+#include "frame/frame.hpp"
+#include "noise/noise.hpp"
+#include "ops/scalar.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr Op add = ops::find("add"), sub = ops::find("sub"), neg = ops::find("neg"),
+             mult = ops::find("mult"), divide = ops::find("div");
+
+Expression round(Expression x) { return build(ops::find("round"), x); }
+
+}  // namespace
+
+Separation::Separation(Graph& graph, Library& library, std::span<const std::uint32_t> known)
+    : graph_(graph),
+      library_(library),
+      inputs_(graph),
+      isKnown_(graph.inputCount()),
+      isFrame_(graph.size()),
+      replacements_(graph.size(), noNode),
+      sums_(graph.size()) {
+  for (const std::uint32_t input : known) isKnown_[input] = true;
+}
+
+void Separation::visit(NodeId id) {
+  if (graph_.isInput(id)) isFrame_[index(id)] = isKnown_[graph_.node(id).operands[0]];
+  if (graph_.isLeaf(id) || graph_.known(id)) {
+    replacements_[index(id)] = id;
+  } else if (graph_.isOperation(id)) {
+    visitOperation(id);
+  } else if (graph_.isCall(id)) {
+    replacements_[index(id)] = callOf(id);
+  } else if (graph_.isResult(id)) {
+    replacements_[index(id)] =
+        graph_.result(replacementOf(graph_.operand(id, 0)), graph_.resultNumber(id));
+  } else if (graph_.isFold(id)) {
+    std::vector<State> states = graph_.states(id);
+    for (State& state : states) {
+      state.start = replacementOf(state.start);
+      state.next = replacementOf(state.next);
+    }
+    replacements_[index(id)] = graph_.fold(graph_.loopOf(id), states);
+  } else if (graph_.isOutcome(id)) {
+    replacements_[index(id)] =
+        graph_.outcome(replacementOf(graph_.operand(id, 0)), graph_.operand(id, 1));
+  }
+}
+
+NodeId Separation::replacementOf(NodeId id) {
+  NodeId& node = replacements_[index(id)];
+  if (node == noNode) node = inputs_.pass(id);
+  return node;
+}
+
+void Separation::visitOperation(NodeId id) {
+  bool isFrame = false, isVarying = false;
+  for (int i = 0; i < graph_.arity(id); ++i) {
+    const NodeId operand = graph_.operand(id, i);
+    isFrame |= isFrame_[index(operand)];
+    isVarying |= !isSame(operand);
+  }
+  isFrame_[index(id)] = isFrame && !isVarying;
+  if (isFrame_[index(id)]) return;
+  sums_[index(id)] = sumOf(id);
+  Operands<NodeId> operands{};
+  for (int i = 0; i < graph_.arity(id); ++i) operands[i] = replacementOf(graph_.operand(id, i));
+  if (const double period = periodOf(id); period > 0)
+    operands[0] = reduceBy(period, graph_.operand(id, 0));
+  replacements_[index(id)] = graph_.apply(graph_.node(id).op, operands);
+}
+
+// Linear operations are distributed over the parts of a sum.
+Separation::Sum Separation::sumOf(NodeId id) {
+  const Op op = graph_.node(id).op;
+  if (op == neg) return each(op, partsOf(graph_.operand(id, 0)));
+  if (op != add && op != sub && op != mult && op != divide) return {};
+  const NodeId x = graph_.operand(id, 0), y = graph_.operand(id, 1);
+  if (op == mult && isSame(x)) return scaleSum(op, partsOf(y), x);
+  if (op == mult || op == divide) return isSame(y) ? scaleSum(op, partsOf(x), y) : Sum{};
+  const Sum left = partsOf(x), right = partsOf(y);
+  return {combine(op, left.varying, right.varying), combine(op, left.frame, right.frame)};
+}
+
+Separation::Sum Separation::partsOf(NodeId id) {
+  if (isFrame_[index(id)]) return {noNode, id};
+  const Sum sum = sums_[index(id)];
+  return sum.frame == noNode ? Sum{replacementOf(id), noNode} : sum;
+}
+
+Separation::Sum Separation::each(Op op, Sum sum) {
+  if (sum.varying != noNode) sum.varying = graph_.apply(op, {sum.varying});
+  if (sum.frame != noNode) sum.frame = graph_.apply(op, {sum.frame});
+  return sum;
+}
+
+Separation::Sum Separation::scaleSum(Op op, Sum sum, NodeId factor) {
+  if (sum.frame == noNode) return {};
+  if (sum.varying != noNode) sum.varying = graph_.apply(op, {sum.varying, replacementOf(factor)});
+  return {sum.varying, graph_.apply(op, {sum.frame, factor})};
+}
+
+NodeId Separation::combine(Op op, NodeId x, NodeId y) {
+  if (y == noNode) return x;
+  if (x == noNode) return op == sub ? graph_.apply(neg, {y}) : y;
+  return graph_.apply(op, {x, y});
+}
+
+// The period of the operation with respect to its first operand; 0 if it isn't periodic.
+double Separation::periodOf(NodeId id) const {
+  const Op op = graph_.node(id).op;
+  if (op == ops::find("sin") || op == ops::find("cos")) return 2 * std::numbers::pi;
+  if (op == ops::find("tan")) return std::numbers::pi;
+  if (op == ops::find("fract")) return 1;
+  const bool isModulo = op == ops::find("mod") && graph_.isConstant(graph_.operand(id, 1));
+  return isModulo ? graph_.value(graph_.operand(id, 1)) : 0;
+}
+
+// The operand with its frame constant reduced by whole periods.
+NodeId Separation::reduceBy(double period, NodeId id) {
+  const auto [varying, frame] = partsOf(id);
+  if (frame == noNode) return varying;
+  const NodeId given = remainder({&graph_, frame}, period);
+  return varying == noNode ? given : graph_.apply(add, {varying, given});
+}
+
+NodeId Separation::remainder(Expression frame, double period) {
+  const std::size_t before = inputs_.values().size();
+  const NodeId given = inputs_.pass((frame - round(frame / period) * period).id);
+  reduced_ += inputs_.values().size() - before;
+  return given;
+}
+
+NodeId Separation::callOf(NodeId call) {
+  std::vector<NodeId> arguments = graph_.arguments(call);
+  const Function function = graph_.function(call);
+  const auto variables = static_cast<std::size_t>(function.variables);
+  double period = 0;
+  if (function.isOurs()) {
+    std::optional<double> lacunarity;
+    if (variables + 1 < arguments.size() && graph_.isConstant(arguments[variables + 1]))
+      lacunarity = graph_.value(arguments[variables + 1]);
+    const Definition& definition = library_.definition(function.name);
+    period = noisePeriod(definition, lacunarity);
+    // Cells and the rest of a coordinate must come from the same computation.
+    if (inputs_.values().size() + 2 * variables <= maxFrameValues &&
+        canTakeCells(definition, lacunarity)) {
+      for (std::size_t i = 0; i < variables; ++i)
+        if (partsOf(arguments[i]).frame != noNode) return callWithCells(definition, arguments);
+    }
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool repeats = period > 0 && i < variables;
+    arguments[i] = repeats ? reduceBy(period, arguments[i]) : replacementOf(arguments[i]);
+  }
+  return graph_.call(graph_.node(call).operands[1], arguments);
+}
+
+// Passes the frame constants of coordinates as integer cells and remainders.
+NodeId Separation::callWithCells(const Definition& definition,
+                                 const std::vector<NodeId>& arguments) {
+  Numbers given, cells;
+  for (const NodeId id : arguments) {
+    const bool isCoordinate =
+        given.size() < static_cast<std::size_t>(definition.function.variables);
+    given.push_back({&graph_, isCoordinate ? reduceBy(1, id) : replacementOf(id)});
+    if (!isCoordinate) continue;
+    const NodeId frame = partsOf(id).frame;
+    cells.push_back({&graph_, frame == noNode
+                                  ? graph_.constant(0)
+                                  : remainder(round({&graph_, frame}), ops::hashPrime)});
+  }
+  for (const Expression cell : cells) given.push_back(cell);
+  return graph_.operand(library_.call(withCells(definition), given)[0].id, 0);
+}
+
+}  // namespace warpjet

@@ -1,0 +1,24 @@
+// Parts of the messages about files and meshes, and the exception that carries a message inside the
+// loader.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace warpjet {
+
+// A problem with a file. Thrown by the parts of the loader, since an error may be deep inside of a
+// file, and caught by loadMesh, which prefixes its name.
+struct FileProblem : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Groups digits by commas: 1,204.
+std::string groupDigits(std::uint64_t number);
+
+// Quotes a text from outside: printable ASCII, on one line, shortened.
+std::string quotedText(std::string_view text);
+
+}  // namespace warpjet

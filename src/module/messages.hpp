@@ -1,0 +1,39 @@
+// Parts of error messages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "graph/shape.hpp"
+#include "module/syntax.hpp"
+
+namespace warpjet {
+
+// "a single number", "a vec3", "a mat3", "a matrix of 2 columns and 3 rows"
+std::string shapeName(Shape shape);
+
+// "no arguments", "1 argument", "3 arguments"
+std::string argumentCount(int count);
+
+inline constexpr std::string_view notFinite =
+    "the result of these constants is not a finite float32 number.";
+inline constexpr std::string_view dividesByZero =
+    "it divides by zero, or by a number too close to zero for float32.";
+inline constexpr std::string_view tooLarge =
+    "these are more than four million operations; does a loop never end, or is a derivative of a "
+    "very high order?";
+inline constexpr std::string_view tooHighOrder =
+    "derivatives of noise and textures are limited to order three; a warp's normal takes one "
+    "derivative, and so does each normal that a chain passes on.";
+
+inline constexpr std::string_view onlyInItsBody =
+    "the states and the step number of a repeat can be used only in its function; use the result "
+    "of repeat.";
+inline constexpr std::string_view afterRepeat =
+    "derivatives of a state of a repeat are known only after its end; differentiate the result of "
+    "repeat.";
+
+// Quotes a text from outside, shortened to a single line.
+std::string quotedShort(std::string_view text);
+
+}  // namespace warpjet

@@ -1,0 +1,386 @@
+// Passes that Babylon.js draws with shaders of its own: each of a warped mesh, and of one that a matrix moves likewise.
+import '@babylonjs/core/Layers/effectLayerSceneComponent.js'
+import '@babylonjs/core/Rendering/depthRendererSceneComponent.js'
+import '@babylonjs/core/Rendering/geometryBufferRendererSceneComponent.js'
+import '@babylonjs/core/Rendering/outlineRenderer.js'
+import '@babylonjs/core/Rendering/prePassRendererSceneComponent.js'
+import { ArcRotateCamera } from '@babylonjs/core/Cameras/arcRotateCamera.js'
+import { GPUPicker } from '@babylonjs/core/Collisions/gpuPicker.js'
+import { Engine } from '@babylonjs/core/Engines/engine.js'
+import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
+import { GlowLayer } from '@babylonjs/core/Layers/glowLayer.js'
+import { HighlightLayer } from '@babylonjs/core/Layers/highlightLayer.js'
+import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js'
+import { Material } from '@babylonjs/core/Materials/material.js'
+import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
+import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
+import { Color3 } from '@babylonjs/core/Maths/math.color.js'
+import { Matrix, Quaternion, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
+import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
+import { Scene } from '@babylonjs/core/scene.js'
+import * as warpjet from 'warpjet/babylon'
+
+const { BabylonWarp, addSurfaceVariation } = warpjet
+const size = 96
+
+const motion = Matrix.Compose(
+  Vector3.One(),
+  Quaternion.FromEulerAngles(0.4, 0.7, -0.3),
+  new Vector3(0.3, 0.2, -0.15),
+)
+
+const engines = {}
+async function engineFor(backend) {
+  if (engines[backend]) return engines[backend]
+  const canvas = document.body.appendChild(document.createElement('canvas'))
+  canvas.width = canvas.height = size
+  if (backend === 'webgl')
+    return (engines[backend] = new Engine(canvas, false, {
+      preserveDrawingBuffer: true,
+      stencil: true,
+    }))
+  const engine = new WebGPUEngine(canvas, { antialias: false, stencil: true })
+  await engine.initAsync()
+  return (engines[backend] = engine)
+}
+
+const linearOf = ({ m }) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
+
+export function warpByMotion(material, matrix = motion) {
+  return new BabylonWarp(
+    material,
+    ({ position, uniforms }) =>
+      uniforms.linear.mult(position).sub(position).add(uniforms.shift.mult(1)),
+    {
+      uniforms: {
+        linear: linearOf(matrix),
+        shift: Vector3.TransformCoordinates(Vector3.Zero(), matrix),
+      },
+    },
+  )
+}
+
+/** The same motion by a warp that reads the normal and the uv, which counts for nothing. */
+const warpByAll = (material) => {
+  const { m } = motion
+  return new BabylonWarp(
+    material,
+    ({ glsl, position, normal, uv, uniforms }) =>
+      uniforms.linear
+        .mult(position)
+        .sub(position)
+        .add(
+          uniforms.shift.mult(
+            normal.dot(normal).mult(uniforms.zero).add(uv.x().mult(uniforms.zero)).add(1),
+          ),
+        ),
+    {
+      uniforms: { linear: linearOf(motion), shift: [m[12], m[13], m[14]], zero: 0 },
+      surfaceVariation: false,
+    },
+  )
+}
+
+function moveByMatrix(mesh, matrix = motion) {
+  matrix.decompose(mesh.scaling, (mesh.rotationQuaternion = new Quaternion()), mesh.position)
+}
+
+async function sceneOn(backend) {
+  const scene = new Scene(await engineFor(backend))
+  const camera = new ArcRotateCamera('camera', 0.7, 1.1, 4, Vector3.Zero(), scene)
+  Object.assign(camera, { minZ: 0.1, maxZ: 8 })
+  new HemisphericLight('sky', new Vector3(0.3, 1, 0.2), scene)
+  return scene
+}
+
+const materials = {
+  Standard: (scene) => new StandardMaterial('standard', scene),
+  PBR: (scene) => Object.assign(new PBRMaterial('pbr', scene), { metallic: 0.1, roughness: 0.5 }),
+}
+
+function knotIn(scene, material) {
+  const options = { radius: 0.5, tube: 0.18, radialSegments: 64, tubularSegments: 12 }
+  const knot = MeshBuilder.CreateTorusKnot('knot', options, scene)
+  knot.material = material
+  return knot
+}
+
+/** Draws frames until all shaders are there. */
+async function drawFrames(scene, count = 6) {
+  const engine = scene.getEngine()
+  await scene.whenReadyAsync()
+  for (let i = 0; i < count; i++) {
+    engine.beginFrame()
+    scene.render()
+    engine.endFrame()
+    await new Promise((drawn) => setTimeout(drawn, 20))
+  }
+}
+
+/** Numbers from 0 to 1, in channels of `channels`. */
+const picture = async (texture, scale = 1 / 255) => {
+  const pixels = await texture.readPixels()
+  return Array.from(pixels, (x) => x * scale)
+}
+
+const colorOf = (scene) => {
+  const target = new RenderTargetTexture('target', size, scene)
+  scene.activeCamera.outputRenderTarget = target
+  return async () => {
+    await drawFrames(scene)
+    return picture(target)
+  }
+}
+
+/** Maps the name of a pass → what it shows of a scene: numbers of which four belong to a pixel, or one. */
+const passes = {
+  depth(scene) {
+    const map = scene.enableDepthRenderer(scene.activeCamera, false, true).getDepthMap()
+    return async () => {
+      await drawFrames(scene)
+      return picture(map, 1)
+    }
+  },
+  outline(scene, knot) {
+    Object.assign(knot, { renderOutline: true, outlineWidth: 0.08, outlineColor: Color3.Red() })
+    return colorOf(scene)
+  },
+  highlight(scene, knot) {
+    const layer = new HighlightLayer('highlight', scene, { mainTextureFixedSize: size })
+    layer.addMesh(knot, Color3.Green())
+    return async () => {
+      await drawFrames(scene)
+      return picture(layer._mainTexture)
+    }
+  },
+  glow(scene, knot) {
+    const layer = new GlowLayer('glow', scene, { mainTextureFixedSize: size })
+    knot.material.emissiveColor = new Color3(0.8, 0.4, 0.2)
+    return async () => {
+      await drawFrames(scene)
+      return picture(layer._mainTexture)
+    }
+  },
+  'G-buffer, normals': (scene) => gBuffer(scene, 1),
+  'G-buffer, positions': (scene) => gBuffer(scene, 2),
+  picking(scene, knot) {
+    const picker = new GPUPicker()
+    picker.setPickingList([knot])
+    return async () => {
+      await drawFrames(scene)
+      const points = Array.from({ length: 24 * 24 }, (_, i) => ({
+        x: 2 + 4 * (i % 24),
+        y: 2 + 4 * Math.floor(i / 24),
+      }))
+      const picked = picker.multiPickAsync(points)
+      await drawFrames(scene, 8)
+      const { meshes } = await picked
+      picker.dispose()
+      return meshes.map((mesh) => (mesh ? 1 : 0))
+    }
+  },
+}
+
+function gBuffer(scene, index) {
+  const renderer = scene.enableGeometryBufferRenderer()
+  renderer.enablePosition = true
+  return async () => {
+    await drawFrames(scene)
+    return picture(renderer.getGBuffer().textures[index], 1)
+  }
+}
+
+/** Maps a name → changes that a scene's knot and its material get after the warp, or without it. */
+const variants = {
+  plain: {},
+  'with normal and uv': { warp: warpByAll },
+  // A mesh of the same kind of material beside the warped one, which comes first or second.
+  'beside others': {
+    add(scene, make) {
+      for (const [i, matrix] of [Matrix.Translation(-0.8, 0, 0), Matrix.Identity()].entries()) {
+        const other = knotIn(scene, make(scene))
+        other.scaling.scaleInPlace(0.4)
+        other.position = new Vector3(0.9, 0.9 - 1.8 * i, 0)
+        if (i) continue
+        const { m } = matrix
+        // Its code is another: the shift is a constant.
+        new BabylonWarp(other.material, ({ glsl }) => glsl.vec3(m[12], m[13], m[14]))
+      }
+    },
+  },
+  'as instances': {
+    change(knot) {
+      for (const x of [-0.5, 0.6]) {
+        const instance = knot.createInstance('instance')
+        instance.scaling.scaleInPlace(0.5)
+        instance.position = new Vector3(x, -0.6, 0.3)
+      }
+    },
+    // What moves the mesh does not move its instances, so the reference has its vertices moved.
+    isBaked: true,
+  },
+}
+
+async function show(backend, kind, passName, way, variantName) {
+  const scene = await sceneOn(backend)
+  const make = materials[kind]
+  const { warp = warpByMotion, add, change, isBaked } = variants[variantName]
+  const knot = knotIn(scene, make(scene))
+  if (way === 'warped') warp(knot.material)
+  if (way === 'moved' && isBaked) knot.bakeTransformIntoVertices(motion)
+  else if (way === 'moved') moveByMatrix(knot)
+  add?.(scene, make)
+  change?.(knot)
+  const read = passes[passName](scene, knot)
+  const shown = await read()
+  scene.dispose()
+  return shown
+}
+
+function countDiffering(a, b) {
+  const channels = a.length > size * size ? a.length / (size * size) : 1
+  let count = 0
+  for (let i = 0; i < a.length; i += channels)
+    if (
+      Array.from({ length: channels }, (_, k) => Math.abs(a[i + k] - b[i + k])).some(
+        (d) => !(d <= 12 / 255),
+      )
+    )
+      count++
+  return count
+}
+
+window.passes = Object.keys(passes)
+window.variants = Object.keys(variants)
+
+window.compare = async (backend, kind, pass, variant) => {
+  const [still, moved, warped] = [
+    await show(backend, kind, pass, 'still', variant),
+    await show(backend, kind, pass, 'moved', variant),
+    await show(backend, kind, pass, 'warped', variant),
+  ]
+  return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
+}
+
+/** A warp of a copy of a material, by `clone` or by its own data. */
+window.copied = async (backend, kind, how) => {
+  const pictures = []
+  for (const way of ['still', 'moved', 'warped']) {
+    const scene = await sceneOn(backend)
+    const material = materials[kind](scene)
+    const knot = knotIn(scene, material)
+    if (way === 'moved') moveByMatrix(knot)
+    if (way === 'warped') {
+      const warp = warpByMotion(material, Matrix.Identity())
+      const { m } = motion
+      Object.assign(warp.values, { linear: linearOf(motion), shift: [m[12], m[13], m[14]] })
+      knot.material =
+        how === 'clone'
+          ? material.clone('copy')
+          : Material.Parse(JSON.parse(JSON.stringify(material.serialize())), scene, '')
+      // What the original gets now is its own.
+      warp.values.shift = [5, 5, 5]
+    }
+    pictures.push(await colorOf(scene)())
+    scene.dispose()
+  }
+  const [still, moved, warped] = pictures
+  return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
+}
+
+/** Data of a page that is gone: the material comes without the warp, and says so. */
+window.parseForeign = async () => {
+  const scene = await sceneOn('webgl')
+  const material = materials.Standard(scene)
+  warpByMotion(material)
+  const data = JSON.parse(JSON.stringify(material.serialize()))
+  data.plugins.BabylonWarp.warpjet = 'of another page'
+  const parsed = Material.Parse(data, scene, '')
+  const isPlain = !parsed.pluginManager?.getPlugin('Warpjet')
+  scene.dispose()
+  return isPlain
+}
+
+const [radius, tube] = [0.9, 0.35]
+const height = (u, v) => 0.1 * Math.sin(12 * Math.PI * u) * Math.cos(8 * Math.PI * v)
+
+/** The place of a torus around y whose tube varies. */
+function place(u, v) {
+  const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
+  const r = tube + height(u, v)
+  const ring = radius + r * Math.cos(b)
+  return new Vector3(ring * Math.cos(a), r * Math.sin(b), ring * Math.sin(a))
+}
+
+function normalAt(u, v) {
+  const step = 1e-5
+  const across = (f) => f(step).subtract(f(-step))
+  return Vector3.Cross(
+    across((h) => place(u, v + h)),
+    across((h) => place(u + h, v)),
+  ).normalize()
+}
+
+/** A grid of the torus, bare or with its waves; its uvs are u and v. */
+function torusIn(scene, { isMoved }) {
+  const [columns, rows] = [160, 96]
+  const [positions, normals, uvs, indices] = [[], [], [], []]
+  for (let j = 0; j <= rows; j++)
+    for (let i = 0; i <= columns; i++) {
+      const [u, v] = [i / columns, j / rows]
+      const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
+      const bare = new Vector3(Math.cos(a) * Math.cos(b), Math.sin(b), Math.sin(a) * Math.cos(b))
+      const at = isMoved
+        ? place(u, v)
+        : bare.scale(tube).add(new Vector3(radius * Math.cos(a), 0, radius * Math.sin(a)))
+      positions.push(...at.asArray())
+      normals.push(...(isMoved ? normalAt(u, v) : bare).asArray())
+      uvs.push(u, v)
+      if (i === columns || j === rows) continue
+      const k = j * (columns + 1) + i
+      indices.push(k, k + 1, k + columns + 1, k + 1, k + columns + 2, k + columns + 1)
+    }
+  const mesh = MeshBuilder.CreateBox('torus', {}, scene)
+  mesh.setVerticesData(VertexBuffer.PositionKind, positions)
+  mesh.setVerticesData(VertexBuffer.NormalKind, normals)
+  mesh.setVerticesData(VertexBuffer.UVKind, uvs)
+  mesh.setIndices(indices, positions.length / 3)
+  mesh.refreshBoundingInfo()
+  return mesh
+}
+
+/** A wave of uv along the normal. */
+const alongNormal = ({ normal, uv }) => {
+  const [u, v] = [uv.x().mult(12 * Math.PI), uv.y().mult(8 * Math.PI)]
+  return normal.mult(u.sin().mult(v.cos()).mult(0.1))
+}
+
+window.torus = async (backend, kind, isExact) => {
+  const pictures = []
+  for (const way of ['still', 'moved', 'warped']) {
+    const scene = await sceneOn(backend)
+    const torus = torusIn(scene, { isMoved: way === 'moved' })
+    torus.material = Object.assign(materials[kind](scene), {
+      backFaceCulling: false,
+      twoSidedLighting: true,
+    })
+    if (way === 'warped') {
+      if (isExact) await addSurfaceVariation?.(torus)
+      new BabylonWarp(
+        torus.material,
+        alongNormal,
+        isExact || !addSurfaceVariation ? {} : { surfaceVariation: false },
+      )
+    }
+    pictures.push(await colorOf(scene)())
+    scene.dispose()
+  }
+  const [still, moved, warped] = pictures
+  return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
+}
+
+// Without somebody who holds it, the browser loses the device.
+window.gpu = navigator.gpu
+document.title = 'ready'
