@@ -2,7 +2,7 @@
 import { type Material, MeshDepthMaterial, MeshDistanceMaterial, RGBADepthPacking } from 'three'
 import { WarpError, describe } from '../errors/errors.js'
 import { describeOfThree, nameOfMaterial } from './describe.js'
-import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
+import { type ThreeOffset, type WarpOptions, type WarpSpace, readOptions } from './settings.js'
 import { ShaderWeaver, type WovenSurface } from './shader-weaver.js'
 import { markWarped, unsupportedMaterial, isWarpedByHand } from './supported.js'
 import { ThreeWarp } from './three-warp.js'
@@ -45,7 +45,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
 ): WarpedMaterial<Kind, ValuesOf<Uniforms>> {
   const method = 'warpMaterial'
   const settings = readOptions(method, options)
-  checkMaterial(method, material)
+  checkMaterial(method, material, settings.space)
   const warp = new ThreeWarp(offset as never, settings)
   const surface = {
     surface: material,
@@ -109,12 +109,16 @@ export const updateOf =
   }
 
 /** Throws for anything that WebGLRenderer cannot draw warped. */
-export function checkMaterial(method: string, material: unknown): asserts material is Material {
+export function checkMaterial(
+  method: string,
+  material: unknown,
+  space?: WarpSpace,
+): asserts material is Material {
   if (!(material as Partial<Material> | undefined)?.isMaterial)
     throw new WarpError(
       `${method}: expected a material of three.js, got ${describeOfThree(material)}.`,
     )
-  const problem = unsupportedMaterial(material as Material)
+  const problem = unsupportedMaterial(material as Material, space)
   if (problem)
     throw new WarpError(
       `${method}: ${nameOfMaterial(material as Material)} cannot be warped: ${problem}.`,

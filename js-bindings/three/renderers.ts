@@ -3,6 +3,7 @@ import type { Material, Mesh, Object3D, WebGLRenderer } from 'three'
 import { WarpError } from '../errors/errors.js'
 import { nameOf, nameOfMaterial } from './describe.js'
 import { wrapRenderer } from './draw.js'
+import type { Settings } from './settings.js'
 import { unsupportedMaterial } from './supported.js'
 import type { ThreeWarp } from './three-warp.js'
 
@@ -24,9 +25,13 @@ const isForNodes = (material: Material) =>
   (material as { isNodeMaterial?: boolean }).isNodeMaterial === true
 
 /** Says why an object cannot be drawn warped with a material, for a message; `undefined` if it can. */
-export function problemOf(method: string, material: Material, object: Object3D) {
+export function problemOf(
+  { method, space }: Settings,
+  material: Material,
+  object: Object3D,
+): string | undefined {
   if (!nodes || !isForNodes(material)) {
-    const problem = unsupportedMaterial(material)
+    const problem = unsupportedMaterial(material, space)
     return (
       problem && `${nameOfMaterial(material)} of ${nameOf(object)} cannot be warped: ${problem}`
     )

@@ -44,7 +44,7 @@ export class Variants {
   }
 
   private create(material: Material, object: Warpable): Variant | undefined {
-    const problem = unsupportedMaterial(material)
+    const problem = unsupportedMaterial(material, this.warp.settings.space)
     if (problem) {
       // A material that warpMaterial has warped draws the warp already.
       if (!isWarpedByHand(material))

@@ -137,7 +137,7 @@ export class WarpedTree {
     if (!object.geometry.attributes?.position)
       return `the geometry of ${nameOf(object)} has no attribute "position"`
     return ([object.material].flat() as Material[])
-      .map((material) => problemOf(this.settings.method, material, object))
+      .map((material) => problemOf(this.settings, material, object))
       .find((problem) => problem !== undefined)
   }
 

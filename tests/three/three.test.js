@@ -690,6 +690,92 @@ test('dispose() leaves everything as it was, and a second one does nothing', () 
     }
 })
 
+describe('a renderer draws', () => {
+  const none = ({ position }) => position
+  const rendererOf = () => {
+    const drawn = []
+    const renderer = {
+      drawn,
+      renderBufferDirect: (...given) => drawn.push(given[3]),
+      compile() {},
+      properties: { get: () => ({}) },
+    }
+    return renderer
+  }
+  const draw = (renderer, object, material = object.material) =>
+    renderer.renderBufferDirect(null, null, object.geometry, material, object, null)
+
+  test('a warped object with a live view of whichever material, and no other object', () => {
+    const mesh = plane()
+    const warped = warp(mesh, none)
+    const renderer = rendererOf()
+    mesh.onBeforeShadow(renderer)
+    mesh.onBeforeRender(renderer)
+    const override = new THREE.MeshNormalMaterial()
+    draw(renderer, mesh)
+    draw(renderer, mesh, override)
+    draw(renderer, mesh)
+    const other = plane()
+    draw(renderer, other)
+    const [first, second, again, unwarped] = renderer.drawn
+    assert.notEqual(first, mesh.material)
+    assert.ok(first instanceof THREE.Material)
+    assert.equal(first, again)
+    assert.equal(second.type, 'MeshNormalMaterial')
+    assert.equal(unwarped, other.material)
+    mesh.material.color.set('red')
+    mesh.material.mine = 1
+    assert.equal(first.color.getHex(), 0xff0000)
+    assert.equal(first.mine, 1)
+    first.side = THREE.BackSide
+    assert.equal(mesh.material.side, THREE.BackSide)
+    assert.notEqual(first.id, mesh.material.id)
+    warped.dispose()
+    draw(renderer, mesh)
+    assert.equal(renderer.drawn.at(-1), mesh.material)
+  })
+
+  test('a material that cannot be warped as it is, and says so once', (t) => {
+    const said = t.mock.method(console, 'error', () => {})
+    const mesh = plane()
+    mesh.name = 'flag'
+    const warped = warp(mesh, none)
+    const renderer = rendererOf()
+    mesh.onBeforeRender(renderer)
+    mesh.material = new THREE.SpriteMaterial()
+    draw(renderer, mesh)
+    draw(renderer, mesh)
+    assert.deepEqual(renderer.drawn, [mesh.material, mesh.material])
+    assert.equal(said.mock.callCount(), 1)
+    assert.match(
+      said.mock.calls[0].arguments[0],
+      /^warp: the SpriteMaterial of the Mesh "flag" is drawn without the warp: a sprite always/,
+    )
+    warped.dispose()
+  })
+
+  test('an object that is not warped in less than 0.2 microseconds more', (t) => {
+    const mesh = plane()
+    const warped = warp(mesh, none)
+    const renderer = { renderBufferDirect() {}, compile() {} }
+    const times = (object) => {
+      const start = performance.now()
+      for (let i = 0; i < 200_000; i++) draw(renderer, object)
+      return performance.now() - start
+    }
+    const other = plane()
+    const bare = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    mesh.onBeforeRender(renderer)
+    const wrapped = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    const more = (1000 * (wrapped - bare)) / 200_000
+    t.diagnostic(
+      `${more.toFixed(3)} microseconds more than ${((1000 * bare) / 200_000).toFixed(3)}`,
+    )
+    assert.ok(more < 0.2)
+    warped.dispose()
+  })
+})
+
 test('a method that is assigned while an object is warped stays, and may call the one before', () => {
   const mesh = plane()
   const calls = []

@@ -99,7 +99,7 @@ export function pixelsOf(from = renderer) {
 const ways = {
   none: () => {},
   byHand: moveByHand,
-  warped: (object) => warp(object, offset),
+  warped: (object, options) => warp(object, offset, options),
 }
 
 /**
@@ -115,8 +115,8 @@ function draw(row, way) {
   renderer.autoClear = true
   renderer.clear()
   const undo = []
-  const put = (object) => {
-    const warped = ways[way](object)
+  const put = (object, options) => {
+    const warped = ways[way](object, options)
     if (warped) undo.push(() => warped.dispose())
     return warped
   }

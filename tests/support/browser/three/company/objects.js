@@ -108,6 +108,22 @@ export const rows = {
       if (way === 'byHand') child.geometry = object.children[0].geometry
     },
   }),
+  'share with other meshes of the material': ({ put, way, renderer }) => {
+    renderer.shadowMap.enabled = true
+    const scene = litScene()
+    const [first, second, late] = [-0.9, 0, 0.9].map((x) => {
+      const made = small(x)
+      made.castShadow = made.receiveShadow = true
+      return made
+    })
+    second.material = late.material = first.material
+    scene.add(first, second)
+    put(first, { share: true })
+    if (way === 'byHand') second.geometry = late.geometry = first.geometry
+    renderer.render(scene, camera())
+    scene.add(late)
+    renderer.render(scene, camera())
+  },
   'mesh.clone': one(() => small(), shadowed(addClone((object) => object.clone()))),
   'group.clone': one(() => inGroup(small()), shadowed(addClone((object) => object.clone()))),
   'SkeletonUtils.clone': one(
