@@ -71,7 +71,7 @@ export function subdivide(
       describe(options),
     )
   const refine = 'levels' in options ? refineUniformly(options) : refineAdaptively(options)
-  return withJob(place.method, (job) => {
+  return withJob(place, (job) => {
     putMesh(job, given)
     job.act('addNormals')
     const warnings = refine(job)

@@ -407,11 +407,11 @@ test('vectors of inputs', () => {
   )
   throwsWarpError(
     of((glsl, v) => glsl.jacobian(v, v.x())),
-    /expected a vector of inputs, such as position as argument 2, got a single number/,
+    /expected a vector of inputs (such as position) as argument 2, got a single number/,
   )
   throwsWarpError(
     of((glsl, v, u) => glsl.adjustNormal(v, v, u)),
-    /adjustNormal: expected a vec3 of inputs, such as position as argument 3, got a vec2/,
+    /adjustNormal: expected a vec3 of inputs (such as position) as argument 3, got a vec2/,
   )
 })
 

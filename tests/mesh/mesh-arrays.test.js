@@ -34,16 +34,16 @@ describe('a mesh whose arrays do not fit together', () => {
       rejectsChange({ positions: new Float32Array(27).fill(NaN) }, /positions must be finite.*NaN/)
       rejectsChange(
         { positions: Array(27).fill('x') },
-        /positions\[0\], of vertex 0: expected a finite number, got the text "x"/,
+        /expected a finite number for positions\[0\], of vertex 0, got the text "x"/,
       )
       for (const odd of ['1', '', null, true, 1n, Symbol('odd'), undefined])
         rejectsChange(
           { colors: [...Array(35).fill(0), odd] },
-          /colors\[35\], of vertex 8: expected a finite number, got/,
+          /expected a finite number for colors\[35\], of vertex 8, got/,
         )
       rejectsChange(
         { positions: new BigInt64Array(27) },
-        /positions\[0\], of vertex 0: expected a finite/,
+        /expected a finite number for positions\[0\], of vertex 0/,
       )
       rejectsChange(
         { indices: [0, 1, null] },
