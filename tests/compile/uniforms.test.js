@@ -228,25 +228,43 @@ describe('errors:', () => {
   })
 
   test('with a name', () => {
-    const named = (name, names) => () =>
+    const compileNamed = (name, names) => () =>
       compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms[name]), {
         uniforms: { [name]: 1 },
         names,
       })
-    refuses(named('millis'), /uniform "millis" has the name of an input; .* such as "myMillis"/)
-    refuses(named('position'), /uniform "position" has the name of an input/)
-    refuses(named('uTime', { millis: 'uTime' }), /the name that the option "names" gives to millis/)
-    refuses(named('float'), /^compileWarp uniforms\.float: "float" cannot be read in a shader/)
-    refuses(named('offset'), /"offset" has the name of a variable .* read/)
-    assert.deepEqual(named('toString')().uniforms, [{ name: 'toString', type: 'float' }])
+    refuses(
+      compileNamed('millis'),
+      /uniform "millis" has the name of an input; .* such as "myMillis"/,
+    )
+    refuses(compileNamed('position'), /uniform "position" has the name of an input/)
+    refuses(
+      compileNamed('uTime', { millis: 'uTime' }),
+      /the name that the option "names" gives to millis/,
+    )
+    refuses(
+      compileNamed('float'),
+      /^compileWarp uniforms\.float: "float" cannot be read in a shader/,
+    )
+    refuses(compileNamed('offset'), /"offset" has the name of a variable .* read/)
+    assert.deepEqual(compileNamed('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
   test('reading an undeclared uniform, and writing', () => {
-    const reading = (uniforms) => () =>
+    const readUndeclared = (uniforms) => () =>
       compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
-    refuses(reading({ amount: 1, wind: [1, 0] }), /declares no "amont"; there are amount, wind\./)
-    refuses(reading({}), /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/)
-    refuses(reading(), /^compileWarp: the offset reads uniforms\.amont, which nothing declares/)
+    refuses(
+      readUndeclared({ amount: 1, wind: [1, 0] }),
+      /declares no "amont"; there are amount, wind\./,
+    )
+    refuses(
+      readUndeclared({}),
+      /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/,
+    )
+    refuses(
+      readUndeclared(),
+      /^compileWarp: the offset reads uniforms\.amont, which nothing declares/,
+    )
     const writing = ({ uniforms, position }) => {
       uniforms.amount = 3
       return position

@@ -306,16 +306,16 @@ test('a class in the place of a function', () => {
 })
 
 test('names of results', () => {
-  const named = (outputs) => () => compileWarp(still, { outputs })
-  refuses(named({ position: '2x' }), /"2x" cannot name a result/)
-  refuses(named({ position: 'vec3' }), /"vec3" cannot name a result/)
-  refuses(named({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
-  refuses(named({ position: 'a', normal: 'a' }), /two results named "a"/)
+  const withOutputs = (outputs) => () => compileWarp(still, { outputs })
+  refuses(withOutputs({ position: '2x' }), /"2x" cannot name a result/)
+  refuses(withOutputs({ position: 'vec3' }), /"vec3" cannot name a result/)
+  refuses(withOutputs({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
+  refuses(withOutputs({ position: 'a', normal: 'a' }), /two results named "a"/)
   refuses(
-    named({ position: 7 }),
+    withOutputs({ position: 7 }),
     /expected the name of a shader variable for the option "outputs\.position", got the number 7/,
   )
-  refuses(named({ offset: 'position' }), /"position" has the name of a variable/)
+  refuses(withOutputs({ offset: 'position' }), /"position" has the name of a variable/)
   refuses(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
   refuses(() => compile(() => 5), /must return an object of named expressions/)
   refuses(() => compile(() => []), /must return an object of named expressions.*an array of 0/)
