@@ -142,7 +142,7 @@ struct Stats {
   std::uint32_t nodes = 0, operations = 0, temporaries = 0, vectors = 0;
 };
 
-struct ShaderText {
+struct ShaderTextRecord {
   std::string problem, code = {}, declarations = {};
   std::vector<Variable> inputs = {};  // the host's expressions that the text reads
   Stats stats = {};
@@ -196,16 +196,16 @@ std::vector<Naming> namings(const Words& numbers, const std::vector<std::string>
 }
 
 // A depth of 0 leaves it to us.
-ShaderText writeText(const Module& module, std::string_view target, const Words& inputs,
-                     const std::vector<std::string>& inputNames, const Words& results,
-                     const std::vector<std::string>& resultNames, int maxDepth) {
+ShaderTextRecord writeText(const Module& module, std::string_view target, const Words& inputs,
+                           const std::vector<std::string>& inputNames, const Words& results,
+                           const std::vector<std::string>& resultNames, int maxDepth) {
   ShaderTextOptions options{.results = namings(results, resultNames),
                             .inputs = namings(inputs, inputNames)};
   if (maxDepth > 0) options.emit = {maxDepth, EmitOptions::maxTrackedReads};
   ShaderTextResult written = write(module, *findDialect(target), options);
   if (!written.text) return {.problem = written.problem};
   auto& [emitted, declarations, names] = *written.text;
-  ShaderText text{{}, std::move(emitted.code), std::move(declarations)};
+  ShaderTextRecord text{{}, std::move(emitted.code), std::move(declarations)};
   for (auto& [number, name] : names)
     text.inputs.push_back({std::move(name), module.graph.input(number).shape, number});
   text.stats = {
@@ -274,12 +274,12 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("operations", &Stats::operations)
       .field("temporaries", &Stats::temporaries)
       .field("vectors", &Stats::vectors);
-  value_object<ShaderText>("ShaderText")
-      .field("problem", &ShaderText::problem)
-      .field("code", &ShaderText::code)
-      .field("declarations", &ShaderText::declarations)
-      .field("inputs", &ShaderText::inputs)
-      .field("stats", &ShaderText::stats);
+  value_object<ShaderTextRecord>("ShaderText")
+      .field("problem", &ShaderTextRecord::problem)
+      .field("code", &ShaderTextRecord::code)
+      .field("declarations", &ShaderTextRecord::declarations)
+      .field("inputs", &ShaderTextRecord::inputs)
+      .field("stats", &ShaderTextRecord::stats);
   value_object<CpuProgram>("Program")
       .field("problem", &CpuProgram::problem)
       .field("words", &CpuProgram::words)

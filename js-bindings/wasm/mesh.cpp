@@ -19,9 +19,9 @@
 #include "job.hpp"
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/refine/shortfall.hpp"
 #include "mesh/refine/subdivide.hpp"
-#include "mesh/messages.hpp"
 #include "mesh/surface/normals.hpp"
 #include "mesh/surface/variation.hpp"
 

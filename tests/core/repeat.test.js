@@ -2,23 +2,15 @@
 // errors.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
+import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { foldCallback, foldNumber, randomFoldCase, secondSlope, slopes } from '../random/folds.js'
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const near = (got, expected, tolerance, message) =>
   assert.ok(
     Math.abs(got - expected) <= tolerance * Math.max(1, Math.abs(expected)),
     message ?? `${got} for ${expected}`,
   )
-
-function refuses(work, pattern) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, String(error))
-    assert.match(error.message, pattern)
-    assert.match(error.message, /^[^\n]+\.$/)
-    return true
-  })
-}
 
 describe('values', () => {
   test('of a number, with the number of the step', () => {
@@ -238,16 +230,16 @@ describe('rejects', () => {
     ],
   }
   for (const [name, [work, pattern]] of Object.entries(cases))
-    test(name, () => refuses(made(work), pattern))
+    test(name, () => throwsWarpError(made(work), pattern))
 
   test('a state of another session', () => {
     let other
     compile((glsl) => ({ r: (other = glsl.param('x')) }))
-    refuses(
+    throwsWarpError(
       made((g) => g.repeat(2, other, (s) => s)),
       /another warp/,
     )
-    refuses(
+    throwsWarpError(
       made((g) => g.repeat(2, 0, () => other)),
       /another warp/,
     )

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/picture.hpp"
 #include "mesh/messages.hpp"
+#include "mesh/picture.hpp"
 #include "mesh/uri.hpp"
 
 namespace warpjet {

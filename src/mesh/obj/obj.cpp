@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "mesh/files.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/obj/corners.hpp"
 #include "mesh/obj/paints.hpp"
 #include "mesh/obj/polygon.hpp"
 #include "mesh/obj/srgb.hpp"
-#include "mesh/messages.hpp"
 #include "mesh/surface/normals.hpp"
 #include "mesh/text/lines.hpp"
 

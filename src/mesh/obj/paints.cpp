@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
+#include "mesh/messages.hpp"
 #include "mesh/obj/srgb.hpp"
 #include "mesh/picture.hpp"
-#include "mesh/messages.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/text/lines.hpp"
 #include "mesh/uri.hpp"
