@@ -6,7 +6,6 @@ import { packedVariants } from '../support/models/packed-variants.js'
 import { shapes } from '../support/models/shapes.js'
 import { textVariants } from '../support/models/text-variants.js'
 import { readGlb, writeGlb } from '../support/glb.js'
-import { png } from '../support/png.js'
 import { write, model, failsWithError, works } from '../support/cli-tests.js'
 
 describe('info', () => {

@@ -1,6 +1,6 @@
 // bakeWarp: moves positions, normals and tangents, and checks its arguments.
 import assert from 'node:assert/strict'
-import { before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import { checkMemoryAfterEach, material, rise, twist } from '../support/mesh-tests.js'

@@ -9,7 +9,7 @@ import { pathToFileURL } from 'node:url'
 import { exportGLB, loadMesh } from 'warpjet/mesh'
 import * as addresses from 'warpjet/mesh'
 import { readGlb } from '../support/glb.js'
-import { checkMemoryAfterEach, material, picture, withBuffer } from '../support/mesh-tests.js'
+import { checkMemoryAfterEach, material, withBuffer } from '../support/mesh-tests.js'
 import { grid, sphere, triangle } from '../support/meshes.js'
 import { rejectsWithWarpError } from '../support/warp-errors.js'
 

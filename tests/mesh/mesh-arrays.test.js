@@ -1,7 +1,7 @@
 // Messages about meshes whose arrays do not fit together.
 import { describe, test } from 'node:test'
 import { bakeWarp, exportGLB, subdivide } from 'warpjet/mesh'
-import { checkMemoryAfterEach, material, picture, twist } from '../support/mesh-tests.js'
+import { checkMemoryAfterEach, picture, twist } from '../support/mesh-tests.js'
 import { grid, triangle } from '../support/meshes.js'
 import { throwsWarpError } from '../support/warp-errors.js'
 

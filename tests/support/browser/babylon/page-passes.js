@@ -73,7 +73,7 @@ const warpByAll = (material) => {
   const { m } = motion
   return new BabylonWarp(
     material,
-    ({ glsl, position, normal, uv, uniforms }) =>
+    ({ position, normal, uv, uniforms }) =>
       uniforms.linear
         .mult(position)
         .sub(position)
@@ -190,7 +190,7 @@ const passes = {
         y: 16 + 3 * Math.floor(i / 22),
       }))
       let result
-      picker.multiPickAsync(points).then((found) => (result = found))
+      void picker.multiPickAsync(points).then((found) => (result = found))
       // The picker answers after one of the next frames.
       for (let i = 0; i < 100 && !result; i++) await drawFrames(scene, 1)
       if (!result) throw new Error('GPUPicker gave no answer in 100 frames')
