@@ -11,7 +11,7 @@ await build()
 const { compileWarp, compile } = await import('../dist/warpjet.js')
 const { stackedSines } = await import('../tests/warps/stress.js')
 
-/** As the paper counts. */
+/** Counted as in the paper. */
 const NODES_OF_A_SINE = 5
 const WARM_UP = 12
 

@@ -1,4 +1,4 @@
-// npm run build: C++ -> wasm -> js-bindings/generated -> dist. A step whose inputs are unchanged is left out.
+// npm run build: C++ → wasm → js-bindings/generated → dist. Steps whose inputs are unchanged are skipped.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { declarations, declareTypes } from './lib/declarations.mjs'
@@ -6,7 +6,7 @@ import { bundles, sources as entries } from './lib/entries.mjs'
 import { embindTypes } from './lib/embind-types.mjs'
 import { path, step, walk } from './lib/files.mjs'
 import { inline } from './lib/inline.mjs'
-import { locked } from './lib/lock.mjs'
+import { withLock } from './lib/lock.mjs'
 import { reportSizes } from './lib/sizes.mjs'
 import { Stop, isMain, main } from './lib/terminal.mjs'
 import { viteBuild } from './lib/vite.mjs'
@@ -18,11 +18,11 @@ const generated = 'js-bindings/generated'
 const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
-// Of .cmake/wasm.cmake.
+// The modules of .cmake/wasm.cmake.
 const wasm = ['core', 'evaluation', 'mesh', 'glsl']
 const compiled = wasm.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`])
 
-export const build = () => locked(buildAll)
+export const build = () => withLock(buildAll)
 
 async function buildAll() {
   await step('WebAssembly', {
@@ -67,7 +67,7 @@ async function buildAll() {
   reportSizes(walk('dist', /\.js$/))
 }
 
-/** The bytes as text, Emscripten's factory, and the types of what it makes. */
+/** Lists the generated files of a module: its bytes as text, Emscripten's factory, and the types of its bindings. */
 const generatedOf = (name) => [`${name}-wasm.js`, `${name}.js`, `${name}-bindings.ts`]
 
 function generateModules() {
@@ -80,7 +80,7 @@ function generateModules() {
       `${name}-wasm.d.ts`,
       "declare const inlined: import('../wasm/inlined.js').Inlined\nexport default inlined\n",
     )
-    // Any bundler takes it: the wasm is handed in, so its address never matters.
+    // Every bundler accepts this: the wasm is passed in, so the URL is never read.
     writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
     writeGenerated(
       `${name}.d.ts`,

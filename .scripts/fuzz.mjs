@@ -1,5 +1,5 @@
-// npm run fuzz: gives the fuzz targets of tests/fuzz new bytes for a time, under the sanitizers. What reached new places in
-// the code is kept in .build/fuzz/corpus, so that the next run goes on from there. The tests' search begins anew each time.
+// npm run fuzz: feeds the fuzz targets of tests/fuzz with new bytes for a time, under sanitizers. Inputs that reach new code are stored
+// in .build/fuzz/corpus, where the next run continues. The search of `npm test` starts from scratch each time.
 import { spawn } from 'node:child_process'
 import {
   createWriteStream,
@@ -24,8 +24,8 @@ const folder = '.build/fuzz'
 const seeds = 'tests/fuzz/corpus'
 
 /**
- * By name, what libFuzzer is told: the longest input, in bytes, and the words of the format. `runs` is how many inputs
- * the tests give it: about what 20 s allow with all three at once on two cores.
+ * Maps each target → libFuzzer's options (the max length of an input in bytes, and the words of the format) and `runs`, the inputs of a
+ * repeatable search: about 20 s with all three at once on two cores.
  */
 const targets = {
   mesh: { args: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'], runs: 14_000 },
@@ -36,14 +36,13 @@ const targets = {
 // One input may take 10 s and 2 GB, and ask for 1.5 GB at once: the largest mesh that a file may claim has 1.
 const limits = ['-timeout=10', '-rss_limit_mb=2048', '-malloc_limit_mb=1536']
 
-/** Runs the targets at once for some seconds, with other random numbers each time, and goes on from what earlier runs kept. */
+/** Runs the targets in parallel for some seconds, with new random numbers each time, starting from the corpus of earlier runs. */
 export const fuzz = (seconds, names = Object.keys(targets)) =>
   runTargets(names, 'corpus', () => [`-max_total_time=${seconds}`])
 
 /**
- * For the tests: the same inputs each time, so that a failure is never luck. What would differ is turned off: random
- * addresses, where the system allows it; learning from compared values, some of which are addresses; and reading the corpus
- * again by the clock.
+ * Runs the same inputs each time, so that failures are reproducible. Turns off random addresses (where the system allows it), learning
+ * from compared values (some of which are addresses), and rereading the corpus by the clock.
  */
 export async function fuzzRepeatably() {
   rmSync(path(folder, 'scratch'), { recursive: true, force: true })
@@ -57,7 +56,7 @@ export async function fuzzRepeatably() {
   )
 }
 
-/** New inputs are kept in a folder beside the findings; `search` are libFuzzer's options for a target. */
+/** Stores new inputs in the folder `kept`. `search` returns libFuzzer's options for a target. */
 async function runTargets(names, kept, search, launcher = []) {
   await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
   const results = await Promise.all(
@@ -69,14 +68,14 @@ async function runTargets(names, kept, search, launcher = []) {
   if (problems.length) throw new Stop(problems.join('\n'))
 }
 
-/** A sentence if it found something, with the bytes: the machine that found them may be out of reach. */
+/** Returns a message if it found something, with the bytes of the input, since its machine may be out of reach; otherwise null. */
 async function runTarget(name, corpus, search, launcher) {
   const findings = `${folder}/findings`
   for (const needed of [corpus, findings]) mkdirSync(path(needed), { recursive: true })
 
   const program = `${programs}/${name}_fuzz`
   const log = `${findings}/${name}.log`
-  // By name and in order, for the order of a folder is that of its file system.
+  // Named in order, because a folder's own order depends on its file system.
   const first = `-seed_inputs=${walk(`${seeds}/${name}`).join(',')}`
   const options = [first, ...search, ...limits, ...targets[name].args, '-print_final_stats=1']
   const [command, ...args] = [...launcher, path(program), corpus, ...options]
@@ -98,7 +97,7 @@ async function runTarget(name, corpus, search, launcher) {
   return `${why}, and run it again with: ${[program, ...limits, input].join(' ')}\nIts bytes in base64: ${bytes}`
 }
 
-// What the sanitizers, the standard library, libFuzzer and tests/fuzz/require.hpp say of a finding.
+// Matches the messages of sanitizers, standard library, libFuzzer and tests/fuzz/require.hpp.
 const reasons = [
   /^NOT TRUE: (.*)/,
   /runtime error: (.*)/,
@@ -107,7 +106,7 @@ const reasons = [
   /^=*\d+=+ ?ERROR: (.*)/,
 ]
 
-/** Says every ten seconds how far it is. */
+/** Prints the progress every 10 s. */
 async function follow(name, child, log) {
   const ended = new Promise((resolve) => {
     child.on('error', (error) => resolve(error.code))
@@ -134,7 +133,7 @@ async function follow(name, child, log) {
 
 const count = (text) => Number(text).toLocaleString('en')
 
-/** Writes the seeds of tests/fuzz/corpus anew; what fuzzing once found stays beside them. */
+/** Rewrites the seeds in tests/fuzz/corpus. Inputs that fuzzing found stay there. */
 async function writeSeeds() {
   await cmakeBuild('sanitize', 'fuzz_seeds')
   await run(path(programs, 'fuzz_seeds'), [seeds])

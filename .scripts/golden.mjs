@@ -1,4 +1,4 @@
-// npm run golden: writes the shader texts of tests/golden anew, to be reviewed as a diff.
+// npm run golden: rewrites the shader code in tests/golden, to be reviewed as a diff.
 import { rmSync, writeFileSync } from 'node:fs'
 import { build } from './build.mjs'
 import { good, main } from './lib/terminal.mjs'

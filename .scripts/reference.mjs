@@ -9,7 +9,7 @@ import { examplePages } from './reference/example-pages.mjs'
 import { identityParts } from './reference/identities.mjs'
 import { meshNumberedText, numberedText } from './reference/numbered.mjs'
 import { operationParts } from './reference/operations.mjs'
-import { formatted, pageWith } from './reference/parts.mjs'
+import { formatAs, pageWith } from './reference/parts.mjs'
 import { plotParts } from './reference/plots.mjs'
 import { vectorPlotParts } from './reference/plots-vectors.mjs'
 import { readTable } from './reference/table.mjs'
@@ -37,7 +37,7 @@ export async function staleFiles() {
   const texts = [
     ...Object.entries(files).map(async ([file, text]) => ({
       file,
-      text: await formatted(file, text),
+      text: await formatAs(file, text),
     })),
     ...Object.entries(pages).map(async ([name, parts]) => {
       const file = `web/docs/${name}.md`

@@ -1,5 +1,5 @@
-// npm run setup: finds what the project needs, one line each, and installs what is missing.
-// Runs before `npm ci`, so it uses nothing but Node itself.
+// npm run setup: finds the programs and libraries that the project needs, and installs those that are missing. Runs before `npm ci`, so
+// it uses only Node itself.
 import { existsSync, statSync } from 'node:fs'
 import { installPackages, rootPrefix } from './lib/apt.mjs'
 import { path } from './lib/files.mjs'
@@ -8,10 +8,10 @@ import { run } from './lib/run.mjs'
 import { Stop, bad, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { atLeast } from './lib/versions.mjs'
 
-// Vite 8 starts on no older one.
-const leastNode = '20.13'
+// Vite 8 needs it.
+const minNode = '20.13'
 
-/** Makes everything ready and answers where Chromium is. */
+/** Installs everything that is missing → { chromium }, the path of Chromium. */
 export async function setup() {
   checkNode()
   let missing = await check(requirements)
@@ -35,12 +35,12 @@ const names = (list) => list.map(({ name }) => name)
 
 function checkNode() {
   const version = process.versions.node
-  if (!atLeast(version, leastNode))
-    throw new Stop(`Node ${version} is too old: warpjet is built with Node ${leastNode} or newer.`)
+  if (!atLeast(version, minNode))
+    throw new Stop(`Node ${version} is too old: warpjet is built with Node ${minNode} or newer.`)
   good(`Node.js ${version} (${process.execPath})`)
 }
 
-/** Says what was found, and returns what was not. */
+/** Prints what was found, and returns the requirements that are missing. */
 async function check(list) {
   const answers = await Promise.all(list.map(({ find }) => find()))
   list.forEach((requirement, i) => {
@@ -75,7 +75,7 @@ async function fetchWith(name, command) {
   say()
 }
 
-/** npm as it was started, or the one on PATH. */
+/** Runs the npm that started this process, or the one on PATH. */
 function npm(...args) {
   const cli = process.env.npm_execpath
   return cli ? run(process.execPath, [cli, ...args]) : run('npm', args)

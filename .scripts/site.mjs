@@ -1,9 +1,9 @@
-// npm run site: writes the site to .build/site, static files for any folder of any server, and holds it to its budgets. With
-// `-- --time` it measures how soon the first page answers, too.
+// npm run site: writes the site to .build/site, static files for any folder of any server, and checks its budgets. `-- --time` also
+// measures how soon the first page is interactive.
 import { rmSync } from 'node:fs'
 import { build } from './build.mjs'
 import { path, step } from './lib/files.mjs'
-import { locked } from './lib/lock.mjs'
+import { withLock } from './lib/lock.mjs'
 import { checkSite } from './lib/site-budget.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'
 import { viteBuild } from './lib/vite.mjs'
@@ -11,9 +11,9 @@ import { setup } from './setup.mjs'
 
 export const folder = '.build/site'
 
-/** `dist` is to be there. */
+/** Builds the site. Needs `dist`. */
 export const buildSite = () =>
-  locked(() =>
+  withLock(() =>
     step('Site', {
       inputs: ['package-lock.json', 'dist', 'examples', 'web'],
       outputs: [`${folder}/index.html`, `${folder}/sw.js`],

@@ -1,4 +1,4 @@
-// npm run sizes: builds, and records what each file weighs, so that a commit that makes one grow shows it.
+// npm run sizes: builds, and records the size of each file, so that a commit shows which files it makes grow.
 import { build } from './build.mjs'
 import { walk } from './lib/files.mjs'
 import { recordSizes } from './lib/sizes.mjs'

@@ -19,7 +19,7 @@ await main(async () => {
   const server = await createServer({
     configFile: path('web/vite.config.js'),
     clearScreen: false,
-    // A taken port is no error: Vite then tries the next one.
+    // Vite tries the next port if this one is taken.
     server: { port: Number(values.port), host: values.host },
   })
   await server.listen()

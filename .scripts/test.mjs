@@ -1,10 +1,10 @@
-// npm test: set-up, build, then the everyday checks; `npm test -- --all` is every check there is. `npm test -- js cpp` runs
-// only those groups, with `--all` whole. Nothing stops at a failure.
+// npm test: set-up, build, then the everyday checks; `npm test -- --all` runs every check. `npm test -- js cpp` runs only those groups.
+// A failure does not stop the other steps.
 import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { checks } from './lib/checks.mjs'
 import { NotRun, Stop, bad, good, heading, main, say } from './lib/terminal.mjs'
-import { chooseTier, leftOut, limits } from './lib/tiers.mjs'
+import { chooseTier, limits, rareSteps } from './lib/tiers.mjs'
 import { printTimes } from './lib/times.mjs'
 import { setup } from './setup.mjs'
 
@@ -14,15 +14,15 @@ await main(async () => {
   const chosen = select(groups, tier)
   chooseTier(tier)
   const results = []
-  const attempted = async (step) => results.push(await attempt(step))
+  const record = async (step) => results.push(await attempt(step))
 
-  await attempted({
+  await record({
     title: 'Set-up',
     work: async () => (process.env.WARPJET_CHROMIUM = (await setup()).chromium),
   })
   if (!results[0].passed) throw new Stop('Nothing can be tested without that.')
-  await attempted({ title: 'Build', work: build })
-  for (const check of chosen) await attempted(check)
+  await record({ title: 'Build', work: build })
+  for (const check of chosen) await record(check)
 
   heading(tier === 'all' ? 'Everything' : 'The everyday run; `npm test -- --all` is everything')
   printTimes(results, performance.now() - start, groups.length ? null : limits[tier])
@@ -52,8 +52,8 @@ function options() {
 
 function select(groups, tier) {
   const chosen = checks.filter(({ group }) => !groups.length || groups.includes(group))
-  const run = chosen.filter(({ title }) => tier === 'all' || !(title in leftOut.steps))
-  const reasons = chosen.map(({ title }) => `${title}: ${leftOut.steps[title]}`)
+  const run = chosen.filter(({ title }) => tier === 'all' || !(title in rareSteps))
+  const reasons = chosen.map(({ title }) => `${title}: ${rareSteps[title]}`)
   if (!run.length)
     throw new Stop(`Nothing of that is run every day; add --all.\n${reasons.join('\n')}`)
   return run

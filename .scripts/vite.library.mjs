@@ -1,4 +1,4 @@
-// How Vite bundles the library: ES modules that share files, and files that need no other, for pages without a bundler.
+// The Vite configuration of the library: ES modules that share files, and single files for pages without a bundler.
 import { createHash } from 'node:crypto'
 import { readFileSync } from 'node:fs'
 import { defaultClientConditions } from 'vite'
@@ -7,12 +7,12 @@ import { path } from './lib/files.mjs'
 
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
-// p5 is the page's own: the addon is handed it, or finds it as a global. So is three. Decoders of models are the user's choice. The command line runs in Node only.
+// Users bring their own p5, three, react and decoders. The command line runs only in Node.
 const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylonjs\//, /^node:/]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
-/** `output` are options of Rolldown, `lib` those of Vite. */
+/** `output` has options of Rolldown, `lib` those of Vite. */
 const settings = (lib, output, others) => ({
   configFile: false,
   root: path('.'),
@@ -31,7 +31,7 @@ const settings = (lib, output, others) => ({
   },
 })
 
-/** A map tells where code comes from, and nobody reads base64. */
+/** Removes wasm from source maps: nobody debugs encoded bytes. */
 const withoutWasmInMaps = {
   name: 'without-wasm-in-maps',
   generateBundle(_, files) {
@@ -96,7 +96,7 @@ export const moduleBuild = settings(
   },
 )
 
-// Errors name the class of what was thrown.
+// Keeps the names of classes, which error messages show.
 const keepNames = { class: true, function: false }
 const minified = {
   minify: { compress: { keepNames }, mangle: { keepNames }, codegen: true },

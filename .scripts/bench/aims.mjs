@@ -1,4 +1,4 @@
-// What warpjet is to reach, as ratios within one run: information, and never a failure.
+// The aims of warpjet, as ratios within one run. Missing one is not a failure.
 
 const find = (records, name) => records.find(({ method }) => method === name)
 
@@ -10,10 +10,7 @@ function frameRatio(records, name) {
 
 const MANY_NODES = 3000
 
-/**
- * `ratio(records)`, of the records of one row, is undefined where the aim does not apply; `of` what
- * and to what it is, with its bound, are for reading.
- */
+/** `ratio(records)` takes the records of one row, and returns `undefined` if the aim does not apply. `of` and `to` describe it. */
 export const aims = [
   {
     of: 'frame ×',

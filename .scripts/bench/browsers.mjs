@@ -1,10 +1,10 @@
-// The browsers that measure: one draws as fast as it can, one as somebody sees it, both on the machine's GPU if it has one.
+// The browsers that measure: one draws as fast as it can, one with vsync, both on the machine's GPU if it has one.
 import { gpuFlags, softwareFlags, uncappedFlags } from '../lib/flags.mjs'
 import { Stop } from '../lib/terminal.mjs'
 
 const software = /swiftshader|llvmpipe|softpipe|basic render/i
 
-/** Runs in the page: what draws WebGL 2, or null. */
+/** Runs in the page: returns the name of the WebGL 2 renderer, or null. */
 function findRenderer() {
   const gl = document.createElement('canvas').getContext('webgl2')
   const names = gl?.getExtension('WEBGL_debug_renderer_info')
@@ -21,10 +21,10 @@ async function rendererWith(launch, flags) {
   }
 }
 
-/** The flags for what this machine has: its GPU unless `withoutGpu`, else none → { flags, renderer, isSoftware } */
+/** Chooses the machine's GPU, or software if there is none or if `withoutGpu` → { flags, renderer, isSoftware } */
 async function chooseRenderer(launch, withoutGpu) {
   if (!withoutGpu) {
-    // A driver that takes the browser down with it is none.
+    // A driver that crashes the browser counts as none.
     const renderer = await rendererWith(launch, gpuFlags).catch(() => null)
     if (renderer && !software.test(renderer))
       return { flags: gpuFlags, renderer, isSoftware: false }
@@ -35,10 +35,10 @@ async function chooseRenderer(launch, withoutGpu) {
 }
 
 /**
- * Opens the benchmark's page twice → { version, renderer, isSoftware, uncapped, capped, close() }, the two being pages.
- * @param options { chromium, url, size, withoutGpu, progress }: `chromium` is the program; `progress(text)` is told what a page does
+ * Opens the benchmark's page twice, uncapped and capped → { version, renderer, isSoftware, uncapped, capped, close() }
+ * @param options { chromium, url, size, withoutGpu }: `chromium` is the program
  */
-export async function openBrowsers({ chromium: executablePath, url, size, withoutGpu, progress }) {
+export async function openBrowsers({ chromium: executablePath, url, size, withoutGpu }) {
   const { chromium } = await import('playwright-core')
   const launch = (args) => chromium.launch({ executablePath, args, handleSIGINT: false })
   const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
@@ -49,7 +49,6 @@ export async function openBrowsers({ chromium: executablePath, url, size, withou
     const browser = await launch([...flags, ...moreFlags])
     browsers.push(browser)
     const page = await browser.newPage({ viewport: { width: size, height: size } })
-    await page.exposeFunction('benchProgress', progress)
     await page.goto(`${url}bench/driven.html`)
     await page.waitForFunction('window.bench')
     await page.evaluate((size) => void window.bench.open(size), size)

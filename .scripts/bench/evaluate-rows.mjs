@@ -1,12 +1,12 @@
-// What bench:evaluate measures, and the same functions as somebody writes them by hand in JavaScript, derivatives and all:
-// from { positions, normals } and the time into { positions, normals }.
+// The warps that `npm run bench -- evaluate` measures, and the same functions written by hand in JavaScript, with their derivatives:
+// they map { positions, normals } and the time → { positions, normals }.
 import { stackedSines, stress } from '../../tests/warps/stress.js'
 
 const NODES_OF_A_SINE = 5
 const { sin, cos, sqrt } = Math
 
-/** n' = cof(M) n, of length 1; `m` by columns. */
-function turnNormal(m, normals, i, out) {
+/** Writes n' = cof(M) n, normalized. `m` is in columns. */
+function transformNormal(m, normals, i, out) {
   const [a, b, c, d, e, f, g, h, k] = m
   const [nx, ny, nz] = [normals[i], normals[i + 1], normals[i + 2]]
   const x = (e * k - f * h) * nx + (h * c - k * b) * ny + (b * f - c * e) * nz
@@ -18,7 +18,7 @@ function turnNormal(m, normals, i, out) {
   out[i + 2] = z / length
 }
 
-/** Turned about the axis through (0, 0, -500) along x, as tests/warps/stress.js has it. */
+/** Rotates about the axis through (0, 0, -500) along x, like `twist` of tests/warps/stress.js. */
 function twist({ positions, normals }, millis, out) {
   for (let i = 0; i < positions.length; i += 3) {
     const [x, y, z] = [positions[i], positions[i + 1], positions[i + 2] + 500]
@@ -59,22 +59,22 @@ function sines(waves) {
         m[3 * coordinate + component] += share * frequency * cos(angle)
       }
       out.positions.set(moved, i)
-      turnNormal(m, normals, i, out.normals)
+      transformNormal(m, normals, i, out.normals)
     }
   }
 }
 
-const stacked = (nodes) => {
+const stackSines = (nodes) => {
   const { warp, waves } = stackedSines(nodes / NODES_OF_A_SINE)
   return { warp, byHand: sines(waves) }
 }
 
-/** By name: the offset as a sketch writes it, and `byHand`. */
+/** Maps each name → { warp, byHand }. */
 export const warps = {
   twist: { warp: stress.find(({ name }) => name === 'twist').warp, byHand: twist },
-  '150 nodes': stacked(150),
-  '1,500 nodes': stacked(1500),
-  '3,000 nodes': stacked(3000),
+  '150 nodes': stackSines(150),
+  '1,500 nodes': stackSines(1500),
+  '3,000 nodes': stackSines(3000),
 }
 
 export const rows = Object.keys(warps).flatMap((name) => [

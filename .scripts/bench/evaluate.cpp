@@ -27,7 +27,7 @@ int main(int, char** arguments) {
   const auto millis = read<float>(file, 1);
   if (!file) return 1;
 
-  // As compileWarp has them: position, normal, and others that these do not read, but for the time.
+  // The inputs of compileWarp: position, normal, the time, and others that these warps do not read.
   const std::vector<float> zeros(16);
   std::vector<Stream> inputs{{positions.data(), 3, false}, {normals.data(), 3, false}};
   for (std::size_t i = 2; i < sizes.size(); ++i)

@@ -4,8 +4,8 @@ import { p5Records, rowRecords } from './records.mjs'
 import { p5Text, rowText } from './report.mjs'
 
 /**
- * What the pages are asked, for the tables that are worth reading: `size` of the canvas, in pixels; `duration` of measuring a frame
- * rate, in milliseconds; the rest as in web/bench/measure.js.
+ * The settings of a run whose figures count. `size` of the canvas is in pixels, `duration` of measuring a frame rate in milliseconds;
+ * web/bench/measure.js describes the rest.
  */
 export const thorough = {
   size: 1200,
@@ -18,7 +18,7 @@ export const thorough = {
   duration: 1000,
 }
 
-/** For finding out whether all of it works. */
+/** The settings of `--quick`, which only shows that all of it works. */
 export const quick = {
   size: 150,
   rounds: 3,
@@ -39,14 +39,14 @@ async function bothRates({ uncapped, capped }, begin, ask, question) {
 }
 
 /**
- * Every method in the row of that name → { records, text }.
- * @param browsers what openBrowsers returns
+ * Measures every method in the row of that name → { records, text }.
+ * @param browsers the result of openBrowsers
  * @param run { date, commit, chromium, renderer }, which all records of a run have
- * @param begin is told the name of each stage
+ * @param begin is called with the name of each stage
  */
 export async function measureRow(browsers, run, name, settings, begin) {
   begin('frame times')
-  // Or this row's peak would have the rubbish of the row before.
+  // Otherwise this row's peak would include the garbage of the row before.
   await browsers.uncapped.requestGC()
   const measured = await browsers.uncapped.evaluate(
     ({ name, settings }) => window.bench.measure(name, settings),
@@ -64,11 +64,11 @@ export async function measureRow(browsers, run, name, settings, begin) {
   return { records, text: rowText(records) }
 }
 
-/** The sketches on p5 → the same. */
+/** Measures the p5 sketches → { records, text } */
 export async function measureP5(browsers, run, settings, begin) {
   begin('frame times')
   const ask = (settings) => window.bench.measureP5(settings)
-  // A sketch has no methods to tell apart by percents, and each of its rounds takes long: p5 is loaded anew.
+  // Differences of a few percent do not matter here, and each round takes long, because it loads p5 anew.
   const rounds = Math.ceil(settings.rounds / 2)
   const measured = await browsers.uncapped.evaluate(ask, { ...settings, rounds })
   const askRates = (settings) => window.bench.p5FrameRates(settings)

@@ -2,14 +2,14 @@
 import { parseArgs } from 'node:util'
 import { Stop } from '../lib/terminal.mjs'
 
-/** The part that has a sketch on p5 instead of a row's methods. */
+/** The row that runs p5 sketches instead of methods. */
 export const P5 = 'p5'
 
 const quickRows = ['14,000 × 150', 'airplane twist', 'wobble', P5]
 
 export const helpText = (rows) => `Usage: npm run bench -- [options]
 
-Draws warped meshes in headless Chromium by the usual ways: warpjet, finite differences,
+Draws warped meshes in headless Chromium in several ways: warpjet, finite differences,
 dFdx, derivatives by hand, on this machine's GPU if it has one. Prints what a frame of each takes
 and how far its normals are off, and appends all of it to web/bench/results.csv. Without a GPU, on
 two cores, it takes about a quarter of an hour, in which the machine should do nothing else.
@@ -37,7 +37,7 @@ const options = {
   help: { type: 'boolean', default: false },
 }
 
-/** How rows are compared: '14,000 × 150' is '14000x150'. */
+/** Normalizes a name for comparison: '14,000 × 150' is '14000x150'. */
 const plain = (name) => name.toLowerCase().replaceAll('×', 'x').replace(/[\s,]/g, '')
 
 function findRow(wanted, rows) {

@@ -1,7 +1,7 @@
-// What was measured, as the records of web/bench/records.js, and as lines of results.csv.
+// Turns measurements into the records of web/bench/records.js and lines of results.csv.
 import { camelCase, recordsOf } from '../../web/bench/records.js'
 
-/** Of results.csv; a record has the same in camel case. */
+/** The columns of results.csv. A record has the same names in camel case. */
 export const columns = (
   'date,commit,chromium,renderer,size_px,rounds,clock,row,vertices,nodes,method,h,frame_ms,frame_low_ms,frame_high_ms,' +
   'to_positions,to_warpjet,uncapped_fps,capped_fps,first_ms,first_to_positions,generation_ms,' +
@@ -11,13 +11,13 @@ export const columns = (
 /** More digits than this are noise. */
 const DIGITS = 5
 
-function rounded(value) {
+function round(value) {
   if (typeof value !== 'number' || Number.isInteger(value)) return value
   return Number(value.toPrecision(DIGITS))
 }
 
 /** The fields of a record's line. */
-export const fieldsOf = (record) => columns.map((name) => rounded(record[camelCase(name)]))
+export const fieldsOf = (record) => columns.map((name) => round(record[camelCase(name)]))
 
 const withRates = (record, { uncapped, capped }) => ({
   ...record,
@@ -28,13 +28,13 @@ const withRates = (record, { uncapped, capped }) => ({
 /**
  * @param run { date, commit, chromium, renderer, sizePx, rounds }, which all lines have
  * @param row { name, nodes }
- * @param measured what measureRow of web/bench/measure.js returns
+ * @param measured the result of measureRow in web/bench/measure.js
  * @param rates { uncapped, capped }, frames a second by method
  */
 export const rowRecords = (run, row, measured, rates) =>
   recordsOf(row, measured).map((record) => withRates({ ...run, ...record }, rates))
 
-/** @param measured what measureP5 of web/bench/p5.js returns */
+/** @param measured the result of measureP5 in web/bench/p5.js */
 export const p5Records = (run, { name, nodes }, { clock, vertices, results }, rates) =>
   results.map(({ method, frame }) => {
     const [frameMs, frameLowMs, frameHighMs] = [frame.median, frame.low, frame.high]

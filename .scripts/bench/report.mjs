@@ -1,13 +1,13 @@
-// What the terminal shows of the measurements: a table for each row, and how they stand to what is aimed at.
+// The tables for the terminal: one for each row, and one that compares all rows with the aims.
 import { degrees, plain, whole } from '../../web/bench/figures.js'
 import { paint } from '../lib/terminal.mjs'
 import { aims } from './aims.mjs'
-import { alike, fixed, table } from './table.mjs'
+import { alike, withDecimals, table } from './table.mjs'
 
-const indented = (lines) => lines.map((line) => line && `  ${line}`).join('\n')
+const indent = (lines) => lines.map((line) => line && `  ${line}`).join('\n')
 
-/** What the columns mean, once for all tables. */
-export const legend = indented(
+/** Explains the columns, once for all tables. */
+export const legend = indent(
   [
     ['frame', 'milliseconds until the GPU is done: the median, and the middle half of all frames'],
     [
@@ -17,12 +17,9 @@ export const legend = indented(
     ['', 'the quotients within each round, which may differ from that of the milliseconds'],
     [
       'fps',
-      'frames a second in the page, with what the browser itself does for each: without a limit,',
+      'frames a second in the page, including the browser’s own work per frame: without a limit,',
     ],
-    [
-      '',
-      'where that share can be large if there is no GPU, and with vsync, as a display would show',
-    ],
+    ['', 'where that work can dominate if there is no GPU, and with vsync, as on a display'],
     ['first', 'milliseconds from source text to the first frame'],
     ['text', 'characters that the method itself writes, without the shader around them'],
     ['generate', 'milliseconds to write the source text'],
@@ -56,21 +53,21 @@ function frameColumns(records) {
 }
 
 const rateColumns = [
-  figures(['fps', 'uncapped'], 'uncappedFps', fixed(1)),
-  figures(['fps', 'vsync'], 'cappedFps', fixed(1)),
+  figures(['fps', 'uncapped'], 'uncappedFps', withDecimals(1)),
+  figures(['fps', 'vsync'], 'cappedFps', withDecimals(1)),
 ]
 
 const rowColumns = (records) => [
   methodColumn,
   ...frameColumns(records),
-  figures(['×', 'positions'], 'toPositions', fixed(3)),
-  figures(['×', 'warpjet'], 'toWarpjet', fixed(3)),
+  figures(['×', 'positions'], 'toPositions', withDecimals(3)),
+  figures(['×', 'warpjet'], 'toWarpjet', withDecimals(3)),
   ...rateColumns,
   figures(['first', 'ms'], 'firstMs', alike(records.map(({ firstMs }) => firstMs))),
-  figures(['×', 'positions'], 'firstToPositions', fixed(2)),
-  figures(['×', 'by hand'], 'firstToByHand', fixed(2)),
+  figures(['×', 'positions'], 'firstToPositions', withDecimals(2)),
+  figures(['×', 'by hand'], 'firstToByHand', withDecimals(2)),
   figures(['text', 'characters'], 'characters', whole),
-  figures(['×', 'by hand'], 'charactersToByHand', fixed(2)),
+  figures(['×', 'by hand'], 'charactersToByHand', withDecimals(2)),
   figures(['generate', 'ms'], 'generationMs', plain),
   figures(['error', '°'], 'errorDegrees', degrees),
   figures(['', 'h'], 'h', plain),
@@ -82,18 +79,18 @@ const facts = ({ vertices, nodes, clock }) => [
   `clock: ${clock}`,
 ]
 
-/** Chromium alone tells how much JavaScript holds. */
+/** Only Chromium reports the size of the JavaScript heap. */
 function peakMemory({ jsHeapMb, wasmHeapMb }) {
   const parts = Object.entries({ JavaScript: jsHeapMb, WebAssembly: wasmHeapMb })
     .filter(([, value]) => Number.isFinite(value))
-    .map(([name, value]) => `${fixed(1)(value)} MB of ${name}`)
+    .map(([name, value]) => `${withDecimals(1)(value)} MB of ${name}`)
   return `peak heap: ${parts.join(', ')}`
 }
 
 /** The records of a row as text. */
 export function rowText(records) {
   const line = [...facts(records[0]), peakMemory(records[0])].join(' · ')
-  return indented([line, '', ...table(rowColumns(records), records, ours)])
+  return indent([line, '', ...table(rowColumns(records), records, ours)])
 }
 
 /** The records of p5's sketches as text. @param toNoWarp by method, what its frame is to the same sketch's without the warp */
@@ -101,11 +98,11 @@ export function p5Text(records, toNoWarp) {
   const columns = [
     methodColumn,
     ...frameColumns(records),
-    { head: ['×', 'no warp'], text: ({ method }) => fixed(3)(toNoWarp[method]) },
+    { head: ['×', 'no warp'], text: ({ method }) => withDecimals(3)(toNoWarp[method]) },
     ...rateColumns,
   ]
   const line = [`${records[0].row} in a sketch`, ...facts(records[0])].join(' · ')
-  return indented([line, '', ...table(columns, records, ours)])
+  return indent([line, '', ...table(columns, records, ours)])
 }
 
 const aimColumns = aims.map(({ of, to, isMet, ratio }) => ({
@@ -114,7 +111,7 @@ const aimColumns = aims.map(({ of, to, isMet, ratio }) => ({
   isMet,
   text({ records }) {
     const value = ratio(records)
-    return value && `${fixed(3)(value)} ${isMet(value) ? '✓' : '✗'}`
+    return value && `${withDecimals(3)(value)} ${isMet(value) ? '✓' : '✗'}`
   },
 }))
 
@@ -123,7 +120,7 @@ function aimStyle({ records }, { ratio, isMet }) {
   return value && (isMet(value) ? 'green' : 'red')
 }
 
-/** How each row of `records` stands to the aims; undefined where none of them has any. */
+/** Returns a table that compares each row with the aims; `undefined` if no row has any. */
 export function aimsText(records) {
   const judged = records.filter(({ toWarpjet }) => toWarpjet !== undefined)
   const rows = [...new Set(judged.map(({ row }) => row))].map((name) => ({
@@ -131,5 +128,5 @@ export function aimsText(records) {
     records: judged.filter(({ row }) => row === name),
   }))
   const nameColumn = { head: ['', ''], left: true, text: ({ name }) => name }
-  return rows.length ? indented(table([nameColumn, ...aimColumns], rows, aimStyle)) : undefined
+  return rows.length ? indent(table([nameColumn, ...aimColumns], rows, aimStyle)) : undefined
 }

@@ -6,20 +6,22 @@ import { openBrowsers } from './browsers.mjs'
 import { appendLines } from './csv.mjs'
 import { measureP5, measureRow, quick, thorough } from './measure.mjs'
 import { P5 } from './options.mjs'
-import { openProgress } from './progress.mjs'
 import { columns, fieldsOf } from './records.mjs'
 import { aimsText, legend } from './report.mjs'
 import { serveBench } from './server.mjs'
 
-/** Of the code that is measured; '' where there is no git. */
+/** Returns the commit of the measured code; '' without git. */
 async function commit() {
   const id = await capture('git', ['rev-parse', '--short', 'HEAD'])
   if (id === null) return ''
-  // The figures of the run before change nothing that is measured.
+  // The results of earlier runs do not affect the measurements.
   const others = ['--untracked-files=no', '--', '.', ':!web/bench/results.csv']
   const changes = await capture('git', ['status', '--porcelain', ...others])
   return `${id.trim()}${changes ? '-dirty' : ''}`
 }
+
+/** Writes progress to stderr, so that a redirected stdout has only the tables. */
+const note = (text) => process.stderr.write(`${text}\n`)
 
 const now = () => new Date().toISOString().replace(/\.\d+Z$/, 'Z')
 
@@ -34,14 +36,13 @@ function introduce({ commit, chromium, renderer }, isSoftware, { size, rounds },
 }
 
 /** Measures every chosen row, prints it and hands it to `keep` → all records. */
-async function measureAll(browsers, run, rows, settings, { progress, keep }) {
+async function measureAll(browsers, run, rows, settings, keep) {
   const all = []
   for (const [i, name] of rows.entries()) {
-    const begin = (stage) => progress.begin(`${i + 1}/${rows.length} ${name}: ${stage}`)
+    const begin = (stage) => note(`${i + 1}/${rows.length} ${name}: ${stage}`)
     const { records, text } = await (name === P5
       ? measureP5(browsers, run, settings, begin)
       : measureRow(browsers, run, name, settings, begin))
-    progress.clear()
     heading(name)
     say(text)
     keep(records)
@@ -59,7 +60,6 @@ export async function runBench(chromium, options, file) {
   const start = performance.now()
   const settings = options.quick ? { ...quick } : { ...thorough }
   settings.rounds = options.rounds ?? settings.rounds
-  const progress = openProgress()
   const server = await serveBench()
   let browsers
   let isStopped = false
@@ -74,7 +74,6 @@ export async function runBench(chromium, options, file) {
       url: server.url,
       size: settings.size,
       withoutGpu: options.software,
-      progress: progress.detail,
     })
     const { version, renderer, isSoftware } = browsers
     const { size: sizePx, rounds } = settings
@@ -82,7 +81,7 @@ export async function runBench(chromium, options, file) {
     // Row by row, so that a measurement that is stopped loses nothing.
     const keep = (records) => file && appendLines(file, columns, records.map(fieldsOf))
     introduce(run, isSoftware, settings, options.rows)
-    const records = await measureAll(browsers, run, options.rows, settings, { progress, keep })
+    const records = await measureAll(browsers, run, options.rows, settings, keep)
 
     const aims = aimsText(records)
     if (aims)
@@ -98,7 +97,6 @@ export async function runBench(chromium, options, file) {
     throw new Stop(`Stopped${file ? '; the rows that were finished are in the file' : ''}.`)
   } finally {
     process.off('SIGINT', stop)
-    progress.clear()
     await browsers?.close()
     await server.close()
   }

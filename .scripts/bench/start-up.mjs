@@ -1,4 +1,4 @@
-// How long a page waits for warpjet: until its script has run, and until the first createWarp returns; and the same in Node.
+// Measures how long a page waits for warpjet: until its script has run, and until the first createWarp returns; and the same in Node.
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { findBrowser } from '../lib/browser.mjs'
@@ -8,7 +8,7 @@ import { median } from '../lib/median.mjs'
 
 const RUNS = 15
 
-/** By name: the milliseconds of `WebAssembly.Module` and `.Instance`, which both hosts run before warpjet. */
+/** Code that both hosts run before warpjet. Records the milliseconds of `WebAssembly.Module` and `.Instance`. */
 const watchWebAssembly = `
 const inWasm = { compile: 0, instantiate: 0 }
 for (const [name, stage] of [['Module', 'compile'], ['Instance', 'instantiate']])
@@ -55,7 +55,7 @@ async function inChromium() {
   try {
     const runs = []
     for (let i = 0; i < RUNS; i++) {
-      // A context has no code that another one compiled.
+      // A new context has no compiled code in its cache.
       const context = await browser.newContext()
       await context.route('**/*', (route) => {
         const { pathname } = new URL(route.request().url())
@@ -95,7 +95,7 @@ function inNode() {
   return Array.from({ length: RUNS }, () => JSON.parse(run()))
 }
 
-/** The median milliseconds of each stage, [{ where, stages }]. */
+/** Returns the median milliseconds of each stage: [{ where, stages }]. */
 export async function measureStartUp() {
   const measured = {
     'Chromium, p5.warpjet.min.js': await inChromium(),

@@ -4,20 +4,20 @@ import { paint } from '../lib/terminal.mjs'
 const GAP = '  '
 const NONE = '–'
 
-/** With `digits` places after the point. */
-export const fixed = (digits) => (value) => value.toFixed(digits)
+/** Formats a number with `digits` decimals. */
+export const withDecimals = (digits) => (value) => value.toFixed(digits)
 
-/** With as many places after the point as show three digits of the largest of `values`, so that all can be compared at a glance. */
+/** Formats numbers with the decimals that show three digits of the largest of `values`, so that all compare at a glance. */
 export function alike(values) {
   const largest = Math.max(...values.filter(Number.isFinite).map(Math.abs))
-  return fixed(largest >= 100 ? 0 : largest >= 10 ? 1 : 2)
+  return withDecimals(largest >= 100 ? 0 : largest >= 10 ? 1 : 2)
 }
 
 /**
- * @param columns [{ head: [upper, lower], text, left? }]: `text(record)` is a cell, or undefined where it has none; with `left` it
- * begins where the column does, otherwise it ends where the column ends
- * @param style `style(record, column)` names how a cell is painted, if at all
- * @returns lines: two of head, one for each record
+ * @param columns [{ head: [upper, lower], text, left? }]: `text(record)` returns a cell, or `undefined` if it is empty. Cells are aligned
+ * to the right, or to the left with `left`
+ * @param style `style(record, column)` returns the style of a cell, or `undefined`
+ * @returns two lines of head and one for each record
  */
 export function table(columns, records, style = () => undefined) {
   const cells = columns.map(({ text }) => records.map((record) => text(record) ?? NONE))

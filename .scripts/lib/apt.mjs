@@ -1,11 +1,11 @@
-// Installing Debian packages, where that is allowed.
+// Installs Debian packages, if that is allowed.
 import { exitCode, capture, run } from './run.mjs'
 import { Stop, heading, say } from './terminal.mjs'
 import { onPath } from './which.mjs'
 
 const install = ['install', '--yes', '--no-install-recommends']
 
-/** [] as root, ['sudo', …] where sudo asks for no password, null where neither is so. */
+/** Returns [] for root, ['sudo', …] if sudo needs no password, null otherwise. */
 export async function rootPrefix() {
   if (process.getuid?.() === 0) return []
   return (await capture('sudo', ['-n', 'true'])) === null ? null : ['sudo', '-n']
@@ -25,7 +25,7 @@ export async function installPackages(packages, names) {
   }
   heading(`Installing ${packages.join(' ')}`)
   const [command, ...args] = [...prefix, 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get']
-  // A foreign package source that is down must not stop us: the install itself shows whether all is well.
+  // Ignores errors of foreign package sources: the install shows whether the packages are available.
   await exitCode(command, [...args, 'update'])
   await run(command, [...args, '-o', 'DPkg::Lock::Timeout=300', ...install, ...packages])
   say()

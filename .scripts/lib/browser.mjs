@@ -4,7 +4,7 @@ import { path } from './files.mjs'
 import { Stop } from './terminal.mjs'
 import { isProgram, onPath } from './which.mjs'
 
-/** Debian's headless shell first: it draws what Chromium draws, in three quarters of the time, and is smaller. */
+/** Debian's headless shell is first: it draws the same in three quarters of the time, and is smaller. */
 const names = [
   'chromium-headless-shell',
   'chromium',
@@ -34,8 +34,8 @@ function isStub(file) {
 const startsSnap = (file) =>
   isUbuntu() && statSync(file).size < 20_000 && /\bsnap\b/.test(readFileSync(file, 'utf8'))
 
-/** The program that the variable names, or undefined. */
-function chosenBy(variable) {
+/** Returns the program that an environment variable names, or `undefined`. */
+function programFrom(variable) {
   const chosen = process.env[variable]
   if (chosen && !isProgram(chosen)) throw new Stop(`${variable} names no program: ${chosen}`)
   return chosen
@@ -44,7 +44,7 @@ function chosenBy(variable) {
 export async function findBrowser() {
   const found = [...names.map((name) => onPath(name)), ...applications]
   return (
-    chosenBy('CHROME_PATH') ??
+    programFrom('CHROME_PATH') ??
     found.find((file) => file && isProgram(file) && !isStub(file)) ??
     (await fetchedBrowser('chromium'))
   )
@@ -53,7 +53,7 @@ export async function findBrowser() {
 export async function findFirefox() {
   const found = [...firefoxNames.map((name) => onPath(name)), ...firefoxApplications]
   return (
-    chosenBy('FIREFOX_PATH') ??
+    programFrom('FIREFOX_PATH') ??
     found.find((file) => file && isProgram(file) && !startsSnap(file)) ??
     (await fetchedBrowser('firefox'))
   )

@@ -1,15 +1,15 @@
-// Browsers that the files of tests take in turns: starting one takes two seconds of a core, and there are thirty files.
+// Browsers that the test files share: starting one takes 2 s of a core, and there are thirty files.
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { testFlags } from './flags.mjs'
 
-/** Where `borrow` of tests/support/browser finds them: a folder for what is taken, and the addresses. */
+/** The environment variable that `borrow` in tests/support/browser reads: a folder of locks, and the addresses. */
 export const variable = 'WARPJET_BROWSERS'
 
 /** Starts `count` browsers for the processes that `work` starts, and stops them after it. */
 export async function withBrowsers(count, work) {
-  // Set-up, which comes before it in one process, installs it.
+  // Imported late, because set-up may have to install it first.
   const { chromium } = await import('playwright-core')
   const options = { executablePath: process.env.WARPJET_CHROMIUM, args: testFlags }
   const servers = await Promise.all(

@@ -1,4 +1,4 @@
-// The steps of `npm test`, each ends well or throws.
+// The steps of `npm test`. Each of them throws if it fails.
 import { availableParallelism } from 'node:os'
 import { pathToFileURL } from 'node:url'
 import { fuzzRepeatably } from '../fuzz.mjs'
@@ -10,7 +10,7 @@ import { cmakeBuild } from './cmake.mjs'
 import { checkDependencies } from './dependencies.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
-import { isEveryday, leftOut } from './tiers.mjs'
+import { isEveryday, rareFiles } from './tiers.mjs'
 
 const node = (...args) => run(process.execPath, args)
 const binary = (name) => path('node_modules', name)
@@ -40,7 +40,7 @@ async function checkFormat() {
 }
 
 async function checkReference() {
-  // The reference uses packages, which the set-up installs after this file has been loaded.
+  // Imported late, because it uses packages that set-up installs.
   const { staleFiles } = await import('../reference.mjs')
   const stale = (await staleFiles()).map(({ file }) => file)
   if (stale.length)
@@ -59,12 +59,11 @@ async function cpp(preset) {
 }
 
 /**
- * Runs the test files of a kind: `x.test.js` needs Node alone, `x.browser.test.js` a browser, and those in tests/package
- * installed environments. `longest` names the files that start first, in this order; `atOnce` is how many run side by side.
+ * Runs the test files of a kind: `x.test.js` needs only Node, `x.browser.test.js` a browser, and files in tests/package
+ * installed environments. `longest` names the files that start first; `atOnce` is the number of processes.
  */
 async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] } = {}) {
-  const isLeftOut = (file) => isEveryday() && file in leftOut.files
-  const all = testFiles(kind).filter((file) => !isLeftOut(file))
+  const all = testFiles(kind).filter((file) => !isEveryday() || !rareFiles.includes(file))
   if (!all.length) throw new Stop(`There are no tests of the kind ${kind}.`)
   const files = new Set([...longest.filter((file) => all.includes(file)), ...all])
   const ours = (name) => path('.scripts/lib', name)
@@ -84,9 +83,9 @@ function testFiles(kind) {
     .filter((file) => kindOf(file) === kind)
 }
 
-// Tests wait for their pages: with two on two cores a sixth of the time is idle, with three nothing is.
+// Tests wait for their pages: on two cores, two processes are idle for a sixth of the time, three are not.
 const browsersAtOnce = availableParallelism() + 1
-/** Each takes 40 seconds of a core and more, or waits for long: then it stands among those that work. */
+/** Files that take 40 s of a core or more, or wait for long. */
 const longest = [
   ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
   'tests/p5/webgpu-examples',
@@ -110,7 +109,7 @@ async function environments() {
   await nodeTests('package')
 }
 
-/** `group` is what `npm test -- <group>` selects; tiers.mjs names the titles that the everyday run leaves out. */
+/** `npm test -- <group>` selects a group; tiers.mjs names the titles that only run with `--all`. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
   {

@@ -7,13 +7,13 @@ import { onPath } from './which.mjs'
 
 const presets = path('CMakePresets.json')
 
-/** Is the cache for the sources in this folder? A checkout that was copied or moved with its .build has the cache of the old folder. */
+/** Returns whether the cache is for the sources in this folder. A copied or moved checkout has the cache of its old folder. */
 function isOfThisCheckout(cache) {
   const [, home] = /^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$/m.exec(readFileSync(cache, 'utf8')) ?? []
   return home && existsSync(home) && realpathSync(home) === realpathSync(path())
 }
 
-/** Whether the folder was configured by the presets as they are; CMake itself would keep another compiler. */
+/** Returns whether the folder was configured by the current presets. CMake itself would keep another compiler. */
 function isConfigured(folder) {
   const [cache, used] = ['CMakeCache.txt', 'CMakePresets.json'].map((name) => path(folder, name))
   return (

@@ -1,4 +1,4 @@
-// The types that are shipped: one file an entry, and one for what several share.
+// Bundles the declarations of the package: one file per entry, and one for shared types.
 import { copyFileSync, rmSync } from 'node:fs'
 import { declared, importsIn } from './entries.mjs'
 import { path } from './files.mjs'
@@ -6,7 +6,7 @@ import { run } from './run.mjs'
 
 const written = '.build/types'
 
-/** It only names what the entries export. */
+/** This file only refers to exports of the entries. */
 const globals = 'globals.d.ts'
 
 const entries = declared.filter((name) => `${name}.d.ts` !== globals)
@@ -38,7 +38,7 @@ export async function declareTypes() {
   const { dts } = await import('rolldown-plugin-dts')
   const bundle = await rolldown({
     input: Object.fromEntries(entries.map((name) => [name, path(written, `${name}.d.ts`)])),
-    // Theirs are their own.
+    // Users have these types already.
     external: /^(three|react|@react-three\/fiber|@babylonjs\/core)(\/|$)/,
     plugins: [withImports, dts({ dtsInput: true, tsconfig: false })],
     experimental: { attachDebugInfo: 'none' },
@@ -49,7 +49,7 @@ export async function declareTypes() {
     minifyInternalExports: false,
     codeSplitting: {
       groups: [
-        // Who has no three.js has none of its types.
+        // Keeps three's types out of the file that users without three.js load.
         { name: 'shared', test: /^(?!.*[\\/]types[\\/]three[\\/])/, minShareCount: 2, priority: 2 },
         { name: 'three.shared', minShareCount: 2 },
       ],

@@ -1,5 +1,5 @@
-// TypeScript's declarations of a module that embind binds, from what the module itself registers: it is started with imports that only note
-// what they are called with. (Emscripten does the same since 3.1.42, by --emit-tsd.) C++ keeps no names of parameters.
+// Writes TypeScript declarations of the functions that embind binds, from the module's own registrations: the module is started with imports
+// that only record their arguments. (Emscripten does the same since 3.1.42, by --emit-tsd.) C++ has no names of parameters.
 import { wasmSignatures } from './wasm-signatures.mjs'
 
 const typedArrays = [
@@ -13,11 +13,11 @@ const typedArrays = [
   'Float64',
 ].map((kind) => `${kind}Array`)
 
-/** The pairs of a short and a full name that minified glue has in `pattern`. */
+/** Reads the pairs of short and full names that match `pattern` in minified glue. */
 const pairs = (glue, pattern) =>
   Object.fromEntries([...glue.matchAll(pattern)].map(([, key, value]) => [key, value]))
 
-/** Starts the module, and returns what it registers. */
+/** Starts the module, and returns its registrations. */
 function registrations(glue, module) {
   const importNames = pairs(glue.match(/asmLibraryArg=\{(.*?)\}/s)[1], /"([^"]+)":(\w+)/g)
   const found = {
@@ -85,7 +85,7 @@ function registrations(glue, module) {
 
 const exportNames = (glue) => pairs(glue, /Module\["(\w+)"\]=(?:asm|Module\["asm"\])\["([^"]+)"\]/g)
 
-/** A parameter takes more than it needs: arrays of any kind, which it leaves as they are. */
+/** Widens the type of a parameter: any array-like list is accepted, and none is modified. */
 const asParameter = (type) => {
   if (typedArrays.includes(type)) return 'ArrayLike<number>'
   return type.endsWith('[]') ? `readonly ${type}` : type
@@ -94,7 +94,7 @@ const asParameter = (type) => {
 const parameters = (types) =>
   types.map((type, i) => `${'abcdefghij'[i]}: ${asParameter(type)}`).join(', ')
 
-/** Returns the declarations of what `glue`, Emscripten's JavaScript, makes of `wasm`, the bytes. */
+/** Returns the declarations of the module. `glue` is Emscripten's JavaScript, `wasm` the bytes. */
 export function embindTypes(glue, wasm) {
   const { types, arrays, enums, objects, classes, functions, constants } = registrations(
     glue,

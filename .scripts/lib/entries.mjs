@@ -28,12 +28,12 @@ export const mainScript = 'p5.warpjet'
 /** Scripts beside it: `x` is built from js-bindings/x.ts into dist/warpjet.x.min.js, and adds its exports to the global. */
 export const scriptsBeside = minified.flatMap((name) => /^warpjet\.(.+)$/.exec(name)?.[1] ?? [])
 
-/** All files of dist that are built of them. */
+/** The bundled files of dist. */
 export const bundles = [...modules, ...minified.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
 
-/** Their sources. */
+/** The sources of the entries. */
 export const sources = [...modules, ...declared, 'p5.global'].map(
   (name) => `js-bindings/${name}.ts`,
 )

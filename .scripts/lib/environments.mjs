@@ -1,4 +1,4 @@
-// The project in which the package is tried: it has the tarball that npm would publish, and the bundlers of tests/package.
+// Installs the project that tests the package: it has the tarball that npm would publish, and the bundlers of tests/package.
 import {
   copyFileSync,
   cpSync,
@@ -15,7 +15,7 @@ import { NotRun, Stop } from './terminal.mjs'
 const project = path('.build/package')
 const lists = ['package.json', 'package-lock.json']
 
-/** Throws a NotRun where the registry cannot be reached and the bundlers were not installed before. */
+/** Throws a NotRun if the registry is unreachable and the bundlers were not installed before. */
 export async function installEnvironments() {
   mkdirSync(project, { recursive: true })
   if (!lists.every(isCurrent) || !existsSync(`${project}/node_modules/.package-lock.json`))
@@ -38,10 +38,10 @@ const isCurrent = (name) => read(`${project}/${name}`) === read(path('tests/pack
 async function installBundlers() {
   for (const name of lists) copyFileSync(path('tests/package', name), `${project}/${name}`)
   const options = ['--ignore-scripts', '--prefer-offline', '--no-audit', '--no-fund']
-  // It takes half a minute, and on a network that stands still an hour.
+  // It takes half a minute, or an hour on a stalled network.
   const install = () => exitCode('npm', ['ci', ...options], { cwd: project, timeout: 300_000 })
   if ((await install()) === 0 || (await install()) === 0) return
-  // So that the next run tries again.
+  // Makes the next run try again.
   for (const name of lists) rmSync(`${project}/${name}`)
   if ((await capture('npm', ['ping'], { timeout: 30_000 })) === null)
     throw new NotRun('the npm registry, which has the bundlers, cannot be reached')

@@ -1,4 +1,4 @@
-// Which files there are, and which steps can be left out because none of theirs has changed.
+// Lists files, and skips build steps whose files have not changed.
 import { createHash } from 'node:crypto'
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -19,7 +19,7 @@ export function walk(folder, matches = /./) {
     .sort()
 }
 
-/** A file stands for itself, a folder for all files in it. */
+/** Replaces each folder by the files in it. */
 const expand = (inputs) =>
   inputs.flatMap((input) =>
     existsSync(path(input)) && statSync(path(input)).isDirectory() ? walk(input) : [input],
@@ -35,8 +35,8 @@ function fingerprint(inputs) {
 }
 
 /**
- * Does `work` unless it has been done for just these inputs and its outputs are still there.
- * The stamp is written last, so a step that failed is done again.
+ * Does `work` unless it was done for the same inputs and its outputs still exist. The stamp is written last, so that a failed step runs
+ * again.
  */
 export async function step(title, { inputs, outputs, work }) {
   const stamp = path('.build/stamps', title.replace(/\W+/g, '-'))

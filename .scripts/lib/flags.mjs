@@ -1,4 +1,4 @@
-// How a headless Chromium is started, by the tests and by the benchmark: the flags of its command line.
+// The command-line flags of headless Chromium, for tests and benchmarks.
 
 const quiet = [
   '--no-sandbox',
@@ -13,12 +13,12 @@ const quiet = [
 /** WebGL without a GPU, the same on every machine. */
 export const softwareFlags = [...quiet, '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
 
-/** Pages are put together on the CPU: through a WebGL that is one itself, that would cost as much again as what the canvases show. */
+/** Composites pages on the CPU: compositing through software WebGL would cost as much again as drawing the canvases. */
 export const testFlags = [...softwareFlags, '--disable-gpu-compositing']
 
 /**
- * WebGL on the machine's GPU. On Linux, Chromium without a display finds one by Vulkan alone; elsewhere its own choice is right.
- * Where there is none, Chromium may draw without, or have no WebGL: the renderer's name tells.
+ * WebGL on the machine's GPU. On Linux, Chromium without a display finds a GPU only through Vulkan; elsewhere its own choice is right.
+ * Without a GPU, Chromium may fall back to software or have no WebGL: check the renderer's name.
  */
 export const gpuFlags = [
   ...quiet,
@@ -27,7 +27,7 @@ export const gpuFlags = [
     : []),
 ]
 
-/** Frames as fast as they can be drawn, and memory to the byte. */
+/** Frames without a rate limit, and exact memory sizes. */
 export const uncappedFlags = [
   '--disable-frame-rate-limit',
   '--disable-gpu-vsync',

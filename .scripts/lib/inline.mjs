@@ -1,17 +1,16 @@
-// A wasm module as text in a script: the most frequent bytes are a letter each, the others two. What a server's gzip makes
-// of that is as small as what it makes of the bytes, a tenth less than of hexadecimal digits and a quarter less than of
-// base64. js-bindings/wasm/inlined.ts reads it.
+// Encodes a wasm module as text in a script: the most frequent bytes are one letter each, the others two. Gzipped, this is as small as the
+// gzipped bytes, 10% smaller than hexadecimal digits and 25% smaller than base64. js-bindings/wasm/inlined.ts decodes it.
 
-/** What stands in a literal as it is, whatever its quotes, and in a script in a page. */
+/** The letters that need no escape in any string literal, nor in a script of a page. */
 const letters = String.fromCharCode(...Array.from({ length: 95 }, (_, i) => 32 + i)).replace(
   /["'`\\$<]/g,
   '',
 )
 
-/** So many letters begin the bytes that take two. */
+/** The number of bytes with a single letter. The remaining letters begin the codes of two. */
 const single = letters.length - 2
 
-/** Both kinds of bytes stand in their own order, so that little is to be said of them: 0.3 KB less of a script, gzipped. */
+/** Encodes a wasm module. Each of the two groups is sorted by byte, which keeps the table short: 0.3 KB less per gzipped script. */
 export function inline(bytes) {
   const counts = Array(256).fill(0)
   for (const byte of bytes) counts[byte]++

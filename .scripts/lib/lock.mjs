@@ -1,4 +1,4 @@
-// One build at a time: two at once would pair the glue of one with the wasm of the other.
+// Allows one build at a time: two would mix the glue of one with the wasm of the other.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { setTimeout } from 'node:timers/promises'
 import { path } from './files.mjs'
@@ -15,18 +15,18 @@ function holder() {
   }
 }
 
-/** Does `work` while no other process does any under this lock. */
-export async function locked(work) {
+/** Does `work` while no other process works under this lock. */
+export async function withLock(work) {
   mkdirSync(path('.build'), { recursive: true })
-  for (let told = false; ; await setTimeout(500)) {
+  for (let hasSaid = false; ; await setTimeout(500)) {
     try {
       writeFileSync(path(file), String(process.pid), { flag: 'wx' })
       break
     } catch (error) {
       if (error.code !== 'EEXIST') throw error
       if (holder() === undefined) rmSync(path(file), { force: true })
-      else if (!told) console.log('Waiting for another build to end …')
-      told = true
+      else if (!hasSaid) console.log('Waiting for another build to end …')
+      hasSaid = true
     }
   }
   try {

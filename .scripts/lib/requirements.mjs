@@ -1,23 +1,40 @@
-// What the project needs, how it is recognised, and which Debian packages bring it.
+// The programs and libraries that the project needs, how to find them, and the Debian packages that have them.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { findBrowser, findFirefox, isUbuntu } from './browser.mjs'
 import { path } from './files.mjs'
 import { capture } from './run.mjs'
-import { atLeast, cmakePackageVersion, headerVersion, remembered, versionOf } from './versions.mjs'
+import { atLeast, cacheAnswer, findHeader, versionOf } from './versions.mjs'
 import { onPath } from './which.mjs'
 
-/** A program of at least some version. `find` answers { found } or { wrong } or nothing. */
-const program = (names, least) => async () => {
+/** Finds a program with a minimum version → { found }, { wrong }, or {} if it is missing. */
+const program = (names, minVersion) => async () => {
   const file = onPath(...names)
   const version = file && (await versionOf(file))
   if (!version) return {}
-  if (least && !atLeast(version, least)) return { wrong: `${version} is older than ${least}` }
+  if (minVersion && !atLeast(version, minVersion))
+    return { wrong: `expected ${minVersion} or newer, got ${version}` }
   return { found: `${version} (${file})` }
 }
 
-const header = (names, pattern) => () => ({ found: headerVersion(names, pattern) })
+/** A library, found by a header. */
+const library = (name, apt, ...headers) => ({
+  name,
+  find: () => ({ found: findHeader(...headers) }),
+  apt: [apt],
+})
 
-// Uses what the core uses most of C++20, so that a compiler which takes this takes the core.
+/** A browser. Ubuntu's packages start snaps, which cannot read /tmp, so playwright-core fetches one there. */
+const browser = (name, find, apt) => ({
+  name,
+  find: async () => {
+    const file = await find()
+    return file ? { found: `${await versionOf(file)} (${file})`, file } : {}
+  },
+  apt: isUbuntu() ? [] : [apt],
+  fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', name.toLowerCase()] : null,
+})
+
+// Uses the C++20 features that the core relies on, so that a compiler that accepts this accepts the core.
 const probe = `#include <bit>
 #include <compare>
 #include <concepts>
@@ -31,9 +48,9 @@ static_assert(std::get<0>(rows)(1.0) == 2.0 && Key{1, 2} < Key{1, 3});
 int main() { const int n[] = {0}; return std::span(n)[0] + int(std::bit_cast<std::uint32_t>(0.0f)); }
 `
 
-/** Whether the compiler makes a program of this source, remembered for as long as it stays the same. */
+/** Returns whether the compiler builds a program from this source. Cached until the compiler changes. */
 const compiles = (compiler, name, source, args) =>
-  remembered(compiler, [source, ...args].join('\0'), async () => {
+  cacheAnswer(compiler, [source, ...args].join('\0'), async () => {
     const file = path('.build', `${name}.cpp`)
     mkdirSync(path('.build'), { recursive: true })
     writeFileSync(file, source)
@@ -53,7 +70,7 @@ async function compiler() {
 const fuzzProbe = `extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }
 `
 
-/** For what runs under sanitizers: clang, and libFuzzer with the sanitizers, which Debian has in a package of its own. */
+/** Finds clang with libFuzzer and the sanitizers, which are a separate Debian package. */
 async function libFuzzer() {
   const file = onPath('clang++')
   if (!file) return {}
@@ -80,48 +97,14 @@ export const requirements = [
   },
   { name: 'ccache', find: program(['ccache'], '4.0'), apt: ['ccache'] },
   { name: "clang's libFuzzer", find: libFuzzer, apt: ['clang', 'libclang-rt-dev'] },
-  {
-    name: 'GoogleTest',
-    find: () => ({ found: cmakePackageVersion('GTest') }),
-    apt: ['libgtest-dev'],
-  },
+  library('GoogleTest', 'libgtest-dev', 'gtest/gtest.h'),
   { name: 'clang-format', find: program(['clang-format']), apt: ['clang-format'] },
-  {
-    name: 'GLM',
-    find: header(['glm/detail/setup.hpp'], /"GLM: version ([\d.]+)"/),
-    apt: ['libglm-dev'],
-  },
-  { name: 'tinygltf', find: header(['tiny_gltf.h'], /v(\d[\d.]+\d)/), apt: ['libtinygltf-dev'] },
-  {
-    name: 'nlohmann-json',
-    find: header(['nlohmann/json.hpp'], /version (\d[\d.]+\d)/),
-    apt: ['nlohmann-json3-dev'],
-  },
-  {
-    name: 'stb',
-    find: header(['stb/stb_image.h', 'stb_image.h'], /v(\d[\d.]+\d)/),
-    apt: ['libstb-dev'],
-  },
-  {
-    name: 'Chromium',
-    find: async () => {
-      const file = await findBrowser()
-      return file ? { found: `${await versionOf(file)} (${file})`, file } : {}
-    },
-    // Ubuntu's package is a stub for snap, whose browser cannot read /tmp: playwright-core fetches one instead.
-    apt: isUbuntu() ? [] : ['chromium-headless-shell'],
-    fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'chromium'] : null,
-  },
-  {
-    name: 'Firefox',
-    find: async () => {
-      const file = await findFirefox()
-      return file ? { found: `${await versionOf(file)} (${file})` } : {}
-    },
-    // Ubuntu's package starts a snap, whose browser cannot read /tmp.
-    apt: isUbuntu() ? [] : ['firefox-esr'],
-    fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'firefox'] : null,
-  },
+  library('GLM', 'libglm-dev', 'glm/glm.hpp'),
+  library('tinygltf', 'libtinygltf-dev', 'tiny_gltf.h'),
+  library('nlohmann-json', 'nlohmann-json3-dev', 'nlohmann/json.hpp'),
+  library('stb', 'libstb-dev', 'stb/stb_image.h', 'stb_image.h'),
+  browser('Chromium', findBrowser, 'chromium-headless-shell'),
+  browser('Firefox', findFirefox, 'firefox-esr'),
   {
     name: 'Xvfb',
     find: async () => (onPath('Xvfb') ? { found: `(${onPath('Xvfb')})` } : {}),

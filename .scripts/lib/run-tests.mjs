@@ -1,14 +1,14 @@
-// Runs files of tests, each in a process of its own, so many at once, in the order in which they are named:
+// Runs test files, each in its own process, a number of them in parallel, in the given order:
 //
 //   node run-tests.mjs 2 a.test.js b.test.js
 //
-// `node --test` sorts them by name. Then a long one may begin when most have ended, and cores wait for it.
+// `node --test` would sort them by name, so that a long one could start last, and cores would wait for it.
 import { compose } from 'node:stream'
 import { run } from 'node:test'
 import { spec } from 'node:test/reporters'
 import whyFailed from './why-failed.mjs'
 
-/** A file never takes so long; one that hangs is to fail, not to keep all others from being heard of. In milliseconds. */
+/** In milliseconds. No file takes as long; a file that hangs must fail rather than hide the results of the others. */
 const timeout = 15 * 60_000
 
 const [concurrency, ...files] = process.argv.slice(2)

@@ -3,13 +3,13 @@ import { spawn } from 'node:child_process'
 import { basename } from 'node:path'
 import { Stop, root } from './terminal.mjs'
 
-/** Streams the program's output; throws a Stop unless it ends with 0. */
+/** Runs a program and shows its output. Throws a Stop unless it exits with 0. */
 export async function run(command, args, options = {}) {
   const code = await exitCode(command, args, options)
   if (code !== 0) throw new Stop(`${basename(command)} ${args[0] ?? ''} failed (${code})`)
 }
 
-/** The exit status, the signal that ended it, or the error's code. After `timeout` milliseconds it is ended. */
+/** Runs a program → its exit status, the signal that ended it, or the error's code. `timeout` is in milliseconds. */
 export function exitCode(command, args, { env = {}, cwd = root, timeout } = {}) {
   const options = { cwd, env: { ...process.env, ...env }, stdio: 'inherit', timeout }
   const child = spawn(command, args, options)
@@ -19,7 +19,7 @@ export function exitCode(command, args, { env = {}, cwd = root, timeout } = {}) 
   })
 }
 
-/** What the program prints on stdout, or null if it cannot be started, fails, or takes longer than `timeout` milliseconds. */
+/** Runs a program → its stdout, or null if it cannot be started, fails, or exceeds `timeout` milliseconds. */
 export function capture(command, args, { env = {}, timeout } = {}) {
   const child = spawn(command, args, {
     cwd: root,

@@ -1,11 +1,11 @@
-// What the first page of the site, and a page of its docs, may make a visitor load before it can be used.
+// The budgets of three pages of the site: the bytes and requests before a visitor can use them.
 import { existsSync, readFileSync } from 'node:fs'
 import { dirname, join } from 'node:path/posix'
 import { gzipSync } from 'node:zlib'
 import { path, walk } from './files.mjs'
 import { Stop, say } from './terminal.mjs'
 
-/** Bytes as a server sends them, compressed; requests with the page itself. Pictures further down are loaded as one gets there. */
+/** `bytes` are compressed; `requests` include the page itself. Pictures further down load lazily. */
 const budgets = {
   'index.html': { bytes: 60_000, requests: 10 },
   'docs/tutorial-1-first-warp.html': { bytes: 40_000, requests: 8 },
@@ -19,7 +19,7 @@ const sizeOf = (file) => {
   return packed.test(file) ? gzipSync(bytes, { level: 9 }).length : bytes.length
 }
 
-/** What a text names that is loaded with it: neither what it links to, nor what it loads later. */
+/** Lists the URLs that a file loads at once, without its links and its lazy loads. */
 function loadedBy(text) {
   const tags = [...text.matchAll(/<(?:script|link|img)\b[^>]*>/g)].map(([tag]) => tag)
   const early = tags.filter((tag) => !/loading="lazy"/.test(tag))
@@ -47,7 +47,7 @@ export function filesOf(folder, start) {
   return [...files]
 }
 
-/** Prints what pages weigh; throws where one weighs more than it may. */
+/** Prints the sizes of the pages; throws if one exceeds its budget. */
 export function checkSite(folder) {
   const over = []
   for (const [page, { bytes, requests }] of Object.entries(budgets)) {

@@ -28,7 +28,7 @@ export const growthWarnings = (rows, before) =>
         `Warning: ${file} grew by ${((gzipped / before[file] - 1) * 100).toFixed(0)}%, from ${kilobytes(before[file])} to ${kilobytes(gzipped)} gzipped. If that is meant, \`npm run sizes\` records it.`,
     )
 
-/** Prints what each file weighs: raw for the disk, gzipped for the network. */
+/** Prints the size of each file: raw for the disk, gzipped for the network. */
 export function reportSizes(files) {
   const rows = files.map(measure)
   const width = Math.max(...files.map((file) => file.length))

@@ -1,4 +1,4 @@
-// What the commands say: one line a fact, one heading a step.
+// Terminal output: one line per fact, one heading per step.
 import { realpathSync } from 'node:fs'
 import { pathToFileURL } from 'node:url'
 
@@ -14,10 +14,10 @@ export const good = (text) => say(`${paint('green', '✓')} ${text}`)
 export const bad = (text) => say(`${paint('red', '✗')} ${text}`)
 export const seconds = (since) => `${((performance.now() - since) / 1000).toFixed(1)} s`
 
-/** An error whose message says everything: `main` prints it without a stack trace. */
+/** An expected error. `main` prints its message without a stack trace. */
 export class Stop extends Error {}
 
-/** Thrown by a check that cannot be run here, with the reason: it neither passes nor fails. */
+/** Thrown by a check that cannot run here, with the reason. It neither passes nor fails. */
 export class NotRun extends Error {}
 
 /** Runs `work` as the whole program and turns a Stop into one line and exit code 1. */

@@ -1,4 +1,4 @@
-// The table at the end of `npm test`: what each step took, and all of it beside the limit.
+// The table at the end of `npm test`: the time of each step, and the total beside the limit.
 import { bad, good, say } from './terminal.mjs'
 
 const clock = (milliseconds) => {
@@ -6,7 +6,7 @@ const clock = (milliseconds) => {
   return `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`
 }
 
-/** `results` are [{ title, passed, notRun, time }] in milliseconds; `limit`, in minutes, is null where only a part was run. */
+/** `results` are [{ title, passed, notRun, time }] in milliseconds; `limit` is in minutes, or null if only some groups ran. */
 export function printTimes(results, total, limit) {
   const width = Math.max(...results.map(({ title }) => title.length))
   const line = (title, time) => `${title.padEnd(width)} ${clock(time).padStart(6)}`

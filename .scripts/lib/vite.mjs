@@ -1,8 +1,8 @@
-// Vite's builds, with nothing of what a server in the same process has set, and without what they leave behind.
+// Builds with Vite, isolated from a Vite server in the same process.
 
 /**
- * Builds each config in turn. Vite sets NODE_ENV for its process and all that this one starts, unless it is set: a build would
- * be one for development after a server, and a server that is begun after a build would take its pages for built ones.
+ * Builds each config in turn. Vite sets NODE_ENV for its process and child processes if it is unset: after a server, a build would be a
+ * development build, and after a build, a server would take its pages for built ones.
  */
 export async function viteBuild(...configs) {
   const { build } = await import('vite')

@@ -1,10 +1,10 @@
-// What the functions that a wasm module exports take and give, as its own sections say.
+// Reads the signatures of exported functions from the sections of a wasm module.
 
 const kinds = { 0x7f: 'number', 0x7e: 'bigint', 0x7d: 'number', 0x7c: 'number' }
 
 const [typeSection, importSection, functionSection, exportSection] = [1, 2, 3, 7]
 
-/** Maps the name of each export → { given, result }, types of TypeScript; vectors, which JavaScript cannot hold, are `never`. */
+/** Maps the name of each export → { given, result }, TypeScript types. Vectors, which JavaScript cannot hold, are `never`. */
 export function wasmSignatures(bytes) {
   let at = 8
   const number = () => {

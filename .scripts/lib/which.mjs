@@ -12,7 +12,7 @@ export function isProgram(file) {
   }
 }
 
-/** The full path of the first of `names` that the shell would find, or null. */
+/** Returns the full path of the first of `names` on PATH, or null. */
 export function onPath(...names) {
   for (const name of names) {
     if (isAbsolute(name) && isProgram(name)) return name

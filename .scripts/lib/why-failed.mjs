@@ -1,4 +1,4 @@
-// A reporter for Node's runner: at the end, why each file failed whose tests all passed. The other one says "test failed".
+// A reporter for Node's test runner. At the end it says why a file failed whose tests all passed; `spec` only says "test failed".
 export default async function* (events) {
   const reasons = []
   for await (const { type, data } of events) {

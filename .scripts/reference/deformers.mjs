@@ -11,7 +11,7 @@ export function deformerParts() {
   return { deformers: deformers.map(section).join('\n') }
 }
 
-/** What a file says; nothing if it has no options. */
+/** Reads the documentation of a deformer; `undefined` if the file has no options. */
 function readDeformer(source) {
   const [, options] = /export interface \w+Options \{\n([\s\S]*?)\n\}/.exec(source) ?? []
   if (!options) return undefined

@@ -1,4 +1,4 @@
-// examples/*/index.html: the page of each example by itself, all of one make, with the scripts that its entry in the catalogue names.
+// Writes examples/*/index.html: the page of each example, with the scripts that its entry in the catalogue names.
 import { readFileSync } from 'node:fs'
 import { sections } from '../../web/catalogue.js'
 import { pageOf } from '../../web/playground/document.js'
@@ -7,7 +7,7 @@ import { path } from '../lib/files.mjs'
 
 const ownCopies = (elsewhere) => `<!-- This repository's own copies. Elsewhere${elsewhere}. -->`
 
-/** Of those that the sketch imports. */
+/** Returns the import map of the modules that a sketch imports. */
 const importsOf = (sketch) =>
   Object.fromEntries(
     Object.entries(hosts.three.modules).filter(([name]) =>
@@ -38,7 +38,7 @@ function exampleText({ name, title, scripts = [], background }, host) {
   )
 }
 
-/** By the path of the file. */
+/** Maps the path of each page → its text. */
 export const examplePages = () =>
   Object.fromEntries(
     sections.flatMap(({ examples, scripts, host }) =>

@@ -37,11 +37,11 @@ const table = (rows) =>
     '| --- | --- | --- | --- |',
     ...rows.map(
       ({ from, to, when, ...keeps }) =>
-        `| ${code(from)} | ${code(to)} | ${when && code(when)} | ${kept(keeps)} |`,
+        `| ${code(from)} | ${code(to)} | ${when && code(when)} | ${describePrecision(keeps)} |`,
     ),
   ].join('\n')
 
 const code = (text) => `\`${text.replaceAll('|', '\\|')}\``
 
-const kept = ({ precision, onlyNumbers }) =>
+const describePrecision = ({ precision, onlyNumbers }) =>
   precisions[precision] + (onlyNumbers ? ', where it is a number' : '')

@@ -1,10 +1,10 @@
-// What each noise computes and its derivative, for web/docs/plots-vectors.md, in the notation of vector-formulas.mjs.
-// tests/core/noise-formulas.test.js holds them against plain noise in double.
+// The formulas of noise and its derivatives, for web/docs/plots-vectors.md, in the notation of vector-formulas.mjs.
+// tests/core/noise-formulas.test.js compares them with plain noise in double.
 
 const octaves =
   'Over the octaves k, from 0 on: gₖ is gain to the power of k, nₖ the noise at lacunarity to the power of k times p, shifted a little, and dnₖ its derivative'
 
-/** By name: { value, derivative, letters, kink, call, from, to }. */
+/** Maps each noise → { value, derivative, letters, kink, call, from, to }. */
 export const noiseFormulas = {
   noise: {
     value: 's Σ wₖ (gₖ · oₖ)',

@@ -65,7 +65,7 @@ Matrices also have \`neg\`, \`add\`, \`sub\`, \`mix\`, \`mult\`, and \`div\` by 
 \`v.mult(m)\` a row times a matrix.
 `,
   Derivatives: `
-An input is what the shader gives, such as \`millis\`, \`position.x()\` or \`glsl.param('speed')\`, and nothing computed.
+An input is a variable of the shader, such as \`millis\`, \`position.x()\` or \`glsl.param('speed')\`, not a computed value.
 Derivatives may be derived again: \`height.derivative(millis).derivative(millis)\` is an acceleration.
 `,
 }

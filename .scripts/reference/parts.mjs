@@ -12,11 +12,11 @@ export async function pageWith(file, parts) {
       throw new Stop(`${file} lacks <!-- ${name} --> … <!-- end of ${name} -->.`)
     text = text.replace(pattern, (_, start, end) => `${start}\n${part}\n\n${end}`)
   }
-  return formatted(file, text)
+  return formatAs(file, text)
 }
 
 /** Formats text as Prettier formats that file. */
-export async function formatted(file, text) {
+export async function formatAs(file, text) {
   const { format, resolveConfig } = await import('prettier')
   return format(text, { ...(await resolveConfig(path(file))), filepath: path(file) })
 }

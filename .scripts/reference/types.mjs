@@ -1,6 +1,6 @@
-// js-bindings/core/types/methods.ts: every operation as a method of what it takes first and as a function of the builder.
+// Writes js-bindings/core/types/methods.ts: every operation as a method of its first operand and as a function of the builder.
 
-// Every signature stands beside its own comment: an editor shows none of a property whose type has several.
+// Every signature has its own comment: an editor shows no comment for a property whose type has several signatures.
 
 /** `mult` of a number and of the builder. From left to right a vector among square matrices stays one. */
 const product = [
@@ -21,7 +21,7 @@ const quotient = [
   '<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value',
 ]
 
-/** Members of an interface, by what the operation takes. These few are typed otherwise. */
+/** The signatures of operations that the general rules do not cover, by receiver. */
 const special = {
   mult: {
     scalar: product,
@@ -56,7 +56,7 @@ function withNumbers(operation, self) {
   return [signature.replace(/^\((.*)\): /, `(...given: [$1] | [${numbers}]): `)]
 }
 
-/** The interfaces of methods, and which operations each has. */
+/** The interfaces of methods, each with the operations that it contains. */
 const receivers = [
   {
     head: 'AnyMethods<Self>',
@@ -124,8 +124,8 @@ export function typesText({ operations, aliases }) {
   ]
   return `// Written by \`npm run reference\` from the tables of operations: src/ops/declarations.hpp, src/ops/documentation.hpp and
 // src/builder/compositions.hpp. Everything else is in types.ts.
-import type { ${imported(interfaces, signatures)} } from './signatures.js'
-import type { ${imported(interfaces, expressions)} } from './types.js'
+import type { ${listUsed(interfaces, signatures)} } from './signatures.js'
+import type { ${listUsed(interfaces, expressions)} } from './types.js'
 
 ${interfaces.join('\n')}`
 }
@@ -156,10 +156,10 @@ const expressions = [
   'Vector',
 ]
 
-const imported = (texts, names) =>
+const listUsed = (texts, names) =>
   names.filter((name) => texts.some((text) => RegExp(`\\b${name}\\b`).test(text))).join(', ')
 
-/** Operations of one name become one, whose further operands may be left out. */
+/** Merges operations of the same name into one with optional operands. */
 function byName(operations) {
   const found = new Map()
   for (const operation of operations) {
@@ -184,7 +184,7 @@ function interfaceText(head, about, operations, signaturesOf, commentOf) {
   return `${about ? comment(about) : ''}export interface ${head} {\n${members.join('')}}\n`
 }
 
-/** Where the meaning names what the method is called on, the comment says which that is. */
+/** Returns the comment of a method. If the meaning names the receiver, the comment begins with a call that shows it. */
 function methodComment({ forms }) {
   const texts = forms.map(({ name, operands: [receiver, ...others], meaning, isChained }) => {
     if (!RegExp(`(?<![\\w'])${receiver}\\b`).test(meaning)) return meaning
@@ -194,7 +194,7 @@ function methodComment({ forms }) {
   return comment(texts.join(' '))
 }
 
-/** As there, where there is a choice. */
+/** Returns the comment of a function of the builder. Several forms begin with their calls. */
 function functionComment({ forms }) {
   if (forms.length === 1) return comment(forms[0].meaning)
   const texts = forms.map(
@@ -216,8 +216,8 @@ function comment(text, width = 96) {
 const question = ({ isOptional }, i) => (isOptional && i > 0 ? '?' : '')
 
 /**
- * By component, for the operands from number `first` on: a number of numbers, otherwise a vector (or a matrix, where they may be
- * one); those among the operands all have its size.
+ * Returns the signatures of a componentwise operation, for the operands from index `first`: numbers give a number; otherwise the result is a
+ * vector, or a matrix if the operation takes them, of the size of the operands.
  */
 function byComponent(operation, first) {
   const { operands, isChained, takesMatrices } = operation
@@ -235,7 +235,7 @@ function byComponent(operation, first) {
   ]
 }
 
-/** A member function of what is of type `self`. */
+/** Returns a function that writes the signature of a method of the type `self`. */
 function method(self) {
   const types = {
     number: 'Operand',
@@ -290,7 +290,7 @@ function functionSignatures(operation) {
   return [`${start}(${list}): ${resultType(operation, 'Value')}`]
 }
 
-/** What comes of operands of which the widest is a `self`. */
+/** Returns the type of the result, if the widest operand is a `self`. */
 function resultType({ kinds, result }, self) {
   if (result === 'number') return 'Scalar'
   if (result === 'vec3') return 'Vec3'

@@ -1,6 +1,6 @@
-// What operations on vectors and matrices compute, and their derivatives, in the notation of textbooks; `web/docs/plots-vectors.md`
-// shows them. tests/core/vector-formulas.test.js reads the very same text, holds each derivative against differences of its value,
-// and both against warpjet. `d` before a letter is a change of it.
+// The formulas of operations on vectors and matrices and of their derivatives, in the notation of textbooks, for `web/docs/plots-vectors.md`.
+// tests/core/vector-formulas.test.js parses the same text, compares each derivative with differences of its value, and both with
+// warpjet. `d` before a letter is its change.
 
 const change = 'da / |a| − a (a · da) / |a|³'
 const distance = {
@@ -18,8 +18,8 @@ const turn = (name, axis, value) => ({
 })
 
 /**
- * By title: `form`, the operation with a letter for each operand; `value`; `derivative`, in which w is the value; `where`, parts of
- * both; `kink`, what holds where there is no derivative; `call`, of the plot, `from` and `to`.
+ * Maps each title → `form`, the operation with a letter for each operand; `value`; `derivative`, in which w is the value; `where`, parts of
+ * both; `kink`, the derivative where the function has none; `call`, `from` and `to` of the plot.
  */
 export const vectorFormulas = {
   dot: {

@@ -9,16 +9,16 @@ import { say } from '../lib/terminal.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 
 const levels = [1, 2, 3, 4, 5, 6]
-/** The main table has, for each warp, the first level that is so near: a share of the length of the mesh. */
+/** The main table has the first level with this error, as a share of the length of the mesh. */
 const near = 0.005
-/** Tolerances are tried from large to small, so many to each halving. */
+/** The number of tolerances that are tried per halving, from large to small. */
 const triesAHalving = 4
 /** On a cube of 180 units that noise moves by up to 20. */
 const tolerances = [1, 0.5, 0.25]
-/** Samples on the longest edge that comes. */
+/** Samples along the mesh. */
 const samples = 64
 
-// Sizes are those of the gallery's models. Twists and the spoon are at the moment at which they bend most.
+// The sizes are those of the gallery's models. Twists and the spoon are at the moment at which they bend farthest.
 const cases = {
   'airplane-twist': ['box', box([100, 34, 98]), { millis: 1885 }],
   'bunny-twist': ['icosahedron', icosahedron(100), { millis: 1414 }],
@@ -94,24 +94,24 @@ function nearness() {
   ])
 }
 
-/** Returns a row per level: the uniform mesh, and the smallest adaptive mesh with at most its error. */
+/** Returns a row per level: the uniform mesh, and the smallest adaptive mesh with no larger error. */
 function measureWarp(name, warp) {
   const [shape, mesh, uniforms] = cases[name]
   const length = 2 * mesh.positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0)
-  const measured = (fine) => ({
+  const measureMesh = (fine) => ({
     triangles: fine.indices.length / 3,
     error: deviation(fine, warp, uniforms, length / samples),
   })
-  // What is left of a mesh that the warp does not bend is the rounding of float32.
+  // If the warp does not bend the mesh, the error is only the rounding of float32.
   const isNothing = (error) => error < 1e-6 * length
 
-  const uniform = levels.map((level) => measured(subdivide(mesh, { levels: level })))
+  const uniform = levels.map((level) => measureMesh(subdivide(mesh, { levels: level })))
   const adaptive = []
   if (!isNothing(uniform[0].error)) {
     const last = uniform.at(-1)
     const options = { warp, uniforms, angle: Infinity }
     for (let tolerance = 4 * uniform[0].error; ; tolerance *= 2 ** (-1 / triesAHalving)) {
-      adaptive.push(measured(subdivide(mesh, { ...options, tolerance })))
+      adaptive.push(measureMesh(subdivide(mesh, { ...options, tolerance })))
       const { error, triangles } = adaptive.at(-1)
       if (error <= last.error || triangles > 2 * last.triangles) break
     }

@@ -9,9 +9,3 @@ export function noteApproximation(method: string, remedy: string) {
     `${method}: the offset depends on normal or uv, which the shader treats as constant over the surface, so that its normals are approximate; ${remedy} makes them exact, and surfaceVariation: false silences this.`,
   )
 }
-
-/** Warns that an object is no longer warped, since it has another material. */
-export const noteReplaced = (method: string, name: string) =>
-  console.warn(
-    `${method}: ${name} has another material now, which is not warped; call dispose() of its warp before that, and ${method} again afterwards.`,
-  )

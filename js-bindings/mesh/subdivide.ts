@@ -42,7 +42,7 @@ export interface AdaptiveOptions extends Limit {
 }
 
 export interface LevelsOptions extends Limit {
-  /** How many times each triangle is split into four. */
+  /** The number of times that each triangle is split into four. */
   levels: number
 }
 

@@ -1,5 +1,5 @@
-// How a sentence names what is of three.js.
-import type { Object3D } from 'three'
+// Names of three.js objects, for messages.
+import type { Material, Object3D } from 'three'
 import { WarpError, describe } from '../errors/errors.js'
 
 const flags = ['isObject3D', 'isMaterial', 'isBufferGeometry', 'isTexture']
@@ -14,6 +14,10 @@ export function describeOfThree(value: unknown): string {
 /** `the Mesh "boat"`, or `this Mesh`. */
 export const nameOf = ({ name, type }: Object3D) =>
   name ? `the ${type} "${name}"` : `this ${type}`
+
+/** `the MeshStandardMaterial "wood"`, or `the MeshStandardMaterial`. */
+export const nameOfMaterial = ({ name, type }: Material) =>
+  name ? `the ${type} "${name}"` : `the ${type}`
 
 export const spriteError = (method: string, what: string) =>
   new WarpError(

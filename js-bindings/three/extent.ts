@@ -1,7 +1,23 @@
 // How far a warped object extends, for culling: boxes from `bounds`, which are never too small, again when something changed.
-import { type BatchedMesh, Box3, type InstancedMesh, Matrix4, Sphere, Vector3 } from 'three'
+import {
+  type BatchedMesh,
+  Box3,
+  type BufferAttribute,
+  type InstancedMesh,
+  Matrix4,
+  Sphere,
+  Vector3,
+} from 'three'
 import type { ThreeWarp } from './three-warp.js'
-import { type Warpable, boxOf, isMoved, poseState, posedBox, posedFrom, sphereOf } from './pose.js'
+import {
+  type Warpable,
+  isMoved,
+  poseState,
+  posedBox,
+  posedFrom,
+  restBox,
+  restSphere,
+} from './pose.js'
 import { remembered } from './remembered.js'
 import type { WarpSpace } from './settings.js'
 import { fillOf } from './surface.js'
@@ -36,7 +52,7 @@ function boundsBy(
 }
 
 /** Of texture coordinates, which have no third one. */
-function rangeOf(uv: Parameters<typeof boxOf>[0]) {
+function rangeOf(uv: BufferAttribute) {
   const min = [Infinity, Infinity]
   const max = [-Infinity, -Infinity]
   for (let i = 0; i < uv.count; i++)
@@ -66,8 +82,14 @@ function placeState(object: Warpable, space: WarpSpace): number[] {
     ...(space === 'world' ? object.matrixWorld.elements : []),
     ...(instanceMatrix ? [instanceMatrix.version, count] : []),
     ...batchState(object as BatchedMesh),
+    // @three.ez/instanced-mesh has no version, so that its instances count as moved each time.
+    ...(isInstancedMesh2(object) ? [NaN] : []),
   ]
 }
+
+/** Tests for an object of @three.ez/instanced-mesh. */
+export const isInstancedMesh2 = (object: Warpable) =>
+  (object as { isInstancedMesh2?: boolean }).isInstancedMesh2 === true
 
 /** A batch keeps the matrices of its instances in a texture, and which of them are visible beside it. */
 function batchState(object: BatchedMesh) {
@@ -149,9 +171,8 @@ function extentOfAll(warp: ThreeWarp, object: Warpable): Extent {
 /** Of one instance, before its matrix. */
 function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
   const isRest = warp.settings.space === 'rest' && isMoved(object)
-  const position = object.geometry.attributes.position as never
-  const from = isRest ? boxOf(position) : posedBox(object)
-  const sphere = isMoved(object) ? sphereAround(from) : sphereOf(position)
+  const from = isRest ? restBox(object) : posedBox(object)
+  const sphere = isMoved(object) ? sphereAround(from) : restSphere(object)
   const warped = warpedExtent(warp, object, { box: from, sphere })
   return isRest ? whole(posedFrom(object, warped.box)) : warped
 }
@@ -176,9 +197,7 @@ const slack = 1.001
 /** Around all instances in the world, before the warp. */
 function aroundInWorld(object: Warpable): Extent {
   const box = posedBox(object)
-  const sphere = isMoved(object)
-    ? sphereAround(box)
-    : sphereOf(object.geometry.attributes.position as never)
+  const sphere = isMoved(object) ? sphereAround(box) : restSphere(object)
   const all = whole(new Box3())
   for (const matrix of instancesOf(object).matrices) {
     const toWorld = new Matrix4().multiplyMatrices(object.matrixWorld, matrix)

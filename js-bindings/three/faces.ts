@@ -1,6 +1,7 @@
 // Which side of a triangle is the outer one: where a warp mirrors all of space, it is the one that the renderer takes for the back.
-import { BackSide, FrontSide, type Material, ShaderChunk, type Side } from 'three'
+import { BackSide, FrontSide, type Material, type Side } from 'three'
 import { shaderNames } from '../compile/hosts.js'
+import { resolveIncludes } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /** Empty for a warp that never mirrors. */
@@ -15,20 +16,13 @@ export const declareOrientation = ({ mirrors }: ThreeWarp): string[] =>
 
 const isFront = `( gl_FrontFacing == ( ${shaderNames.orientation} > 0.0 ) )`
 
-/** A fragment shader for WebGLRenderer, in which double-sided materials light the side that is seen. */
+/** A fragment shader for WebGLRenderer in which double-sided materials light the side that is seen. */
 export function orientFaces(fragmentShader: string, warp: ThreeWarp): string {
   const [declaration] = declareOrientation(warp)
   if (!declaration) return fragmentShader
-  const orient = (text: string) => text.replaceAll(/\bgl_FrontFacing\b/g, isFront)
-  const chunks = ShaderChunk as Record<string, string | undefined>
-  const text = orient(fragmentShader).replace(
-    /^[ \t]*#include +<(\w+)>/gm,
-    (line, name: string) => {
-      const chunk = chunks[name]
-      return chunk?.includes('gl_FrontFacing') ? orient(chunk) : line
-    },
-  )
-  return text === fragmentShader ? text : `${declaration}\n${text}`
+  const source = resolveIncludes(fragmentShader)
+  const oriented = source.replaceAll(/\bgl_FrontFacing\b/g, isFront)
+  return oriented === source ? fragmentShader : `${declaration}\n${oriented}`
 }
 
 const others = new Map<Side, Side>([

@@ -1,29 +1,21 @@
 // `warpMaterial`: a material whose vertices a warp moves, and those that draw its shadows.
-import {
-  type Material,
-  MeshDepthMaterial,
-  MeshDistanceMaterial,
-  RGBADepthPacking,
-  type WebGLProgramParametersWithUniforms,
-  type WebGLRenderer,
-} from 'three'
-import { shaderNames } from '../compile/hosts.js'
+import { type Material, MeshDepthMaterial, MeshDistanceMaterial, RGBADepthPacking } from 'three'
 import { WarpError, describe } from '../errors/errors.js'
-import { describeOfThree, spriteError } from './describe.js'
-import { orientFaces } from './faces.js'
+import { describeOfThree, nameOfMaterial } from './describe.js'
+import { type ThreeOffset, type WarpOptions, type WarpSpace, readOptions } from './settings.js'
+import { ShaderWeaver, type WovenSurface } from './shader-weaver.js'
+import { markWarped, unsupportedMaterial, isWarpedByHand } from './supported.js'
 import { ThreeWarp } from './three-warp.js'
-import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
-import { type ThreeUniforms, type UniformHandles, type ValuesOf, inShader } from './uniforms.js'
-import { checkChunks, weave } from './weave.js'
-import { fillOf } from './surface.js'
+import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
+import { Variant } from './variant.js'
 
-/** What a warped material and a warped object have. */
+/** The common part of a warped material and a warped object. */
 export interface Warped<Uniforms = {}> {
   /** As in three.js: `warped.uniforms.amount.value = 2`. */
   readonly uniforms: UniformHandles<Uniforms>
   /** Sets `millis`, which the offset may read: `renderer.setAnimationLoop((time) => warped.update(time))`. */
   update(millis?: number): void
-  /** Frees what was made, and leaves everything as it was before. */
+  /** Frees everything that was created, and restores everything as it was before. */
   dispose(): void
 }
 
@@ -31,19 +23,20 @@ export interface WarpedMaterial<
   Kind extends Material = Material,
   Uniforms = {},
 > extends Warped<Uniforms> {
-  /** A clone of the material, warped; with `share: true` the material itself. */
+  /** A live view of the material, warped: its properties are those of the material. With `share: true` the material itself. */
   readonly material: Kind
   /** For the mesh's property of that name: shadows of directional and spot lights. */
   readonly customDepthMaterial: Material
-  /** Likewise, of point lights. */
+  /** Likewise, for point lights. */
   readonly customDistanceMaterial: Material
 }
 
 /**
- * A material whose vertices a warp moves and whose normals it turns, for who places it by hand:
- * what it gives as `material`, `customDepthMaterial` and `customDistanceMaterial` goes to the mesh's properties of these names,
- * so that shadows follow too; that nothing visible is culled and that rays meet what is seen is done by `warp`. Takes every material of three.js that makes vertices from geometry, also one with an
- * `onBeforeCompile` of its own, which is called first. Throws a `WarpError` for any other.
+ * Warps a material, for WebGLRenderer. The results `material`, `customDepthMaterial` and `customDistanceMaterial` belong into the
+ * mesh's properties of these names. `warp` does more: culling, rays, and passes that replace the material. Any material of three.js
+ * that makes vertices from a geometry can be warped, also one with an `onBeforeCompile`, which is called first.
+ *
+ * Throws a `WarpError` for any other material.
  */
 export function warpMaterial<Kind extends Material, const Uniforms extends ThreeUniforms = {}>(
   material: Kind,
@@ -52,20 +45,56 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
 ): WarpedMaterial<Kind, ValuesOf<Uniforms>> {
   const method = 'warpMaterial'
   const settings = readOptions(method, options)
-  checkMaterial(method, material)
+  checkMaterial(method, material, settings.space)
   const warp = new ThreeWarp(offset as never, settings)
-  const woven = weaveInto(material, warp)
-  const shadows = shadowMaterials(warp, () => material)
+  const surface = {
+    surface: material,
+    hasColors: material.vertexColors && warp.reads('color'),
+    name: nameOfMaterial(material),
+  }
+  const depth = new MeshDepthMaterial({ depthPacking: RGBADepthPacking })
+  const releases = settings.isShared ? [weaveInto(material, warp, surface)] : []
+  const view = (of: Material) => {
+    const variant = new Variant(of, warp, surface)
+    const made = variant as unknown as Material
+    markWarped(made, true)
+    releases.push(() => variant.dispose())
+    return made
+  }
   return {
-    material: woven.material as Kind,
-    ...shadows,
+    material: (settings.isShared ? material : view(material)) as Kind,
+    customDepthMaterial: view(depth),
+    customDistanceMaterial: view(new MeshDistanceMaterial()),
     uniforms: warp.handles as never,
     update: updateOf(warp),
     dispose() {
-      woven.restore()
-      shadows.customDepthMaterial.dispose()
-      shadows.customDistanceMaterial.dispose()
+      for (const release of releases.splice(0)) release()
     },
+  }
+}
+
+/** Puts the warp into the material itself; call the result to end that. */
+function weaveInto(material: Material, warp: ThreeWarp, surface: WovenSurface): () => void {
+  const weaver = new ShaderWeaver(warp, surface)
+  const before = ['onBeforeCompile', 'customProgramCacheKey'].map(
+    (name) => [name, Object.getOwnPropertyDescriptor(material, name)] as const,
+  )
+  const { onBeforeCompile, customProgramCacheKey } = material
+  material.onBeforeCompile = function (shader, renderer) {
+    onBeforeCompile.call(this, shader, renderer)
+    weaver.weave(shader, material)
+  }
+  material.customProgramCacheKey = function () {
+    return `${weaver.key} ${customProgramCacheKey.call(this)}`
+  }
+  material.needsUpdate = true
+  markWarped(material, true)
+  return () => {
+    for (const [name, property] of before)
+      if (property) Object.defineProperty(material, name, property)
+      else Reflect.deleteProperty(material, name)
+    material.needsUpdate = true
+    markWarped(material, false)
   }
 }
 
@@ -74,166 +103,31 @@ export const updateOf =
   (time: number = performance.now()) => {
     if (!Number.isFinite(time))
       throw new WarpError(
-        `${settings.method}: update takes milliseconds, such as the time that setAnimationLoop gives, but ${describe(time)} came.`,
+        `${settings.method}: expected milliseconds for update, such as the time that setAnimationLoop passes, got ${describe(time)}.`,
       )
     millis.value = time
   }
 
-export function checkMaterial(method: string, material: unknown): asserts material is Material {
-  const { isMaterial, type, ...is } = (material ?? {}) as Material & Record<string, unknown>
-  if (!isMaterial)
+/** Throws for anything that WebGLRenderer cannot draw warped. */
+export function checkMaterial(
+  method: string,
+  material: unknown,
+  space?: WarpSpace,
+): asserts material is Material {
+  if (!(material as Partial<Material> | undefined)?.isMaterial)
     throw new WarpError(
-      `${method}: a material of three.js was expected, but ${describeOfThree(material)} came.`,
+      `${method}: expected a material of three.js, got ${describeOfThree(material)}.`,
     )
-  checkUnwarped(method, material as Material)
-  if (is.isNodeMaterial)
+  const problem = unsupportedMaterial(material as Material, space)
+  if (problem)
     throw new WarpError(
-      `${method}: ${type} is a material of WebGPURenderer; import ${method} from 'warpjet/three/webgpu'.`,
+      `${method}: ${nameOfMaterial(material as Material)} cannot be warped: ${problem}.`,
     )
-  if (is.isSpriteMaterial) throw spriteError(method, 'a sprite')
-  if (is.isShaderMaterial)
-    checkChunks(method, `the vertex shader of this ${type}`, String(is.vertexShader))
 }
 
 /** Two warps in one shader would not compile. */
 export function checkUnwarped(method: string, material: Material) {
-  if (!carriers.has(material)) return
-  const name = material.name ? `the ${material.type} "${material.name}"` : `the ${material.type}`
-  throw new WarpError(
-    `${method}: ${name} is warped already, by another call; give the object a material of its own, as with material.clone(), or warp the group of all that have this one.`,
-  )
+  if (isWarpedByHand(material)) checkMaterial(method, material)
 }
 
-/** Materials that have a warp in them: those of ours, and those that are shared. */
-const carriers = new WeakSet<Material>()
-
-/** That a material is to be warped from now on, or no longer. */
-export const mark = (material: Material, isWarped: boolean) =>
-  void (isWarped ? carriers.add(material) : carriers.delete(material))
-
-/** A warped material, and how it becomes what it was. */
-export interface Woven {
-  material: Material
-  restore: () => void
-}
-
-/** Of a mesh that casts shadows in a way of its own. */
-export interface ShadowMaterials {
-  customDepthMaterial?: Material | undefined
-  customDistanceMaterial?: Material | undefined
-}
-
-/** Properties that materials have with WebGPURenderer. */
-interface OfNodes {
-  isNodeMaterial?: boolean
-  positionNode?: { id: number }
-}
-
-/** Weaves the warp into a clone of the material, or into itself where it is shared. `fill` is the material of the surface. */
-export function weaveInto(
-  material: Material,
-  warp: ThreeWarp,
-  {
-    fill = () => material,
-    isShared = warp.settings.isShared,
-  }: { fill?: () => Material; isShared?: boolean } = {},
-): Woven {
-  const made: Material = isShared ? material : material.clone()
-  const { onBeforeCompile, customProgramCacheKey } = material
-  const earlierKey = customProgramCacheKey.call(material)
-  const isOwn = Object.hasOwn(material, 'onBeforeCompile')
-  const isOwnKey = Object.hasOwn(material, 'customProgramCacheKey')
-  const uniforms = uniformsFor(warp, fill)
-  const woven = new Map<string, string>()
-  made.onBeforeCompile = function (
-    this: Material,
-    shader: WebGLProgramParametersWithUniforms,
-    renderer: WebGLRenderer,
-  ) {
-    onBeforeCompile.call(this, shader, renderer)
-    Object.assign(shader.uniforms, uniforms)
-    const { vertexShader, vertexTangents = true } = shader
-    const source = `${vertexTangents} ${vertexShader}`
-    if (!woven.has(source)) woven.set(source, weave(vertexShader, warp, vertexTangents))
-    shader.vertexShader = woven.get(source)!
-    shader.fragmentShader = orientFaces(shader.fragmentShader, warp)
-  }
-  const key = `warpjet ${warp.key} ${earlierKey}`
-  made.customProgramCacheKey = function (this: Material & OfNodes) {
-    // WebGPURenderer copies this into a material of nodes, which knows better.
-    const { customProgramCacheKey } = Object.getPrototypeOf(this) as Material
-    if (this.isNodeMaterial) return customProgramCacheKey.call(this)
-    // Its cache holds the uniforms beside the code, so that another warp with the same code needs another key.
-    return this.positionNode ? `${key} ${this.positionNode.id}` : key
-  }
-  made.needsUpdate = true
-  mark(made, true)
-  return {
-    material: made,
-    restore() {
-      if (!isShared) return made.dispose()
-      mark(made, false)
-      if (isOwn) made.onBeforeCompile = onBeforeCompile
-      else delete (made as Partial<Material>).onBeforeCompile
-      if (isOwnKey) made.customProgramCacheKey = customProgramCacheKey
-      else delete (made as Partial<Material>).customProgramCacheKey
-      made.needsUpdate = true
-    },
-  }
-}
-
-function uniformsFor(warp: ThreeWarp, fill: () => Material) {
-  return {
-    [shaderNames.millis]: warp.millis,
-    ...(warp.reads('color') && {
-      warpjetFill: {
-        get value() {
-          return fillOf(fill())
-        },
-      },
-    }),
-    ...(warp.mirrors === undefined && {
-      [shaderNames.orientation]: {
-        get value() {
-          return warp.isMirroredNow() ? -1 : 1
-        },
-      },
-    }),
-    ...Object.fromEntries(warp.uniforms.inShader.map((each) => [each.label, inShader(each)])),
-    ...Object.fromEntries(
-      Object.keys(warp.frameNow()).map((name) => [
-        name,
-        {
-          get value() {
-            return warp.frameNow()[name]
-          },
-        },
-      ]),
-    ),
-  }
-}
-
-/** Of the materials that draw shadows, those of the user's own warped too; `surface` is what casts the shadow. */
-export function shadowMaterials(
-  warp: ThreeWarp,
-  surface: () => Material,
-  own: ShadowMaterials = {},
-) {
-  const depth =
-    own.customDepthMaterial?.clone() ?? new MeshDepthMaterial({ depthPacking: RGBADepthPacking })
-  const distance = own.customDistanceMaterial?.clone() ?? new MeshDistanceMaterial()
-  const wovenIn = (made: Material, from: Material | undefined) => {
-    made.vertexColors = surface().vertexColors && warp.reads('color')
-    const source = from ?? made
-    if (from) {
-      made.onBeforeCompile = from.onBeforeCompile
-      const { customProgramCacheKey } = from
-      made.customProgramCacheKey = () => customProgramCacheKey.call(source)
-    }
-    return weaveInto(made, warp, { fill: surface, isShared: true }).material
-  }
-  return {
-    customDepthMaterial: wovenIn(depth, own.customDepthMaterial),
-    customDistanceMaterial: wovenIn(distance, own.customDistanceMaterial),
-  }
-}
+export { markWarped as mark } from './supported.js'

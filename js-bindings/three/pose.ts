@@ -3,6 +3,8 @@ import {
   Box3,
   type BufferAttribute,
   type BufferGeometry,
+  type InstancedBufferGeometry,
+  type InstancedMesh,
   type InterleavedBufferAttribute,
   type Line,
   Matrix4,
@@ -30,6 +32,10 @@ const isSkinned = (object: Warpable): object is SkinnedMesh =>
 const versionOf = (attribute: Attribute | undefined) =>
   attribute ? ('data' in attribute ? attribute.data.version : attribute.version) : -1
 
+/** The influences that instances have each for itself. */
+const morphTextureOf = (object: Warpable) =>
+  (object as { morphTexture?: { version: number } | null }).morphTexture
+
 /** Numbers that change when the vertices do. */
 export function poseState(object: Warpable): number[] {
   const { attributes } = object.geometry
@@ -38,11 +44,18 @@ export function poseState(object: Warpable): number[] {
     ...Object.values(attributes).map((attribute) => versionOf(attribute as Attribute)),
     ...Object.values(object.geometry.morphAttributes).flat().map(versionOf),
     ...((object as Mesh).morphTargetInfluences ?? []),
+    morphTextureOf(object)?.version ?? -1,
+    ...boundsState(object.geometry),
   ]
   if (isSkinned(object))
     for (const { matrixWorld } of [...object.skeleton.bones, object])
       state.push(...matrixWorld.elements)
   return state
+}
+
+function boundsState(geometry: BufferGeometry): number[] {
+  const sphere = ownBounds(geometry)?.sphere
+  return sphere ? [...sphere.center.toArray(), sphere.radius] : []
 }
 
 /** The vertices as arrays: `isPosed` says whether morph targets and bones have moved them. */
@@ -107,8 +120,20 @@ function morphed(object: Warpable, normals: Float32Array) {
 /** Around a geometry at rest, by the version of its positions. */
 const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
 
-export const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
-export const sphereOf = (attribute: Attribute): Sphere => boundsAtRest(attribute).sphere
+const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
+
+/** Bounds of the geometry. Where instances of an InstancedBufferGeometry are, as of text, is known only to who sets its bounds. */
+export const restBox = ({ geometry }: Warpable): Box3 =>
+  ownBounds(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
+export const restSphere = ({ geometry }: Warpable): Sphere =>
+  ownBounds(geometry)?.sphere ?? boundsAtRest(geometry.attributes.position as Attribute).sphere
+
+function ownBounds(geometry: BufferGeometry) {
+  const { isInstancedBufferGeometry } = geometry as Partial<InstancedBufferGeometry>
+  const { boundingBox, boundingSphere } = geometry
+  if (!isInstancedBufferGeometry || !boundingSphere) return undefined
+  return { box: boundingBox ?? boundingSphere.getBoundingBox(new Box3()), sphere: boundingSphere }
+}
 
 function boundsAtRest(attribute: Attribute) {
   const version = versionOf(attribute)
@@ -135,11 +160,28 @@ function farthest(positions: Float32Array, from: Vector3): number {
   return Math.sqrt(most)
 }
 
-/** Around what morph targets make of all that is in `box`: never too small. */
+/** Bounds everything that morph targets make of the points in `box`, for all instances: never too small. */
 function boxOfMorphs(object: Warpable, box: Box3): Box3 {
-  const { morphAttributes, morphTargetsRelative } = object.geometry
+  const all = new Box3()
+  for (const influences of influencesOf(object)) all.union(morphedBox(object, box, influences))
+  return all
+}
+
+/** The influences of each instance; without instances those of the object. */
+function influencesOf(object: Warpable): number[][] {
+  if (!morphTextureOf(object)) return [(object as Mesh).morphTargetInfluences ?? []]
+  const { count } = object as InstancedMesh
+  const targets = object.geometry.morphAttributes.position ?? []
+  return Array.from({ length: count }, (_, i) => {
+    const target = { morphTargetInfluences: targets.map(() => 0) }
+    ;(object as InstancedMesh).getMorphAt(i, target as never)
+    return target.morphTargetInfluences
+  })
+}
+
+function morphedBox({ geometry }: Warpable, box: Box3, influences: number[]): Box3 {
+  const { morphAttributes, morphTargetsRelative } = geometry
   const targets = morphAttributes.position ?? []
-  const influences = (object as Mesh).morphTargetInfluences ?? []
   const used = targets.map((_, i) => influences[i] ?? 0)
   const base = morphTargetsRelative ? 1 : 1 - used.reduce((sum, influence) => sum + influence, 0)
   const grown = scaled(box, base)
@@ -190,7 +232,7 @@ const toBone = new Matrix4()
 
 /** Around the object as its morph targets and bones have it, before its own matrix: never too small. */
 export function posedBox(object: Warpable): Box3 {
-  const rest = boxOf(object.geometry.attributes.position as BufferAttribute)
+  const rest = restBox(object)
   if (!isSkinned(object)) return isMoved(object) ? boxOfMorphs(object, rest) : rest
   const isMorphed = !!object.geometry.morphAttributes.position?.length
   const boxes = isMorphed ? undefined : boxesOfBones(object.geometry)

@@ -53,6 +53,14 @@ function noteMiss(warp: ThreeWarp) {
 const isNear = ({ ray }: Raycaster, object: Warpable, sphere: Sphere, matrix: Matrix4) =>
   !(object as Mesh).isMesh || ray.intersectsSphere(sphere.clone().applyMatrix4(matrix))
 
+/** Hides what three-mesh-bvh and @three.ez/instanced-mesh know about the unwarped geometry. */
+const ofOthers = (geometry: BufferGeometry) => ({
+  boundsTree: undefined,
+  boundsTrees: undefined,
+  bvh: null,
+  _geometry: geometry,
+})
+
 /** The object with another geometry, which is where it is: no morph targets and no bones move it further. */
 const standInFor = (
   object: Warpable,
@@ -67,6 +75,7 @@ const standInFor = (
         target.fromBufferAttribute(geometry.attributes.position as BufferAttribute, i),
       boundingSphere: geometry.boundingSphere,
       boundingBox: geometry.boundingBox,
+      ...ofOthers(geometry),
       ...more,
     }),
   ) as Warpable

@@ -1,269 +1,248 @@
 /**
- * Splices a warp into the vertex shaders of WebGLRenderer. These finish the normal before there is a position; so all that
- * makes either is taken out of `main` and put together, in the order in which it depends on each other, in front of
- * what uses it.
+ * Puts a warp into the vertex shaders of WebGLRenderer without moving any of their lines.
+ *
+ * Three.js finishes the normal before there is a position. So the warp goes where the position is finished, in front of
+ * `mvPosition`, and transforms whatever normals there are by then. Where only three's own lines have made the normal, it warps
+ * `objectNormal` and runs these lines once more; the compiler drops the first run. Where anyone else has changed a normal, it is
+ * led back from view space to the object, warped, and led forth again.
  */
-import { type HostText, shaderNames, variationAttribute, variationNames } from '../compile/hosts.js'
-import { WarpError } from '../errors/errors.js'
-import { declareOrientation } from './faces.js'
-import type { WarpSpace } from './settings.js'
-import type { ThreeWarp, Turned } from './three-warp.js'
+import { shaderNames } from '../compile/hosts.js'
+import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
+import type { ThreeWarp } from './three-warp.js'
+import { type Surface, WarpCode } from './warp-code.js'
+import { readsNormal, readsPosition, weaveAttributes, wrapMain } from './weave-attributes.js'
+import type { WeaveOptions } from './weave-options.js'
 
-/** The chunks of three.js that make the position and the normal, in our order; those of a later version may be missing. */
-const atRest = ['beginnormal_vertex', 'begin_vertex']
-const posed = [
-  'morphnormal_vertex',
-  'morphtarget_vertex',
-  'skinbase_vertex',
-  'skinnormal_vertex',
-  'skinning_vertex',
-  'displacementmap_vertex',
-]
+/** Where the position of the vertex is finished. */
+const anchor = /\b(?:vec4\s+mvPosition|gl_Position)\s*=[^;]*\btransformed\b[^;]*;/
 
-const include = (name: string) => `#include <${name}>`
-
-/** What `#include <…>` of a chunk looks like in the shaders of three.js and of those who write like it. */
-const including = (name: string) => new RegExp(`^[ \\t]*#include +<${name}>`, 'm')
-
-/** Throws for a shader, which is called `what`, that is not made of the chunks that a warp goes between. */
-export function checkChunks(method: string, what: string, vertexShader: string) {
-  const hasChunks = ['begin_vertex', 'project_vertex'].every((name) =>
-    including(name).test(vertexShader),
-  )
-  if (!hasChunks || !/void\s+main\s*\(\s*\)\s*\{/.test(vertexShader))
-    throw new WarpError(
-      `${method}: ${what} has no "${include('begin_vertex')}" and "${include('project_vertex')}", between which a warp goes; write it of three's chunks.`,
-    )
+/** Tests whether a warp can be put into a vertex shader. */
+export function canWeave(vertexShader: string): boolean {
+  const source = resolveIncludes(vertexShader)
+  return anchor.test(source) || readsPosition(splitAtMain(source)?.main ?? '')
 }
 
-/** The vertex shader, warped; `mayHaveTangents` if some of what it draws has tangents that its material reads. */
-export function weave(vertexShader: string, warp: ThreeWarp, mayHaveTangents: boolean): string {
-  checkChunks(warp.settings.method, "the material's vertex shader", vertexShader)
-  const isLit = including('defaultnormal_vertex').test(vertexShader)
-  const lines = vertexShader.split('\n')
-  const start = lines.findIndex((line) => /void\s+main\s*\(/.test(line))
-  const first = outsideOfConditions(lines, firstOf(lines, start))
-  const before = lines.slice(0, first).join('\n')
-  // Chunks that shaders have at several places, and that others of ours need.
-  const early = ['morphinstance_vertex', 'batching_vertex', 'uv_vertex'].filter(
-    (name) => including(name).test(vertexShader) && !including(name).test(before),
-  )
-  const moved = [...early, ...atRest, ...posed]
-  const rest = moved.reduce(
-    (text, name) => text.replace(new RegExp(including(name), 'gm'), ''),
-    lines.slice(first).join('\n'),
-  )
-  const poses = posed.filter((name) => isDeclared(name, vertexShader)).map(include)
-  const { space } = warp.settings
-  const texts = textsFor(warp, isLit, mayHaveTangents)
-  const block = statements(warp, isLit, texts)
-  const body = [
-    ...[...early, ...atRest].map(include),
-    ...(space === 'rest' ? [block, ...poses] : [...poses, block]),
-  ].join('\n')
-  const [head, tail] = before.split(/(?=void\s+main\s*\(\s*\)\s*\{)/)
-  const end = bitangentsOf(warp, neverNaN(rest))
-  return `${head}\n${declarationsFor(warp, texts)}\n${tail}\n${body}\n${end}`
+/** Splits a source in front of the function that has the anchor, which need not be `main`: others may call it. */
+function splitAtAnchor(source: string) {
+  const { index } = anchor.exec(source) ?? {}
+  if (index === undefined) return undefined
+  const heads = [...source.slice(0, index).matchAll(/\bvoid\s+\w+\s*\([^)]*\)\s*\{/g)]
+  const start = heads.at(-1)?.index
+  return start === undefined
+    ? undefined
+    : { top: source.slice(0, start), main: source.slice(start) }
 }
 
-/** The first line of `main` that includes one of the chunks that we move. */
-const firstOf = (lines: string[], start: number) =>
-  lines.findIndex(
-    (line, i) => i > start && [...atRest, ...posed].some((name) => including(name).test(line)),
-  )
-
-/** The line of the outermost `#if` around a line, or the line. */
-function outsideOfConditions(lines: string[], line: number) {
-  const open: number[] = []
-  for (let i = 0; i < line; i++) {
-    if (/^\s*#\s*if/.test(lines[i]!)) open.push(i)
-    if (/^\s*#\s*endif/.test(lines[i]!)) open.pop()
-  }
-  return open[0] ?? line
+/** A vertex shader with the warp in it. */
+export function weave(vertexShader: string, warp: ThreeWarp, options: WeaveOptions): string {
+  const source = resolveIncludes(vertexShader)
+  const parts = splitAtAnchor(source)
+  if (!parts) return weaveAttributes(source, warp, options)
+  const isLit = /\btransformedNormal\b/.test(parts.main)
+  // A shader that makes its own normal from the attribute.
+  const readsAttribute = !isLit && options.isShaderMaterial && readsNormal(withoutChunks(source))
+  const code = new WarpCode(warp, {
+    isLit: isLit || readsAttribute,
+    mayHaveTangents: isLit && options.mayHaveTangents,
+    hasColors: options.hasColors,
+    target: options.isGlsl100 ? 'glsl100' : 'glsl300',
+  })
+  const start = anchor.exec(parts.main)!.index
+  const before = parts.main.slice(0, start)
+  const isRest = warp.settings.space === 'rest'
+  const block = blockFor(code, isLit, isUnchanged(before))
+  const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block) : before)}
+${isRest ? once('WARPJET_POSITION_DONE', block) : block}
+${isRest ? afterPose(warp) : ''}${parts.main.slice(start)}`
+  const top = markVaryings(parts.top)
+  return readsAttribute
+    ? wrapMain(`${top}\n${main}`, code, ['normal'], options)
+    : `${top}\n${code.declarations}\n${main}`
 }
 
-/** Points and lines are neither skinned nor displaced, and lack what these chunks read. */
-const isDeclared = (name: string, vertexShader: string) => {
-  const [kind] = /^(morph|skin|displacement)/.exec(name)!
-  const declaring = { morph: 'morphtarget', skin: 'skinning', displacement: 'displacementmap' }
-  return including(`${declaring[kind as 'morph']}_pars_vertex`).test(vertexShader)
+/** Lets the preprocessor know which variables there are, also where that depends on conditions. */
+const markNormals = (main: string) =>
+  main
+    .replace(/\bvec3\s+objectNormal\s*=[^;]*;/g, '$&\n#define WARPJET_OBJECT_NORMAL\n')
+    .replace(/\bvec3\s+transformedNormal\s*=[^;]*;/g, '$&\n#define WARPJET_TRANSFORMED_NORMAL\n')
+
+const markVaryings = (top: string) =>
+  top.replace(/\b(?:varying|out)\s+vec3\s+vNormal\s*;/g, '$&\n#define WARPJET_VARYING_NORMAL\n')
+
+const normalNames =
+  /\b(?:objectNormal|transformedNormal|vNormal|objectTangent|transformedTangent|vTangent|vBitangent)\b/
+
+/** Tests whether only three's own chunks have made the normal. */
+const isUnchanged = (main: string) => !normalNames.test(withoutChunks(main))
+
+function withoutChunks(source: string): string {
+  const names = ['beginnormal', 'morphnormal', 'skinnormal', 'defaultnormal', 'normal']
+  const chunks = [...names, 'displacementmap'].map((name) => chunkSource(`${name}_vertex`))
+  return chunks.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), source)
 }
 
-function declarationsFor(warp: ThreeWarp, texts: Written[]) {
-  const [fullest] = texts
-  const variation = fullest!.text.attributes.filter(({ name }) =>
-    (variationNames as string[]).includes(name),
-  )
-  return [
-    `uniform highp float ${shaderNames.millis};`,
-    'uniform highp vec4 warpjetFill;',
-    ...warp.uniforms.inShader.map(({ label, type }) => `uniform highp ${type} ${label};`),
-    ...[...new Set(texts.flatMap(({ text }) => text.frame))].map(
-      (name) => `uniform highp vec4 ${name};`,
-    ),
-    ...declareOrientation(warp),
-    ...variation.map(({ name }) => `attribute vec3 ${variationAttribute(name)};`),
-    byTangent(texts, ({ declarations }) => declarations),
-  ].join('\n')
-}
-
-interface Written {
-  turned: Turned
-  text: HostText
-}
-
-/** With tangents and without, or without normals. */
-const textsFor = (warp: ThreeWarp, isLit: boolean, mayHaveTangents: boolean): Written[] =>
-  turnedBy(isLit, mayHaveTangents).map((turned) => ({
-    turned,
-    text: warp.textFor('glsl300', turned, namesIn(warp.settings.space)),
-  }))
-
-function turnedBy(isLit: boolean, mayHaveTangents: boolean): Turned[] {
-  if (!isLit) return ['position']
-  return mayHaveTangents ? ['tangent', 'normal'] : ['normal']
-}
-
-const byTangent = (texts: Written[], part: (text: HostText) => string) =>
-  texts.length === 1
-    ? part(texts[0]!.text)
-    : `#ifdef USE_TANGENT\n${part(texts[0]!.text)}\n#else\n${part(texts[1]!.text)}\n#endif`
-
-const isWorld = (space: WarpSpace) => space === 'world'
-
-function namesIn(space: WarpSpace): Record<string, string> {
-  const own = isWorld(space)
-    ? {
-        position: 'warpjetRestPosition',
-        normal: 'warpjetRestNormal',
-        tangent: 'warpjetRestTangent',
-      }
-    : {
-        position: 'transformed',
-        normal: 'objectNormal',
-        tangent: 'vec4( objectTangent, tangent.w )',
-      }
-  const variation = variationNames.map((name) => [
-    name,
-    isWorld(space) ? `warpjet_${name}` : variationAttribute(name),
-  ])
-  return { ...own, uv: 'uv', color: 'warpjetColor', ...Object.fromEntries(variation) }
-}
-
-function statements(warp: ThreeWarp, isLit: boolean, texts: Written[]) {
-  const code = byTangent(texts, ({ code }) => code)
-  const color =
-    warp.reads('color') || texts[0]!.text.attributes.some(({ name }) => name === 'color')
+/** The statements that warp `transformed` and the normals. */
+function blockFor(code: WarpCode, isLit: boolean, isUnchanged: boolean): string {
+  const lit = isUnchanged ? fromObject(code) : fromView(code)
+  const unlit = positionOnly(code)
+  const both = `#if defined( WARPJET_OBJECT_NORMAL ) && defined( WARPJET_TRANSFORMED_NORMAL ) && ! defined( WARPJET_NORMAL_DONE )
+${lit}
+#else
+${unlit}
+#endif`
   return `{
-${color ? colorOfVertex : ''}${isWorld(warp.settings.space) ? inWorld(code, isLit, texts) : inGeometry(code, isLit)}
+vec3 warpjetStart = transformed;
+${code.preparation}${code.guard(isLit ? both : unlit)}
 }`
 }
 
-const colorOfVertex = `#if defined( USE_COLOR_ALPHA )
-vec4 warpjetColor = color;
-#elif defined( USE_COLOR )
-vec4 warpjetColor = vec4( color, 1.0 );
+const atObject: Surface = { normal: 'objectNormal', tangent: 'objectTangent' }
+
+/** Nothing but the position. An offset along the normal needs that after morph targets and bones. */
+function positionOnly(code: WarpCode) {
+  const { code: statements, position } = code.evaluate('warpjetStart', {
+    normal: code.movesByNormal ? 'warpjetObjectNormal' : 'vec3( normal )',
+    tangent: 'tangent.xyz',
+  })
+  const isRest = code.warp.settings.space === 'rest'
+  const posed = isRest
+    ? ''
+    : ['morphnormal_vertex', 'skinnormal_vertex'].map(chunkSource).join('\n')
+  const normal = `vec3 warpjetObjectNormal;
+#ifdef WARPJET_NORMAL_DONE
+warpjetObjectNormal = warpjetRestObjectNormal;
+#elif defined( WARPJET_OBJECT_NORMAL )
+warpjetObjectNormal = objectNormal;
 #else
-vec4 warpjetColor = warpjetFill;
+{
+${chunkSource('beginnormal_vertex')}
+${posed}
+warpjetObjectNormal = objectNormal;
+}
 #endif
 `
+  return `${code.movesByNormal ? normal : ''}${statements}\ntransformed = ${position};`
+}
 
-const inGeometry = (code: string, isLit: boolean) => `${code}
-transformed = ${shaderNames.position};${
-  isLit
-    ? `
-objectNormal = ${shaderNames.normal};
+/** Position and normals, where only three's own lines have made the normal. */
+function fromObject(code: WarpCode) {
+  const { code: statements, position, ...surface } = code.evaluate('warpjetStart', atObject)
+  return `${statements}
+transformed = ${position};
+vec3 warpjetViewNormal;
+${toView(code, surface, true)}
+transformedNormal = warpjetViewNormal;`
+}
+
+/** Position and normals, where someone has changed a normal: each of them is led back to the object by itself. */
+function fromView(code: WarpCode) {
+  const moved = code.evaluate('warpjetStart', atObject)
+  const back = (normal: string, tangent: string, hasVarying: boolean) => {
+    const { code: statements, ...surface } = code.evaluate('warpjetStart', {
+      normal: `warpjetFlip * ( ${normal} * warpjetObjectToView )`,
+      tangent: `inverse( warpjetObjectToView ) * ${tangent}`,
+    })
+    return `{\n${statements}\n${toView(code, surface, hasVarying)}\n}`
+  }
+  return `{
+${moved.code}
+transformed = ${moved.position};
+}
+mat3 warpjetObjectToView = mat3( modelViewMatrix );
+#ifdef USE_BATCHING
+warpjetObjectToView = warpjetObjectToView * mat3( batchingMatrix );
+#endif
+#if defined( USE_INSTANCING ) || defined( USE_INSTANCING_INDIRECT )
+warpjetObjectToView = warpjetObjectToView * mat3( instanceMatrix );
+#endif
+#ifdef FLIP_SIDED
+float warpjetFlip = -1.0;
+#else
+float warpjetFlip = 1.0;
+#endif
+vec3 warpjetViewNormal;
+#ifdef WARPJET_VARYING_NORMAL
+${back('vNormal', 'vTangent', true)}
+#endif
+${back('transformedNormal', 'transformedTangent', false)}
+transformedNormal = warpjetViewNormal;`
+}
+
+/** Runs three's own lines from the normal of the object to that of the view, with the results of an evaluation. */
+const toView = ({ warp }: WarpCode, { normal, tangent }: Surface, hasVarying: boolean) => `{
+vec3 objectNormal = ${normal};
 #ifdef USE_TANGENT
-objectTangent = ${shaderNames.tangent}.xyz;
+vec3 objectTangent = ${tangent};
+#endif
+${chunkSource('defaultnormal_vertex')}
+${avoidNaN}
+${
+  hasVarying
+    ? `#ifdef WARPJET_VARYING_NORMAL
+${chunkSource('normal_vertex')}
+vNormal *= mix( 1.0, 1e-6, warpjetFlat );
+${orientBitangent(warp)}
 #endif`
     : ''
-}`
-
-/**
- * There and back again, so that the rest of the shader stays what it is. An instance that is scaled to nothing has no way
- * back, and needs none. Normals arrive with length 1; how they vary follows from that.
- */
-function inWorld(code: string, isLit: boolean, texts: Written[]) {
-  const reads = (name: string) =>
-    texts.some(({ text }) => text.attributes.some((attribute) => attribute.name === name))
-  const variation = variationNames.filter(reads)
-  const gradients = variation.some((name) => name.startsWith('normal'))
-  return `mat4 warpjetToWorld = modelMatrix;
-#ifdef USE_BATCHING
-warpjetToWorld = warpjetToWorld * batchingMatrix;
-#endif
-#ifdef USE_INSTANCING
-warpjetToWorld = warpjetToWorld * instanceMatrix;
-#endif
-mat3 warpjetLinear = mat3( warpjetToWorld );
-if ( determinant( warpjetLinear ) != 0.0 ) {
-mat3 warpjetInverse = inverse( warpjetLinear );
-mat3 warpjetCovariant = transpose( warpjetInverse );
-vec3 warpjetRestPosition = ( warpjetToWorld * vec4( transformed, 1.0 ) ).xyz;
-vec3 warpjetRestNormal = warpjetCovariant * objectNormal;
-float warpjetLength = length( warpjetRestNormal );
-if ( warpjetLength > 0.0 ) warpjetRestNormal /= warpjetLength;
-${gradients ? gradientsInWorld : ''}${variation
-    .filter((name) => !name.startsWith('normal'))
-    .map((name) => `vec3 warpjet_${name} = warpjetCovariant * ${variationAttribute(name)};\n`)
-    .join('')}#ifdef USE_TANGENT
-vec4 warpjetRestTangent = vec4( warpjetLinear * objectTangent, tangent.w );
-#endif
-${code}
-transformed = ( inverse( warpjetToWorld ) * vec4( ${shaderNames.position}, 1.0 ) ).xyz;${
-    isLit
-      ? `
-objectNormal = ${shaderNames.normal} * warpjetLinear;
-#ifdef USE_TANGENT
-objectTangent = warpjetInverse * ${shaderNames.tangent}.xyz;
-#endif`
-      : ''
-  }
-}`
 }
-
-const [nx, ny, nz] = variationNames.map(variationAttribute)
-
-/** The rows of the derivative of the normal: turned, and without what would change its length. */
-const gradientsInWorld = `mat3 warpjetGradients = warpjetCovariant * mat3( ${nx}, ${ny}, ${nz} ) * warpjetInverse;
-if ( warpjetLength > 0.0 ) warpjetGradients = ( warpjetGradients - outerProduct( warpjetGradients * warpjetRestNormal, warpjetRestNormal ) ) / warpjetLength;
-vec3 warpjet_${variationNames[0]} = warpjetGradients[ 0 ];
-vec3 warpjet_${variationNames[1]} = warpjetGradients[ 1 ];
-vec3 warpjet_${variationNames[2]} = warpjetGradients[ 2 ];
-`
-
-/** Three.js takes their side from the attribute. */
-const bitangentsOf = ({ mirrors }: ThreeWarp, text: string) =>
-  mirrors === false
-    ? text
-    : text.replace(
-        including('normal_vertex'),
-        `${include('normal_vertex')}
-#if defined( USE_TANGENT ) && ! defined( FLAT_SHADED )
-vBitangent *= ${shaderNames.orientation};
-#endif`,
-      )
+warpjetViewNormal = transformedNormal;
+}`
 
 /**
- * Where a warp collapses the surface, its normal is zero, which three.js would make NaN of. Such a vertex is lit as if it
- * faced the eye, with so little weight that its neighbours decide wherever they have a normal. Arithmetic, since branches
- * that differ from vertex to vertex make the whole frame 3% slower on SwiftShader.
+ * Where a warp collapses the surface, its normal is zero, of which three.js would make NaN. Such a vertex is lit as if it faced
+ * the eye, with so little weight that its neighbors decide wherever they have a normal. Branches that differ from vertex to
+ * vertex would make the whole frame 3% slower on SwiftShader.
  */
-const neverNaN = (text: string) =>
-  text
-    .replace(
-      including('defaultnormal_vertex'),
-      `${include('defaultnormal_vertex')}
-float warpjetFlat = float( transformedNormal == vec3( 0.0 ) );
+const avoidNaN = `float warpjetFlat = float( transformedNormal == vec3( 0.0 ) );
 transformedNormal.z += warpjetFlat;
 #ifdef USE_TANGENT
 transformedTangent.x += float( transformedTangent == vec3( 0.0 ) );
-#endif`,
-    )
-    .replace(
-      including('normal_vertex'),
-      `${include('normal_vertex')}
-#ifndef FLAT_SHADED
-vNormal *= mix( 1.0, 1e-6, warpjetFlat );
-#endif`,
-    )
+#endif`
+
+/** Three.js takes the side of the bitangent from the attribute. */
+const orientBitangent = ({ mirrors }: ThreeWarp) =>
+  mirrors === false
+    ? ''
+    : `#ifdef USE_TANGENT
+vBitangent *= ${shaderNames.orientation};
+#endif`
+
+/** Puts the warp in front of morph targets and bones. */
+function weaveAtRest(before: string, code: WarpCode, isLit: boolean, block: string): string {
+  const { code: statements, normal, tangent } = code.evaluate('warpjetStart', atObject)
+  const normals = `vec3 warpjetRestObjectNormal = objectNormal;
+{
+vec3 warpjetStart = vec3( position );
+${code.preparation}${statements}
+objectNormal = ${normal};
+#ifdef USE_TANGENT
+objectTangent = ${tangent};
+#endif
+}`
+  const inFront = (text: string, statement: RegExp, inserted: string) =>
+    text.replace(statement, (found) => `${inserted}\n${found}`)
+  let text = before
+  for (const statement of [
+    /\bobjectNormal\s*\*=\s*morphTargetBaseInfluence/,
+    /\bmat4\s+skinMatrix\s*=/,
+  ])
+    if (isLit) text = inFront(text, statement, once('WARPJET_NORMAL_DONE', normals))
+  for (const statement of [
+    /\btransformed\s*\*=\s*morphTargetBaseInfluence/,
+    /\bvec4\s+skinVertex\s*=/,
+  ])
+    text = inFront(text, statement, once('WARPJET_POSITION_DONE', block))
+  return text
+}
+
+const once = (mark: string, statements: string) =>
+  `\n#ifndef ${mark}\n#define ${mark}\n${statements}\n#endif`
+
+/** What three's own lines have left to do when bones have moved a warped normal. */
+const afterPose = (
+  warp: ThreeWarp,
+) => `#if defined( WARPJET_NORMAL_DONE ) && defined( WARPJET_VARYING_NORMAL )
+if ( transformedNormal == vec3( 0.0 ) ) vNormal = vec3( 0.0, 0.0, 1e-6 );
+${orientBitangent(warp)}
+#endif
+`

@@ -69,7 +69,7 @@ function carryMaterial(material: Material, warp: ThreeWarp) {
 }
 
 install()
-provideNodes({ check: checkMaterial, carryObject: carry, carryMaterial, isOurs })
+provideNodes({ check: checkMaterial, carryObject: carry, isOurs })
 
 export interface NodeWarpedMaterial<
   Kind extends Material = Material,

@@ -165,7 +165,7 @@ TEST(Stl, SaysWhatIsWrong) {
             "export or download it again.");
   File solidHeader = binary({facetWith(tilted), facetWith(tilted)}, "solid work");
   solidHeader.resize(150);
-  EXPECT_NE(problem(solidHeader).find("184 bytes, 150 came"), std::string::npos);
+  EXPECT_NE(problem(solidHeader).find("184 bytes, got 150"), std::string::npos);
   EXPECT_NE(problem(binary({})).find("nothing to draw"), std::string::npos);
   for (std::size_t size = 1; size < file.size(); ++size)
     EXPECT_NE(problem({file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size)}), "");

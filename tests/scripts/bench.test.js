@@ -9,7 +9,6 @@ import { Stop } from '../../.scripts/lib/terminal.mjs'
 import { aims } from '../../.scripts/bench/aims.mjs'
 import { appendLines, checkColumns, csvLine } from '../../.scripts/bench/csv.mjs'
 import { readOptions } from '../../.scripts/bench/options.mjs'
-import { openProgress } from '../../.scripts/bench/progress.mjs'
 import { columns, fieldsOf, p5Records, rowRecords } from '../../.scripts/bench/records.mjs'
 import { aimsText } from '../../.scripts/bench/report.mjs'
 import { alike, table } from '../../.scripts/bench/table.mjs'
@@ -244,30 +243,5 @@ describe('the aims', () => {
       /^ {2}14,000 × 3,000 +1\.000 ✓ +1\.250 ✗ +1\.020 ✓ +1\.500 ✓ +1\.100 ✓ +1\.250 ✓$/,
     )
     assert.equal(aimsText([{ method: 'p5 2.3.4, no warp', row: many.name }]), undefined)
-  })
-})
-
-describe('progress', () => {
-  const shown = (isTTY) => {
-    const texts = []
-    const progress = openProgress({ isTTY, columns: 20, write: (text) => texts.push(text) })
-    progress.begin('1/2 wobble: frames')
-    progress.detail('round 1 of 3')
-    progress.clear()
-    progress.clear()
-    return texts
-  }
-
-  test('rewrites one line of a terminal, no longer than that', () => {
-    const line = '\r\x1b[2K'
-    assert.deepEqual(shown(true), [
-      `${line}0:00  1/2 wobble: f`,
-      `${line}0:00  1/2 wobble: f`,
-      line,
-    ])
-  })
-
-  test('writes a line for each stage elsewhere', () => {
-    assert.deepEqual(shown(false), ['0:00  1/2 wobble: frames\n'])
   })
 })

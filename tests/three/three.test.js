@@ -13,7 +13,7 @@ import {
 } from 'warpjet/three'
 import { glslOffset } from 'warpjet/glsl'
 import { bakeWarp } from 'warpjet/mesh'
-import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
+import { MeshBVH, acceleratedRaycast, computeBatchedBoundsTree } from 'three-mesh-bvh'
 import { bend, bulge, shear, spherify, stretch, taper, twist } from 'warpjet/deformers'
 
 const wave = ({ glsl, position, uniforms, millis }) =>
@@ -161,6 +161,32 @@ describe('rays meet the warped surface', () => {
       const [hit] = ray.intersectObject(object)
       assert.equal(hit.object, object)
       assert.ok(Math.abs(hit.point.z - 5) < 0.011)
+    }
+  })
+
+  test('by three-mesh-bvh, assigned before the warp and after it, also of a batch', () => {
+    const up = ({ glsl }) => glsl.vec3(0, 0, 2)
+    const down = new THREE.Raycaster(new THREE.Vector3(0.2, 0.1, 9), new THREE.Vector3(0, 0, -1))
+    const height = (object) => down.intersectObject(object)[0].point.z
+    for (const when of ['before', 'after']) {
+      const mesh = plane()
+      mesh.geometry.boundsTree = new MeshBVH(mesh.geometry)
+      if (when === 'before') mesh.raycast = acceleratedRaycast
+      const warped = warp(mesh, up)
+      if (when === 'after') mesh.raycast = acceleratedRaycast
+      assert.ok(Math.abs(height(mesh) - 2) < 1e-4, when)
+      warped.dispose()
+      assert.equal(mesh.raycast, acceleratedRaycast)
+      assert.ok(Math.abs(height(mesh)) < 1e-4)
+    }
+    for (const space of ['local', 'world']) {
+      const batch = new THREE.BatchedMesh(1, 8, 12, new THREE.MeshBasicMaterial())
+      const id = batch.addGeometry(new THREE.PlaneGeometry(2, 2))
+      batch.setMatrixAt(batch.addInstance(id), new THREE.Matrix4())
+      computeBatchedBoundsTree.call(batch)
+      batch.raycast = acceleratedRaycast
+      warp(batch, up, { space })
+      assert.ok(Math.abs(height(batch) - 2) < 1e-4, space)
     }
   })
 
@@ -396,8 +422,8 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(new THREE.Sprite(), none),
       /^warp: this Sprite always faces the camera/,
     ],
-    'a sprite in a group': [() => warp(group, none), /^warp: this Sprite /],
-    nothing: [() => warp(undefined, none), /^warp: a Mesh, .* but undefined came\.$/],
+    'a group of sprites': [() => warp(group, none), /^warp: this Sprite /],
+    nothing: [() => warp(undefined, none), /^warp: expected a Mesh, .* got undefined\.$/],
     'an empty group': [
       () => warp(new THREE.Group(), none),
       /^warp: there is nothing to draw in this Group/,
@@ -411,7 +437,7 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(mesh, none, { space: 'view' }),
       /^warp: expected 'local', 'rest' or 'world' for the option "space", got the text "view"\.$/,
     ],
-    'a geometry': [() => warp(mesh.geometry, none), /but a PlaneGeometry came\.$/],
+    'a geometry': [() => warp(mesh.geometry, none), /got a PlaneGeometry\.$/],
     'along a normal that is missing': [
       () => warp(new THREE.Mesh(bare, material), ({ normal }) => normal),
       /^warp: the offset reads normal, but the geometry of this Mesh has no attribute "normal"; call geometry\.computeVertexNormals\(\) first\.$/,
@@ -436,9 +462,13 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(mesh, ({ glsl }) => glsl.vec3(glsl.param('wind'), 0, 0)),
       /^warp: the offset reads "wind" by glsl\.param/,
     ],
-    'a shader without chunks': [
-      () => warpMaterial(new THREE.ShaderMaterial(), none),
-      /^warpMaterial: the vertex shader of this ShaderMaterial has no "#include <begin_vertex>"/,
+    'a shader that makes its vertices from nothing': [
+      () =>
+        warpMaterial(
+          new THREE.ShaderMaterial({ vertexShader: 'void main() { gl_Position = vec4( 1.0 ); }' }),
+          none,
+        ),
+      /^warpMaterial: the ShaderMaterial cannot be warped: its vertex shader neither reads the attribute position/,
     ],
     'a material of WebGPURenderer': [
       () =>
@@ -446,11 +476,11 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
           Object.assign(new THREE.Material(), { isNodeMaterial: true, type: 'MeshNode' }),
           none,
         ),
-      /import warpMaterial from 'warpjet\/three\/webgpu'\.$/,
+      /the MeshNode cannot be warped: only WebGPURenderer draws it; import 'warpjet\/three\/webgpu'\.$/,
     ],
     'no material': [
       () => warpMaterial(mesh, none),
-      /^warpMaterial: a material of three\.js was expected/,
+      /^warpMaterial: expected a material of three\.js, got a Mesh\.$/,
     ],
   }
   for (const [name, [work, message]] of Object.entries(cases))
@@ -464,6 +494,33 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       assert.equal(Object.hasOwn(mesh, 'raycast'), false)
     })
 
+  test('in a group, which warps the others and names it once', async (t) => {
+    const said = t.mock.method(console, 'warn', () => {})
+    const { LineMaterial } = await import('three/addons/lines/LineMaterial.js')
+    const { LineSegments2 } = await import('three/addons/lines/LineSegments2.js')
+    const { LineSegmentsGeometry } = await import('three/addons/lines/LineSegmentsGeometry.js')
+    const wide = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial())
+    wide.name = 'route'
+    const sprite = new THREE.Sprite()
+    const part = plane()
+    const parts = new THREE.Group().add(part, sprite, wide)
+    const warped = warp(parts, ({ glsl }) => glsl.vec3(0, 0, 2))
+    assert.deepEqual(warped.skipped, [sprite, wide])
+    assert.ok(warped.bounds().max.z > 1.9)
+    assert.equal(said.mock.callCount(), 1)
+    const [message] = said.mock.calls[0].arguments
+    assert.match(message, /^warp: drawn without the warp: this Sprite always faces the camera/)
+    assert.match(
+      message,
+      /; the LineMaterial of the LineSegments2 "route" cannot be warped: .* use a Line/,
+    )
+    warped.dispose()
+    assert.throws(
+      () => warp(wide, none),
+      /^WarpError: warp: the LineMaterial of the LineSegments2 "route"/,
+    )
+  })
+
   test('a mesh that is warped already', () => {
     const warped = warp(mesh, none)
     assert.throws(() => warp(mesh, none), /^WarpError: warp: this Mesh is warped already/)
@@ -472,35 +529,55 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
   })
 })
 
-describe('a material that carries a warp is refused, since two in one shader do not compile', () => {
+describe('two warps of one object are refused, since they would be drawn as one', () => {
   const none = ({ position }) => position
-  const refusal =
-    /^WarpError: warp(Material)?: the MeshBasicMaterial is warped already, by another call; give/
   const cases = {
-    'on a clone of the mesh'(mesh) {
+    'on a clone of a warped mesh, which is warped itself'(mesh) {
       warp(mesh, none)
-      return [() => warp(mesh.clone(), none), () => warp(new THREE.Group().add(mesh.clone()), none)]
+      return [
+        [() => warp(mesh.clone(), none), /this Mesh is warped already, or a clone of a warped/],
+        [() => warp(new THREE.Group().add(mesh.clone()), none), /is warped already/],
+      ]
     },
     'by warpMaterial'(mesh) {
       const { material } = warpMaterial(mesh.material, none)
       mesh.material = material
-      return [() => warp(mesh, none), () => warpMaterial(material, none)]
+      const refusal =
+        /the MeshBasicMaterial( of this Mesh)? cannot be warped: a call of warpMaterial/
+      return [
+        [() => warp(mesh, none), refusal],
+        [() => warpMaterial(material, none), refusal],
+      ]
     },
-    'that two meshes share'(mesh) {
-      warp(mesh, none, { share: true })
-      return [() => warp(new THREE.Mesh(mesh.geometry, mesh.material), none, { share: true })]
+    'by warpMaterial, in the material itself'(mesh) {
+      warpMaterial(mesh.material, none, { share: true })
+      return [[() => warp(mesh, none), /a call of warpMaterial/]]
     },
   }
   for (const [name, make] of Object.entries(cases))
     test(name, () => {
-      for (const again of make(plane())) assert.throws(again, refusal)
+      for (const [again, message] of make(plane()))
+        assert.throws(again, (error) => {
+          assert.equal(error.name, 'WarpError')
+          assert.match(error.message, message)
+          return true
+        })
     })
 
-  test('and warped again when it no longer does', () => {
+  test('and warped again when it no longer is', () => {
     const mesh = plane()
     warp(mesh, none, { share: true }).dispose()
     warp(mesh, none, { share: true }).dispose()
-    warp(mesh.clone(), none)
+    const warped = warp(mesh, none)
+    const clone = mesh.clone()
+    warped.dispose()
+    warp(clone, none)
+  })
+
+  test('but one material is drawn with as many warps as objects have it', () => {
+    const mesh = plane()
+    warp(mesh, none)
+    warp(new THREE.Mesh(mesh.geometry, mesh.material), none)
   })
 })
 
@@ -593,43 +670,132 @@ function vary(geometry, shape, center) {
 }
 
 test('dispose() leaves everything as it was, and a second one does nothing', () => {
-  for (const mesh of [plane(), skinned(), new THREE.Points(plane().geometry)]) {
-    const own = (object) => Object.entries(Object.getOwnPropertyDescriptors(object))
-    const [before, materialBefore] = [own(mesh), own(mesh.material)]
-    const warped = warp(mesh, wave, { uniforms: { height: 1 } })
-    assert.notDeepEqual(own(mesh), before)
-    warped.dispose()
-    warped.dispose()
-    assert.deepEqual(own(mesh), before)
-    assert.deepEqual(own(mesh.material), materialBefore)
-    const { material } = mesh
-    const shared = warp(mesh, wave, { uniforms: { height: 1 }, share: true })
-    assert.equal(mesh.material, material)
-    assert.ok(Object.hasOwn(material, 'onBeforeCompile'))
-    shared.dispose()
-    assert.deepEqual(
-      own(material).filter(([name]) => name !== 'version'),
-      materialBefore.filter(([name]) => name !== 'version'),
-    )
-  }
+  for (const mesh of [plane(), skinned(), new THREE.Points(plane().geometry)])
+    for (const share of [false, true]) {
+      // Three.js keeps an empty list of listeners.
+      const own = (object) =>
+        Object.entries(Object.getOwnPropertyDescriptors(object)).filter(
+          ([name]) => name !== '_listeners',
+        )
+      const [before, materialBefore] = [own(mesh), own(mesh.material)]
+      const { material } = mesh
+      const warped = warp(mesh, wave, { uniforms: { height: 1 }, share })
+      assert.notDeepEqual(own(mesh), before)
+      assert.equal(mesh.material, material)
+      assert.deepEqual(own(material), materialBefore)
+      warped.dispose()
+      warped.dispose()
+      assert.deepEqual(own(mesh), before)
+      assert.deepEqual(own(material), materialBefore)
+    }
 })
 
-test('a material put on meanwhile stays, and a frame says once that it is not warped', (t) => {
-  const warn = t.mock.method(console, 'warn', () => {})
+describe('a renderer draws', () => {
+  const none = ({ position }) => position
+  const rendererOf = () => {
+    const drawn = []
+    const renderer = {
+      drawn,
+      renderBufferDirect: (...given) => drawn.push(given[3]),
+      compile() {},
+      properties: { get: () => ({}) },
+    }
+    return renderer
+  }
+  const draw = (renderer, object, material = object.material) =>
+    renderer.renderBufferDirect(null, null, object.geometry, material, object, null)
+
+  test('a warped object with a live view of whichever material, and no other object', () => {
+    const mesh = plane()
+    const warped = warp(mesh, none)
+    const renderer = rendererOf()
+    mesh.onBeforeShadow(renderer)
+    mesh.onBeforeRender(renderer)
+    const override = new THREE.MeshNormalMaterial()
+    draw(renderer, mesh)
+    draw(renderer, mesh, override)
+    draw(renderer, mesh)
+    const other = plane()
+    draw(renderer, other)
+    const [first, second, again, unwarped] = renderer.drawn
+    assert.notEqual(first, mesh.material)
+    assert.ok(first instanceof THREE.Material)
+    assert.equal(first, again)
+    assert.equal(second.type, 'MeshNormalMaterial')
+    assert.equal(unwarped, other.material)
+    mesh.material.color.set('red')
+    mesh.material.mine = 1
+    assert.equal(first.color.getHex(), 0xff0000)
+    assert.equal(first.mine, 1)
+    first.side = THREE.BackSide
+    assert.equal(mesh.material.side, THREE.BackSide)
+    assert.notEqual(first.id, mesh.material.id)
+    warped.dispose()
+    draw(renderer, mesh)
+    assert.equal(renderer.drawn.at(-1), mesh.material)
+  })
+
+  test('a material that cannot be warped as it is, and says so once', (t) => {
+    const said = t.mock.method(console, 'error', () => {})
+    const mesh = plane()
+    mesh.name = 'flag'
+    const warped = warp(mesh, none)
+    const renderer = rendererOf()
+    mesh.onBeforeRender(renderer)
+    mesh.material = new THREE.SpriteMaterial()
+    draw(renderer, mesh)
+    draw(renderer, mesh)
+    assert.deepEqual(renderer.drawn, [mesh.material, mesh.material])
+    assert.equal(said.mock.callCount(), 1)
+    assert.match(
+      said.mock.calls[0].arguments[0],
+      /^warp: the SpriteMaterial of the Mesh "flag" is drawn without the warp: a sprite always/,
+    )
+    warped.dispose()
+  })
+
+  test('an object that is not warped in less than 0.2 microseconds more', (t) => {
+    const mesh = plane()
+    const warped = warp(mesh, none)
+    const renderer = { renderBufferDirect() {}, compile() {} }
+    const times = (object) => {
+      const start = performance.now()
+      for (let i = 0; i < 200_000; i++) draw(renderer, object)
+      return performance.now() - start
+    }
+    const other = plane()
+    const bare = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    mesh.onBeforeRender(renderer)
+    const wrapped = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    const more = (1000 * (wrapped - bare)) / 200_000
+    t.diagnostic(
+      `${more.toFixed(3)} microseconds more than ${((1000 * bare) / 200_000).toFixed(3)}`,
+    )
+    assert.ok(more < 0.2)
+    warped.dispose()
+  })
+})
+
+test('a method that is assigned while an object is warped stays, and may call the one before', () => {
   const mesh = plane()
+  const calls = []
+  mesh.onBeforeRender = () => calls.push('first')
   const warped = warp(mesh, ({ position }) => position)
-  mesh.onBeforeRender({})
-  assert.equal(warn.mock.callCount(), 0)
-  const other = (mesh.material = new THREE.MeshBasicMaterial())
-  mesh.onBeforeRender({})
-  mesh.onBeforeRender({})
-  assert.equal(warn.mock.callCount(), 1)
-  assert.match(
-    warn.mock.calls[0].arguments[0],
-    /^warp: this Mesh has another material now, which is not warped; call dispose/,
-  )
+  const renderer = () => ({ renderBufferDirect() {}, compile() {} })
+  const { onBeforeRender } = mesh
+  const second = (mesh.onBeforeRender = (...given) => {
+    calls.push('second')
+    onBeforeRender.call(mesh, ...given)
+  })
+  mesh.onBeforeRender(renderer())
+  assert.deepEqual(calls, ['second', 'first'])
   warped.dispose()
-  assert.equal(mesh.material, other)
+  assert.equal(mesh.onBeforeRender, second)
+  const material = new THREE.MeshBasicMaterial()
+  const again = warp(mesh, ({ position }) => position)
+  mesh.material = material
+  again.dispose()
+  assert.equal(mesh.material, material)
 })
 
 test('bounds() is around what is drawn, of a group around all of it', () => {

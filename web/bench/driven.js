@@ -11,9 +11,6 @@ let scene
 
 const byName = (name) => workloads.find((workload) => workload.name === name)
 
-/** Reports to the driving script, if it listens. */
-const progress = (text) => window.benchProgress?.(text)
-
 window.bench = {
   rows: workloads.map(({ name, nodes }) => ({ name, nodes })),
 
@@ -26,7 +23,7 @@ window.bench = {
   measure(name, settings) {
     // Hidden, because compositing a visible canvas after each frame takes time from the next one.
     canvas.hidden = true
-    return measureRow(scene, byName(name), settings, progress)
+    return measureRow(scene, byName(name), settings)
   },
 
   /** The browser decides whether vsync caps the rate. @param steps the best h by method @returns frames per second by method */
@@ -36,12 +33,11 @@ window.bench = {
     scene.load(workload.mesh())
     const rates = {}
     for (const [method, h] of Object.entries(steps)) {
-      progress(method)
       rates[method] = await frameRate(scene, workload, method, h, duration)
     }
     return rates
   },
 
-  measureP5: (settings) => measureP5(settings, progress),
-  p5FrameRates: (settings) => p5FrameRates(settings, progress),
+  measureP5: (settings) => measureP5(settings),
+  p5FrameRates: (settings) => p5FrameRates(settings),
 }

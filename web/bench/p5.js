@@ -58,11 +58,10 @@ async function frameTimes({ draw }, { frames, turn = Infinity }) {
  * @returns { clock, vertices, results: [{ method, frame, toNoWarp }] }: `frame` is { median, low, high } in milliseconds, `toNoWarp`
  * the ratio to a frame of the same sketch without the warp, taken within a round
  */
-export async function measureP5(settings, progress = () => {}) {
+export async function measureP5(settings) {
   const cells = new Map()
   let vertices
   for (let round = 0; round < settings.rounds; round++) {
-    progress(`round ${round + 1} of ${settings.rounds}`)
     // Each round opens new sketches, because recompiling the same source can change the frame time.
     await withSketches(settings, async (sketches) => {
       for (const sketch of sketches) {
@@ -91,11 +90,10 @@ export async function measureP5(settings, progress = () => {}) {
 }
 
 /** @param settings { size, millis, duration } @returns frames per second by method */
-export const p5FrameRates = (settings, progress = () => {}) =>
+export const p5FrameRates = (settings) =>
   withSketches(settings, async (sketches) => {
     const rates = {}
     for (const { method, show, draw } of sketches) {
-      progress(method)
       show()
       rates[method] = await framesPerSecond(draw, settings.duration)
     }

@@ -46,9 +46,9 @@ export interface ComponentMethods<Self> extends AnyMethods<Self> {
   exp(): Self
   /** `x.exp2()`: 2 to the power of x. */
   exp2(): Self
-  /** The natural logarithm, of what is greater than 0. */
+  /** The natural logarithm of a positive number. */
   log(): Self
-  /** The logarithm to base 2, of what is greater than 0. */
+  /** The logarithm to base 2 of a positive number. */
   log2(): Self
   /** The sine of an angle in radians. */
   sin(): Self
@@ -584,13 +584,13 @@ export interface Functions {
   exp2(x: Operand): Scalar
   /** 2 to the power of x. */
   exp2<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** The natural logarithm, of what is greater than 0. */
+  /** The natural logarithm of a positive number. */
   log(x: Operand): Scalar
-  /** The natural logarithm, of what is greater than 0. */
+  /** The natural logarithm of a positive number. */
   log<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** The logarithm to base 2, of what is greater than 0. */
+  /** The logarithm to base 2 of a positive number. */
   log2(x: Operand): Scalar
-  /** The logarithm to base 2, of what is greater than 0. */
+  /** The logarithm to base 2 of a positive number. */
   log2<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The sine of an angle in radians. */
   sin(x: Operand): Scalar

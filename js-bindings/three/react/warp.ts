@@ -1,4 +1,4 @@
-// `<Warp>`: a warp of what is around it or in it, for @react-three/fiber.
+// `<Warp>` for @react-three/fiber: warps the object around it, or the objects in it.
 import { useFrame } from '@react-three/fiber'
 import {
   type ForwardedRef,
@@ -11,23 +11,22 @@ import {
   useLayoutEffect,
   useRef,
 } from 'react'
-import type { Group, Material, Mesh, Object3D } from 'three'
+import type { Group } from 'three'
 import type { ThreeOffset, WarpOptions } from '../settings.js'
 import type { ThreeUniforms, ValuesOf } from '../uniforms.js'
 import { type WarpedObject, warp } from '../warp.js'
 
 export interface WarpProps<Uniforms extends ThreeUniforms = {}> extends WarpOptions<Uniforms> {
-  /** From a vertex to the offset that moves it. Another function is another warp: define it outside of the component, or
+  /** Maps a vertex to the offset that moves it. Another function is another warp: define it outside of the component, or
    * with `useCallback`, so that it stays the same from one rendering to the next. */
   offset: ThreeOffset<ValuesOf<Uniforms>>
 }
 
 /**
- * Warps the mesh, points or line that it is in, `<mesh>…<Warp offset={wave} /></mesh>`, or all that is in it,
- * `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set, and `millis` is the clock's, without
- * another compilation; another offset is compiled, and what was there before is disposed of, as it is when the component
- * leaves. Materials that are elements are warped themselves, so that their props go on to count; others are cloned. `ref` is
- * what `warp` gives. For a WebGPURenderer, `import 'warpjet/three/webgpu'` stands somewhere. Throws a `WarpError` where `warp` does.
+ * Warps the mesh, points or line that it is in, `<mesh>…<Warp offset={wave} /></mesh>`, or everything in it,
+ * `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set without a compilation, and `millis` is that of the
+ * clock. Another offset is compiled, and replaces the one before. `ref` is the result of `warp`. A WebGPURenderer needs
+ * `import 'warpjet/three/webgpu'`. Throws a `WarpError` where `warp` does.
  */
 export const Warp = forwardRef(WarpOf) as <const Uniforms extends ThreeUniforms = {}>(
   props: PropsWithChildren<WarpProps<Uniforms>> & { ref?: Ref<WarpedObject<ValuesOf<Uniforms>>> },
@@ -47,7 +46,7 @@ function WarpOf(
   useLayoutEffect(() => {
     const object = isAround ? group.current : group.current?.parent
     if (!object) return
-    const options = { uniforms, space, share: share ?? isElement(object), surfaceVariation }
+    const options = { uniforms, space, share, surfaceVariation }
     const made = warp(object, offset as never, withoutGaps(options) as never) as WarpedObject
     warped.current = made
     return () => {
@@ -65,25 +64,13 @@ function WarpOf(
   return createElement('group', { ref: group }, children)
 }
 
-/** What decides a uniform's type. */
+/** The parts of a uniform that decide its type. */
 const kindOf = ([name, value]: [string, unknown]) => [
   name,
   typeof value,
   (value as { constructor?: { name: string } } | null)?.constructor?.name,
   (value as { length?: number } | null)?.length,
 ]
-
-/** Whether each material is an element inside of the mesh, by what fiber leaves there. */
-function isElement(object: Object3D) {
-  let is = true
-  object.traverse((part) => {
-    for (const material of [(part as Mesh).material ?? []].flat() as (Material & {
-      __r3f?: { parent?: { object?: unknown } | null }
-    })[])
-      is &&= material.__r3f?.parent?.object === part
-  })
-  return is
-}
 
 const withoutGaps = (options: object) =>
   Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined))

@@ -45,23 +45,23 @@ function free(scene) {
   })
 }
 
-/** What can be left out, to see that a test would notice. */
+/** What can be left out of the shaders, to see that a test would notice. */
 const sabotages = {
-  normals: (object) =>
-    object.traverse(({ material }) => {
-      for (const each of [material ?? []].flat()) {
-        const weave = each.onBeforeCompile
-        each.onBeforeCompile = function (shader, ...others) {
-          weave.call(this, shader, ...others)
-          shader.vertexShader = shader.vertexShader.replaceAll('objectNormal = warpjetNormal', '')
-        }
-        each.customProgramCacheKey = () => 'without normals'
-      }
-    }),
-  depth: (object) =>
-    object.traverse((part) => {
-      part.customDepthMaterial = part.customDistanceMaterial = undefined
-    }),
+  normals: (source) =>
+    source.replaceAll('objectNormal = warpjetNormal', 'objectNormal = warpjetRestNormal'),
+  depth: (source) =>
+    /vHighPrecisionZW|#define DISTANCE/.test(source)
+      ? source.replaceAll('transformed = warpjetPosition;', '')
+      : source,
+}
+
+/** A renderer whose shaders lack something. */
+function sabotagedRenderer(sabotage) {
+  const made = rendererFor({ sabotage })
+  const gl = made.getContext()
+  const { shaderSource } = WebGL2RenderingContext.prototype
+  gl.shaderSource = (shader, source) => shaderSource.call(gl, shader, sabotages[sabotage](source))
+  return made
 }
 
 /** How many pixels differ between the warp and the motion → { differing, moved, covered }. */
@@ -70,7 +70,7 @@ export function compare(
   { light = 'directional', space, sabotage, map = 'PCF', options = {} },
 ) {
   const make = scenes.shapes[name]
-  renderer = rendererFor(options)
+  renderer = sabotage ? sabotagedRenderer(sabotage) : rendererFor(options)
   renderer.shadowMap.type = THREE[`${map}ShadowMap`]
   const still = scenes.sceneOf(scenes.unmoved(make), light)
   const before = draw(still)
@@ -82,7 +82,6 @@ export function compare(
   const scene = scenes.sceneOf(object, light)
   const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
   warped.update(1000)
-  sabotages[sabotage]?.(object)
   const shown = draw(scene)
   warped.dispose()
   const after = draw(scene)

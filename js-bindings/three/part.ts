@@ -1,0 +1,81 @@
+// One warped object: what renderers, culling, rays and clones meet while it is warped.
+import type { BatchedMesh, Box3, InstancedMesh, Mesh, Object3D } from 'three'
+import { batchProperties } from './batch.js'
+import { extentOf, isInstancedMesh2 } from './extent.js'
+import type { Warpable } from './pose.js'
+import { answering, asProperties, replaceProperties, wrapMethod } from './properties.js'
+import { type Raycast, raycastOf } from './rays.js'
+import { isWarped, register, unregister } from './registry.js'
+import { carryByNodes, prepareRenderer } from './renderers.js'
+import type { Variants } from './variants.js'
+
+export interface Part {
+  readonly object: Warpable
+  raycast: Raycast
+  bounds: () => Box3
+  release: () => void
+}
+
+/** Warps one object. `adopt` is called for each of its clones. */
+export function warpPart(
+  variants: Variants,
+  object: Warpable,
+  adopt: (clone: Object3D) => void,
+): Part {
+  const { warp } = variants
+  const extent = extentOf(warp, object)
+  const around = () => extent().sphere
+  const restore = [
+    ...['onBeforeRender', 'onBeforeShadow'].map((name) =>
+      wrapMethod<Mesh['onBeforeRender']>(object, name, (own) => {
+        return function (this: Mesh, renderer, ...others) {
+          prepareRenderer(renderer, warp, object)
+          own?.call(this, renderer, ...others)
+        }
+      }),
+    ),
+    wrapMethod<Raycast>(object, 'raycast', (own) => raycastOf(warp, object, own, around)),
+    wrapMethod<Object3D['clone']>(object, 'clone', (own) => {
+      return function (this: Object3D, recursive) {
+        const clone = own.call(this, recursive)
+        if (!isWarped(clone)) adopt(clone)
+        return clone
+      }
+    }),
+    replaceProperties(object, {
+      // They are computed when they are read, so that uniforms may be set at any time.
+      boundingSphere: answering(around),
+      boundingBox: answering(() => extent().box),
+      ...asProperties({ computeBoundingSphere() {}, computeBoundingBox() {} }),
+      ...((object as BatchedMesh).isBatchedMesh &&
+        asProperties(batchProperties(warp, object as BatchedMesh))),
+    }),
+    isInstancedMesh2(object) ? showAllInstances(object as never) : () => {},
+    carryByNodes(object, warp),
+    () => unregister(object),
+  ]
+  register(object, variants)
+  return {
+    object,
+    // As assigned later, too.
+    raycast: (raycaster, intersects) => object.raycast(raycaster, intersects),
+    bounds: () => extent().box.clone(),
+    release() {
+      for (const each of restore.splice(0).reverse()) each()
+    },
+  }
+}
+
+/** @three.ez/instanced-mesh culls each instance by the bounds of the unwarped geometry. */
+function showAllInstances(object: { perObjectFrustumCulled: boolean }) {
+  const before = object.perObjectFrustumCulled
+  object.perObjectFrustumCulled = false
+  return () => void (object.perObjectFrustumCulled = before)
+}
+
+/** Three.js copies bounds to clones, where they would be those of the warp. */
+export function forgetBounds(clone: Object3D) {
+  const { boundingBox, boundingSphere } = clone as InstancedMesh
+  if (boundingBox) (clone as InstancedMesh).boundingBox = null
+  if (boundingSphere) (clone as InstancedMesh).boundingSphere = null
+}

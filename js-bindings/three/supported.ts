@@ -1,0 +1,39 @@
+// Which materials WebGLRenderer can draw warped, and what to write instead of the others.
+import { GLSL3, type Material, type RawShaderMaterial } from 'three'
+import type { WarpSpace } from './settings.js'
+import { canWeave } from './weave.js'
+
+type Flags = Material &
+  Partial<Record<'isNodeMaterial' | 'isSpriteMaterial' | 'isLineMaterial', boolean>> &
+  Partial<RawShaderMaterial>
+
+/** Materials in which `warpMaterial` has put a warp. */
+const byHand = new WeakSet<Material>()
+export const markWarped = (material: Material, isWarped: boolean) =>
+  void (isWarped ? byHand.add(material) : byHand.delete(material))
+export const isWarpedByHand = (material: Material) => byHand.has(material)
+
+/** Says why a material cannot be warped and what to write instead, for a message; `undefined` if it can. */
+export function unsupportedMaterial(material: Material, space?: WarpSpace): string | undefined {
+  const {
+    isNodeMaterial,
+    isSpriteMaterial,
+    isLineMaterial,
+    isShaderMaterial,
+    vertexShader,
+    isRawShaderMaterial,
+    glslVersion,
+  } = material as Flags
+  if (isWarpedByHand(material))
+    return 'a call of warpMaterial has warped it already; give the object a material without a warp'
+  if (isNodeMaterial) return "only WebGPURenderer draws it; import 'warpjet/three/webgpu'"
+  if (isSpriteMaterial)
+    return 'a sprite always faces the camera and has no surface; use a Mesh with a PlaneGeometry'
+  if (isLineMaterial)
+    return 'its shader makes a line as wide as it is from the two ends of each segment; use a Line with a LineBasicMaterial, or a Mesh with a TubeGeometry'
+  if (isShaderMaterial && !canWeave(String(vertexShader)))
+    return 'its vertex shader neither reads the attribute position nor makes "transformed"; read position in it'
+  if (space === 'world' && isRawShaderMaterial && glslVersion !== GLSL3)
+    return "GLSL ES 1.00 cannot invert a matrix, which the space 'world' needs; write it in GLSL ES 3.00 with glslVersion: THREE.GLSL3"
+  return undefined
+}

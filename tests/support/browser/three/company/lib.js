@@ -1,0 +1,188 @@
+// Each row of the company tests is drawn three times: as it is, with vertices that were moved here, and with a warp.
+import * as THREE from 'three'
+import { warp } from 'warpjet/three'
+
+export const size = 160
+
+const amount = 0.2
+
+export const offset = ({ glsl, position }) =>
+  glsl.vec3(0, 0, position.x().mult(4).sin().mult(amount))
+
+/** The same by hand: z grows by a · sin 4x, whose slope turns the normal. */
+export function moveByHand(object) {
+  const done = new Set()
+  object.traverse(({ geometry }) => {
+    if (!geometry || done.has(geometry)) return
+    done.add(geometry)
+    const { position, normal } = geometry.attributes
+    for (let i = 0; i < position.count; i++) {
+      const x = position.getX(i)
+      const slope = 4 * amount * Math.cos(4 * x)
+      position.setZ(i, position.getZ(i) + amount * Math.sin(4 * x))
+      if (!normal) continue
+      const turned = new THREE.Vector3().fromBufferAttribute(normal, i)
+      turned.x -= slope * turned.z
+      normal.setXYZ(i, ...turned.normalize())
+    }
+    geometry.computeBoundingSphere()
+  })
+}
+
+/** F of the user's own shaders in these tests: x grows by 0.3 y². Its authors leave normals as they are. */
+export const userMotion = 'transformed.x += 0.3 * transformed.y * transformed.y;'
+export function userMotionByHand(geometry) {
+  const { position } = geometry.attributes
+  for (let i = 0; i < position.count; i++)
+    position.setX(i, position.getX(i) + 0.3 * position.getY(i) ** 2)
+  return geometry
+}
+
+export const torus = () => new THREE.TorusGeometry(0.8, 0.3, 40, 90)
+
+export function checker() {
+  const data = new Uint8Array(4 * 8 * 8)
+  for (let i = 0; i < 64; i++)
+    data.set((i + (i >> 3)) % 2 ? [255, 120, 40, 255] : [40, 200, 255, 255], 4 * i)
+  const map = new THREE.DataTexture(data, 8, 8)
+  map.magFilter = map.minFilter = THREE.LinearFilter
+  map.colorSpace = THREE.SRGBColorSpace
+  map.needsUpdate = true
+  return map
+}
+
+export function camera() {
+  const made = new THREE.PerspectiveCamera(45, 1, 0.5, 20)
+  made.position.set(1.6, 0.8, 4)
+  made.lookAt(0, 0, 0)
+  made.updateMatrixWorld()
+  return made
+}
+
+export function litScene() {
+  const scene = new THREE.Scene()
+  scene.background = new THREE.Color(0x223344)
+  const sun = new THREE.DirectionalLight(0xffffff, 2)
+  sun.position.set(1, 2, 2)
+  sun.castShadow = true
+  sun.shadow.mapSize.set(256, 256)
+  sun.shadow.bias = -0.004
+  Object.assign(sun.shadow.camera, { left: -2.5, right: 2.5, top: 2.5, bottom: -2.5 })
+  scene.add(sun, new THREE.HemisphereLight(0x8899ff, 0x332211, 0.6))
+  return scene
+}
+
+export function floor() {
+  const made = new THREE.Mesh(
+    new THREE.PlaneGeometry(8, 8),
+    new THREE.MeshStandardMaterial({ color: 0x999999 }),
+  )
+  made.rotation.x = -Math.PI / 2
+  made.position.y = -1.2
+  made.receiveShadow = true
+  return made
+}
+
+export const renderer = new THREE.WebGLRenderer({ preserveDrawingBuffer: true })
+renderer.setPixelRatio(1)
+renderer.setSize(size, size)
+document.body.append(renderer.domElement)
+
+export function pixelsOf(from = renderer) {
+  const gl = from.getContext()
+  const pixels = new Uint8Array(4 * size * size)
+  gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
+  return pixels
+}
+
+/** The ways to treat an object. */
+const ways = {
+  none: () => {},
+  byHand: moveByHand,
+  warped: (object, options) => warp(object, offset, options),
+}
+
+/**
+ * A row draws something with whatever `put` does to the objects, and may prepare it by `way`: by hand, the user's own motion is
+ * done on the CPU, too. Passes of three.js make noise, which must be the same each time.
+ */
+function draw(row, way) {
+  let state = 1
+  const { random } = Math
+  Math.random = () => (state = (state * 16807) % 2147483647) / 2147483647
+  renderer.shadowMap.enabled = false
+  renderer.setRenderTarget(null)
+  renderer.autoClear = true
+  renderer.clear()
+  const undo = []
+  const put = (object, options) => {
+    const warped = ways[way](object, options)
+    if (warped) undo.push(() => warped.dispose())
+    return warped
+  }
+  return Promise.resolve(row({ put, way, renderer }))
+    .then((pixels) => pixels ?? pixelsOf())
+    .finally(() => {
+      Math.random = random
+      for (const each of undo) each()
+    })
+}
+
+function compare(a, b) {
+  let [count, worst] = [0, 0]
+  for (let i = 0; i < a.length; i += 4) {
+    const differences = [0, 1, 2].map((k) => Math.abs(a[i + k] - b[i + k]))
+    worst = Math.max(worst, ...differences)
+    count += differences.some((difference) => difference > 12)
+  }
+  return { count, worst }
+}
+
+/** → { differing, moved, worst } */
+export async function run(row) {
+  const none = await draw(row, 'none')
+  const byHand = await draw(row, 'byHand')
+  const warped = await draw(row, 'warped')
+  const { count, worst } = compare(warped, byHand)
+  return { differing: count, moved: compare(none, byHand).count, worst }
+}
+
+/** A row of one object: `after` runs once it is warped, `then` after the first frame, which is followed by another. */
+export const one =
+  (make, { after, then, shadow = false, view = camera } = {}) =>
+  ({ put, way, renderer }) => {
+    const scene = litScene()
+    renderer.shadowMap.enabled = shadow
+    if (shadow) scene.add(floor())
+    const object = make(way)
+    object.traverse((each) => {
+      each.castShadow = each.receiveShadow = shadow
+    })
+    scene.add(object)
+    put(object)
+    const given = { object, scene, renderer, way }
+    const seen = after?.(given) ?? view()
+    renderer.render(scene, seen)
+    if (!then) return undefined
+    then(given)
+    renderer.render(scene, seen)
+    return undefined
+  }
+
+export const standard = (more) => new THREE.MeshStandardMaterial({ roughness: 0.6, ...more })
+export const mesh = (material = standard(), geometry = torus()) =>
+  new THREE.Mesh(geometry, material)
+
+let changes = 0
+
+/** A material with an `onBeforeCompile`. Two with one source and other constants are one program for three.js, but for the key. */
+export function changed(onBeforeCompile, material = standard()) {
+  const key = `row ${++changes}`
+  material.onBeforeCompile = onBeforeCompile
+  material.customProgramCacheKey = () => key
+  return material
+}
+
+/** The user's own motion, by shader or by hand. */
+export const withMotion = (way, inShader) =>
+  way === 'byHand' ? mesh(standard(), userMotionByHand(torus())) : mesh(inShader())

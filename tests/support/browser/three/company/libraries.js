@@ -1,0 +1,252 @@
+// Rows: pipelines of other packages, bundled by Vite for libraries.browser.test.js.
+import { createElement as e, act } from 'react'
+import { createRoot, extend } from '@react-three/fiber'
+import { MeshDistortMaterial } from '@react-three/drei/core/MeshDistortMaterial'
+import { MeshWobbleMaterial } from '@react-three/drei/core/MeshWobbleMaterial'
+import { InstancedMesh2 } from '@three.ez/instanced-mesh'
+import {
+  EffectComposer,
+  EffectPass,
+  NormalPass,
+  OutlineEffect,
+  RenderPass,
+  SSAOEffect,
+} from 'postprocessing'
+import * as THREE from 'three'
+import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
+import { Text } from 'troika-three-text'
+import { warp } from 'warpjet/three'
+import {
+  camera,
+  floor,
+  litScene,
+  mesh,
+  one,
+  renderer,
+  run,
+  size,
+  standard,
+  torus,
+  userMotionByHand,
+} from './lib.js'
+import { straightCamera, twistedByHand } from './twisted.js'
+
+globalThis.IS_REACT_ACT_ENVIRONMENT = true
+extend(THREE)
+
+/** A material that a component of React creates. */
+async function materialOf(component, props) {
+  const canvas = document.createElement('canvas')
+  const root = createRoot(canvas)
+  await root.configure({
+    size: { width: 8, height: 8, top: 0, left: 0 },
+    frameloop: 'never',
+    gl: { antialias: false },
+  })
+  let material
+  const ref = (given) => (material = given ?? material)
+  await act(async () =>
+    root.render(e('mesh', {}, e('boxGeometry'), e(component, { ...props, ref }))),
+  )
+  return material
+}
+
+const wobble = await materialOf(MeshWobbleMaterial, { speed: 0, factor: 1, roughness: 0.6 })
+wobble.time = 1
+const distort = await materialOf(MeshDistortMaterial, { speed: 0, distort: 0.5, roughness: 0.6 })
+
+/** The tests' warp after drei's own motion, written into its shader by hand. */
+function distortByHand() {
+  const material = distort.clone()
+  for (const name of ['time', 'distort', 'radius']) material[name] = distort[name]
+  const { onBeforeCompile } = distort
+  material.onBeforeCompile = function (shader) {
+    onBeforeCompile.call(this, shader)
+    shader.vertexShader = shader.vertexShader.replace(
+      '#include <project_vertex>',
+      `float slope = 0.8 * cos( 4.0 * transformed.x );
+      transformed.z += 0.2 * sin( 4.0 * transformed.x );
+      vec3 n = vNormal * mat3( modelViewMatrix );
+      n.x -= slope * n.z;
+      vNormal = normalize( normalMatrix * n );
+      #include <project_vertex>`,
+    )
+  }
+  material.customProgramCacheKey = () => 'distort by hand'
+  return material
+}
+
+/** A composer of postprocessing; `makePasses` gets the scene, the camera and the object. */
+const composed =
+  (makePasses) =>
+  ({ put, renderer }) => {
+    const scene = litScene()
+    const object = mesh()
+    scene.add(object, floor())
+    put(object)
+    const view = camera()
+    const composer = new EffectComposer(renderer)
+    composer.setSize(size, size)
+    composer.addPass(new RenderPass(scene, view))
+    for (const pass of makePasses(scene, view, object)) composer.addPass(pass)
+    composer.render(0.016)
+    composer.dispose()
+    renderer.autoClear = true
+  }
+
+const font = new URL(
+  '/node_modules/@fontsource/fredoka/files/fredoka-latin-400-normal.woff',
+  location,
+)
+
+/** Text is made of a square per letter, so it is moved linearly: a shear and a shift, by the warp and by a matrix. */
+async function text({ way, renderer }) {
+  const scene = litScene()
+  const made = new Text()
+  Object.assign(made, {
+    text: 'warp',
+    fontSize: 0.9,
+    anchorX: 'center',
+    anchorY: 'middle',
+    color: 0xffaa33,
+  })
+  made.font = String(font)
+  await new Promise((done) => made.sync(done))
+  scene.add(made)
+  const undo =
+    way === 'warped' &&
+    warp(made, ({ glsl, position }) =>
+      glsl.vec3(position.y().mult(0.5), 0.2, position.x().mult(0.3)),
+    )
+  if (way === 'byHand') {
+    made.matrixAutoUpdate = false
+    made.matrix.set(1, 0.5, 0, 0, 0, 1, 0, 0.2, 0.3, 0, 1, 0, 0, 0, 0, 1)
+  }
+  renderer.render(scene, camera())
+  renderer.render(scene, camera())
+  if (undo) undo.dispose()
+}
+
+const places = [-0.8, 0.8].map((x) =>
+  new THREE.Matrix4().compose(
+    new THREE.Vector3(x, 0, 0),
+    new THREE.Quaternion().setFromEuler(new THREE.Euler(0.3, x, 0)),
+    new THREE.Vector3(0.6, 0.6, 0.6),
+  ),
+)
+
+function instances({ put, way, renderer }) {
+  const scene = litScene()
+  const view = camera()
+  if (way === 'byHand') {
+    const geometry = torus()
+    const parts = places.map((matrix) => {
+      const part = mesh(standard(), geometry)
+      part.applyMatrix4(matrix)
+      return part
+    })
+    scene.add(...parts)
+    put(parts[0])
+  } else {
+    const made = new InstancedMesh2(torus(), standard(), { capacity: 2, renderer })
+    let i = 0
+    made.addInstances(2, (object) => {
+      places[i++].decompose(object.position, object.quaternion, object.scale)
+    })
+    scene.add(made)
+    put(made)
+  }
+  renderer.render(scene, view)
+  renderer.render(scene, view)
+}
+
+const custom = (options) =>
+  mesh(
+    new CustomShaderMaterial({
+      baseMaterial: THREE.MeshStandardMaterial,
+      roughness: 0.6,
+      ...options,
+    }),
+  )
+
+export const rows = {
+  'postprocessing NormalPass and SSAOEffect': composed((scene, view) => {
+    const normals = new NormalPass(scene, view)
+    const ssao = new SSAOEffect(view, normals.texture, {
+      intensity: 4,
+      radius: 0.1,
+      worldDistanceThreshold: 20,
+      worldDistanceFalloff: 5,
+      worldProximityThreshold: 1,
+      worldProximityFalloff: 1,
+    })
+    return [normals, new EffectPass(view, ssao)]
+  }),
+  'postprocessing OutlineEffect': composed((scene, view, object) => {
+    const outline = new OutlineEffect(scene, view, { edgeStrength: 5, visibleEdgeColor: 0xff0000 })
+    outline.selection.set([object])
+    return [new EffectPass(view, outline)]
+  }),
+  'troika-three-text': text,
+  '@three.ez/instanced-mesh': instances,
+  'three-custom-shader-material, csm_Position': one((way) =>
+    way === 'byHand'
+      ? mesh(standard(), userMotionByHand(torus()))
+      : custom({
+          vertexShader:
+            'void main() { csm_Position = position + vec3( 0.3 * position.y * position.y, 0.0, 0.0 ); }',
+        }),
+  ),
+  'three-custom-shader-material, csm_Normal and csm_DiffuseColor': one((way) => {
+    if (way !== 'byHand')
+      return custom({
+        vertexShader: 'void main() { csm_Normal = normalize( normal + vec3( 0.0, 0.5, 0.0 ) ); }',
+        fragmentShader: 'void main() { csm_DiffuseColor = vec4( 1.0, 0.0, 0.0, 1.0 ); }',
+      })
+    const geometry = torus()
+    const { normal } = geometry.attributes
+    for (let i = 0; i < normal.count; i++) {
+      const bent = new THREE.Vector3().fromBufferAttribute(normal, i)
+      bent.y += 0.5
+      normal.setXYZ(i, ...bent.normalize())
+    }
+    return mesh(standard({ color: 'red' }), geometry)
+  }),
+  "drei's wobble": one((way) => (way === 'byHand' ? twistedByHand() : mesh(wobble)), {
+    view: straightCamera,
+  }),
+  "drei's distort": ({ put, way, renderer }) => {
+    const scene = litScene()
+    const object = mesh(way === 'byHand' ? distortByHand() : distort)
+    scene.add(object)
+    if (way === 'warped') put(object)
+    renderer.render(scene, camera())
+  },
+}
+
+/** Rays meet instances of @three.ez/instanced-mesh where a warp lifts them: → the heights of the hits, by space. */
+function heights() {
+  const result = {}
+  for (const space of ['local', 'world']) {
+    const made = new InstancedMesh2(new THREE.PlaneGeometry(2, 2), standard(), {
+      capacity: 1,
+      renderer,
+    })
+    made.addInstances(1, (object) => object.position.set(0, 0, 1))
+    made.computeBVH()
+    const warped = warp(made, ({ glsl }) => glsl.vec3(0, 0, 2), { space })
+    const down = new THREE.Raycaster(new THREE.Vector3(0.2, 0.1, 9), new THREE.Vector3(0, 0, -1))
+    result[space] = [down.intersectObject(made)[0]?.point.z]
+    made.setMatrixAt(0, new THREE.Matrix4().makeTranslation(0, 0, 3))
+    result[space].push(down.intersectObject(made)[0]?.point.z)
+    warped.dispose()
+  }
+  return result
+}
+
+window.company = {
+  heights,
+  names: { libraries: Object.keys(rows) },
+  run: (_, name) => run(rows[name]),
+}
+document.title = 'ready'

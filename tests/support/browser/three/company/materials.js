@@ -1,0 +1,274 @@
+// Rows: what users do with materials and their shaders.
+import * as THREE from 'three'
+import {
+  changed,
+  checker,
+  mesh,
+  one,
+  renderer,
+  standard,
+  torus,
+  userMotion,
+  withMotion,
+} from './lib.js'
+import { straightCamera, twistedByHand } from './twisted.js'
+
+const redden = (shader, when = 'true') => {
+  shader.fragmentShader = shader.fragmentShader.replace(
+    '#include <dithering_fragment>',
+    `#include <dithering_fragment>\nif ( ${when} ) gl_FragColor.r = 1.0;`,
+  )
+}
+
+const inVertex = (from, to) => (shader) => {
+  shader.vertexShader = shader.vertexShader.replace(from, to)
+}
+
+const beginReplaced = `vec3 transformed = vec3( position );\n${userMotion}`
+
+/** Adds a uniform and keeps the shader, as three's examples do. */
+const tinted = () => {
+  const material = standard()
+  material.onBeforeCompile = function (shader) {
+    shader.uniforms.tint = { value: 0 }
+    shader.fragmentShader = `uniform float tint;\n${shader.fragmentShader}`.replace(
+      '#include <dithering_fragment>',
+      'gl_FragColor.r = tint;',
+    )
+    this.userData.shader = shader
+  }
+  return material
+}
+
+/** A mesh that one bone turns; by hand, its vertices. */
+function boned(way, material) {
+  const turn = new THREE.Matrix4().makeRotationY(0.6)
+  if (way === 'byHand') return mesh(standard(), torus().applyMatrix4(turn))
+  const geometry = torus()
+  const { count } = geometry.attributes.position
+  const weights = Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0))
+  geometry.setAttribute(
+    'skinIndex',
+    new THREE.Uint16BufferAttribute(new Array(4 * count).fill(0), 4),
+  )
+  geometry.setAttribute('skinWeight', new THREE.BufferAttribute(weights, 4))
+  const made = new THREE.SkinnedMesh(geometry, material)
+  const bone = new THREE.Bone()
+  made.add(bone)
+  made.bind(new THREE.Skeleton([bone]))
+  bone.rotation.y = 0.6
+  return made
+}
+
+/** A mesh that a morph target moves and whose normals another one turns; by hand, its vertices. */
+function morphed(way, material) {
+  const geometry = torus()
+  const targets = ['position', 'normal'].map((name) => {
+    const target = geometry.attributes[name].clone()
+    for (let i = 0; i < target.count; i++)
+      target.setXYZ(i, 0.5 * target.getY(i), 0, name === 'normal' ? 0.3 : 0.2)
+    return target
+  })
+  const influence = 0.8
+  if (way === 'byHand') {
+    for (const [k, name] of ['position', 'normal'].entries()) {
+      const attribute = geometry.attributes[name]
+      for (let i = 0; i < attribute.count; i++)
+        for (const j of [0, 1, 2])
+          attribute.setComponent(
+            i,
+            j,
+            attribute.getComponent(i, j) + influence * targets[k].getComponent(i, j),
+          )
+    }
+    return mesh(standard(), geometry)
+  }
+  geometry.morphAttributes = { position: [targets[0]], normal: [targets[1]] }
+  geometry.morphTargetsRelative = true
+  const made = mesh(material, geometry)
+  made.morphTargetInfluences = [influence]
+  return made
+}
+
+const kinds = { skin: boned, morp: morphed, disp: displaced }
+
+/** Those of three.js that a user may replace by their own text. */
+const chunks = [
+  'begin_vertex',
+  'beginnormal_vertex',
+  'defaultnormal_vertex',
+  'normal_vertex',
+  'skinbase_vertex',
+  'skinnormal_vertex',
+  'skinning_vertex',
+  'morphtarget_vertex',
+  'morphnormal_vertex',
+  'displacementmap_vertex',
+  'project_vertex',
+  'worldpos_vertex',
+]
+
+/** The example materials_modified turns position and normal about y by an angle that grows with y. */
+const twisted = (way) =>
+  way === 'byHand'
+    ? twistedByHand()
+    : mesh(
+        changed(
+          inVertex(
+            '#include <begin_vertex>',
+            `float theta = sin( 1.0 + position.y ) / 2.0;
+            float c = cos( theta );
+            float s = sin( theta );
+            mat3 m = mat3( c, 0, s, 0, 1, 0, - s, 0, c );
+            vec3 transformed = vec3( position ) * m;
+            vNormal = vNormal * m;`,
+          ),
+        ),
+      )
+
+class WithPrivateField extends THREE.MeshStandardMaterial {
+  #tint = 0.9
+  onBeforeCompile(shader) {
+    redden(shader, String(this.#tint > 0.5))
+  }
+  customProgramCacheKey() {
+    return `private ${this.#tint}`
+  }
+}
+
+class WithArguments extends THREE.MeshStandardMaterial {
+  constructor(options) {
+    super()
+    this.color.set(options.color)
+    this.mine = { of: this }
+    this.userData.self = this
+  }
+}
+
+function targetTexture() {
+  const target = new THREE.WebGLRenderTarget(16, 16)
+  const scene = new THREE.Scene()
+  scene.background = new THREE.Color(0x20c060)
+  renderer.setRenderTarget(target)
+  renderer.render(scene, new THREE.Camera())
+  renderer.setRenderTarget(null)
+  return target.texture
+}
+
+function cachedByKey() {
+  const material = standard()
+  material.userData.isRed = false
+  material.onBeforeCompile = (shader) => redden(shader, String(material.userData.isRed))
+  material.customProgramCacheKey = () => `red ${material.userData.isRed}`
+  return material
+}
+
+function withAccessor() {
+  const base = standard()
+  // As troika-three-text derives materials.
+  return Object.create(base, {
+    isDerivedMaterial: { value: true },
+    onBeforeCompile: {
+      get: () => (shader, renderer) => {
+        base.onBeforeCompile(shader, renderer)
+        redden(shader)
+      },
+      set: (value) => (base.onBeforeCompile = value),
+    },
+    customProgramCacheKey: { value: () => 'derived' },
+  })
+}
+
+function displaced(way, material = standard()) {
+  const map = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
+  map.needsUpdate = true
+  if (way !== 'byHand')
+    return mesh(Object.assign(material, { displacementMap: map, displacementScale: 0.12 }))
+  const geometry = torus()
+  const { position, normal } = geometry.attributes
+  for (let i = 0; i < position.count; i++)
+    position.setXYZ(
+      i,
+      ...[0, 1, 2].map((k) => position.getComponent(i, k) + 0.12 * normal.getComponent(i, k)),
+    )
+  return mesh(standard(), geometry)
+}
+
+export const rows = {
+  'begin_vertex replaced': one((way) =>
+    withMotion(way, () => changed(inVertex('#include <begin_vertex>', beginReplaced))),
+  ),
+  'begin_vertex appended to': one((way) =>
+    withMotion(way, () =>
+      changed(inVertex('#include <begin_vertex>', `#include <begin_vertex>\n${userMotion}`)),
+    ),
+  ),
+  'motion in front of project_vertex': one((way) =>
+    withMotion(way, () =>
+      changed(inVertex('#include <project_vertex>', `${userMotion}\n#include <project_vertex>`)),
+    ),
+  ),
+  'materials_modified of three.js': one(twisted, { view: straightCamera }),
+  ...Object.fromEntries(
+    chunks.map((name) => [
+      `${name} replaced by its own text`,
+      one((way) => {
+        const make = kinds[name.slice(0, 4)] ?? ((_, material) => mesh(material))
+        return make(way, changed(inVertex(`#include <${name}>`, THREE.ShaderChunk[name])))
+      }),
+    ]),
+  ),
+  'an accessor on onBeforeCompile': one(() => mesh(withAccessor())),
+  'defines from the start': one(() => {
+    const material = changed((shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace(
+        '#include <dithering_fragment>',
+        '#ifdef RED\ngl_FragColor.r = 1.0;\n#endif',
+      )
+    })
+    material.defines.RED = ''
+    return mesh(material)
+  }),
+  'color, map and flatShading that change': one(() => mesh(), {
+    then({ object: { material } }) {
+      material.color.set('orange')
+      Object.assign(material, { map: checker(), flatShading: true, needsUpdate: true })
+    },
+  }),
+  'customProgramCacheKey that changes': one(() => mesh(cachedByKey()), {
+    then({ object: { material } }) {
+      material.userData.isRed = true
+      material.needsUpdate = true
+    },
+  }),
+  'onBeforeCompile that is replaced': one(() => mesh(), {
+    then({ object: { material } }) {
+      material.onBeforeCompile = (shader) => redden(shader)
+      material.needsUpdate = true
+    },
+  }),
+  'userData.shader': one(() => mesh(tinted()), {
+    then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
+  }),
+  'userData.shader, the material also on another mesh': one(() => mesh(tinted()), {
+    after({ object, scene }) {
+      const box = new THREE.Mesh(new THREE.BoxGeometry(0.5, 0.5, 0.5), object.material)
+      box.position.set(1, 1, 0)
+      scene.add(box)
+    },
+    then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
+  }),
+  'material.onBeforeRender': one(() => {
+    const material = standard()
+    material.onBeforeRender = function () {
+      this.color.set('lime')
+    }
+    return mesh(material)
+  }),
+  'a field that is private': one(() => mesh(new WithPrivateField())),
+  'constructor arguments, own fields and circular userData': one(() =>
+    mesh(new WithArguments({ color: 'orange' })),
+  ),
+  'the texture of a render target': one(() => mesh(standard({ map: targetTexture() }))),
+  displacementMap: one((way) => displaced(way)),
+}

@@ -1,0 +1,68 @@
+// Rows: shadows, also cascaded ones.
+import * as THREE from 'three'
+import { CSM } from 'three/addons/csm/CSM.js'
+import { camera, floor, litScene, mesh, one, standard } from './lib.js'
+
+/** Cascades for the object's material and the floor's, set up before the warp, after it, or after the first frame. */
+const cascades =
+  (when, { isShared = false } = {}) =>
+  ({ put, renderer }) => {
+    renderer.shadowMap.enabled = true
+    const scene = litScene()
+    scene.children[0].castShadow = false
+    const view = camera()
+    const csm = new CSM({
+      maxFar: 20,
+      cascades: 2,
+      mode: 'practical',
+      parent: scene,
+      shadowMapSize: 512,
+      lightDirection: new THREE.Vector3(-1, -2, -1).normalize(),
+      camera: view,
+    })
+    const object = mesh()
+    const ground = floor()
+    object.castShadow = object.receiveShadow = true
+    scene.add(object, ground)
+    if (isShared) ground.material = object.material
+    else csm.setupMaterial(ground.material)
+    if (when === 'before') csm.setupMaterial(object.material)
+    put(object)
+    if (when === 'after a frame') renderer.render(scene, view)
+    if (when !== 'before') {
+      csm.setupMaterial(object.material)
+      object.material.needsUpdate = true
+    }
+    csm.update()
+    renderer.render(scene, view)
+    view.fov = 40
+    view.updateProjectionMatrix()
+    csm.updateFrustums()
+    csm.update()
+    renderer.render(scene, view)
+    csm.remove()
+    csm.dispose()
+  }
+
+const byPoint = () =>
+  one(() => mesh(), {
+    shadow: true,
+    after({ scene }) {
+      scene.children[0].castShadow = false
+      const light = new THREE.PointLight(0xffffff, 20)
+      light.position.set(1, 2, 2)
+      light.castShadow = true
+      light.shadow.bias = -0.01
+      scene.add(light)
+    },
+  })
+
+export const rows = {
+  'a directional light': one(() => mesh(), { shadow: true }),
+  'a point light': byPoint(),
+  'holes by alphaTest': one(() => mesh(standard({ alphaTest: 0.5, opacity: 1 })), { shadow: true }),
+  'cascades before': cascades('before'),
+  'cascades after': cascades('after'),
+  'cascades after a frame': cascades('after a frame'),
+  'cascades on a material that an unwarped mesh has, too': cascades('after', { isShared: true }),
+}

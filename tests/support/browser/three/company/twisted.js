@@ -1,0 +1,26 @@
+// The motion of three's example materials_modified and of drei's wobble, on the CPU: position and normal are turned about y by an
+// angle that grows with y. Their shaders turn the normal in view space; with a camera that looks along -z this is the object's.
+import * as THREE from 'three'
+import { mesh, standard, torus } from './lib.js'
+
+export function twistedByHand() {
+  const geometry = torus()
+  const { position, normal } = geometry.attributes
+  for (let i = 0; i < position.count; i++) {
+    const theta = Math.sin(1 + position.getY(i)) / 2
+    const [c, s] = [Math.cos(theta), Math.sin(theta)]
+    for (const each of [position, normal]) {
+      const [x, z] = [each.getX(i), each.getZ(i)]
+      each.setX(i, x * c + z * s)
+      each.setZ(i, z * c - x * s)
+    }
+  }
+  return mesh(standard(), geometry)
+}
+
+export function straightCamera() {
+  const made = new THREE.PerspectiveCamera(45, 1, 0.5, 20)
+  made.position.z = 4
+  made.updateMatrixWorld()
+  return made
+}

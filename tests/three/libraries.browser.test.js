@@ -1,0 +1,68 @@
+// 'warpjet/three' with packages that draw, deform or instance by themselves: each row as in company.browser.test.js.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { build } from 'vite'
+import { launchBrowser, openPage } from '../support/browser/browser.js'
+import { servePages } from '../support/browser/server.js'
+
+const root = fileURLToPath(new URL('../../', import.meta.url))
+const project = '.build/libraries'
+
+let browser, pages, page, messages
+before(async () => {
+  await build({
+    configFile: false,
+    logLevel: 'error',
+    root,
+    publicDir: false,
+    resolve: { dedupe: ['three', 'react'] },
+    define: { 'process.env.NODE_ENV': '"development"' },
+    build: {
+      outDir: project,
+      minify: false,
+      target: 'es2022',
+      rolldownOptions: {
+        input: `${root}tests/support/browser/three/company/libraries.js`,
+        output: { entryFileNames: 'page.js' },
+      },
+    },
+  })
+  browser = await launchBrowser()
+  pages = await servePages()
+  const html = `<!doctype html><body><script type="module" src="/${project}/page.js"></script>`
+  ;({ page, messages } = await openPage(browser, pages.page(html)))
+  await page
+    .waitForFunction(() => document.title === 'ready')
+    .catch((error) => {
+      throw new Error(`${error.message}\n${messages.join('\n')}`)
+    })
+})
+after(async () => {
+  await browser.close()
+  await pages.close()
+})
+
+test('each package', async (t) => {
+  for (const name of await page.evaluate(() => company.names.libraries))
+    await t.test(name, async (t) => {
+      messages.length = 0
+      const { differing, moved, worst } = await page.evaluate(
+        (name) => company.run('libraries', name),
+        name,
+      )
+      t.diagnostic(`${differing} pixels differ, by at most ${worst}; ${moved} are moved`)
+      // Of the reader of fonts in troika-three-text.
+      const others = messages.filter((message) => !message.startsWith('unsupported GPOS'))
+      assert.deepEqual(others, [])
+      assert.ok(moved > 400, `${moved} pixels are moved`)
+      assert.ok(differing <= 5, `${differing} pixels differ, by at most ${worst}`)
+    })
+})
+
+test('rays meet instances of @three.ez/instanced-mesh where they are drawn', async () => {
+  const heights = await page.evaluate(() => company.heights())
+  for (const space of ['local', 'world'])
+    for (const [i, expected] of [3, 5].entries())
+      assert.ok(Math.abs(heights[space][i] - expected) < 1e-3, JSON.stringify(heights))
+})
