@@ -1,4 +1,4 @@
-// A BatchedMesh culls its instances one by one, by what is around each of its geometries.
+// A BatchedMesh culls its instances one by one, by the bounds of its geometries.
 import { type BatchedMesh, Box3, Sphere } from 'three'
 import { type Extent, extentInBatch, stateOf } from './extent.js'
 import { remembered } from './remembered.js'

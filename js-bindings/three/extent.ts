@@ -1,4 +1,5 @@
-// How far a warped object extends, for culling: boxes from `bounds`, which are never too small, again when something changed.
+// Computes boxes and spheres around warped objects, for culling. They are never too small, and are computed again when something has
+// changed.
 import {
   type BatchedMesh,
   Box3,
@@ -25,7 +26,7 @@ import { fillOf } from './surface.js'
 const everything = () =>
   new Box3(new Vector3().setScalar(-Infinity), new Vector3().setScalar(Infinity))
 
-/** A box around all that the warp makes of one. */
+/** Bounds everything that the warp makes of the points in a box. */
 export function warpedBox(warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
   return warp.runs ? boundsBy('position', warp, object, box) : everything()
 }
@@ -51,7 +52,7 @@ function boundsBy(
   return bounds.isEmpty() ? everything() : bounds
 }
 
-/** Of texture coordinates, which have no third one. */
+/** Computes the range of texture coordinates. */
 function rangeOf(uv: BufferAttribute) {
   const min = [Infinity, Infinity]
   const max = [-Infinity, -Infinity]
@@ -63,7 +64,7 @@ function rangeOf(uv: BufferAttribute) {
   return { min, max }
 }
 
-/** What changes where a warped object is. */
+/** Numbers that change when a warped object moves or is deformed. */
 export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
   const { drawRange, index } = object.geometry
   return [
@@ -74,7 +75,7 @@ export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
   ]
 }
 
-/** What changes where it is before the warp. */
+/** Numbers that change when an object moves or is deformed before the warp. */
 function placeState(object: Warpable, space: WarpSpace): number[] {
   const { instanceMatrix, count } = object as InstancedMesh
   return [
@@ -100,7 +101,7 @@ function batchState(object: BatchedMesh) {
   return [matrices?.version ?? NaN, ...idsOf(object)]
 }
 
-/** The matrix of each instance; of what has none a single one that changes nothing. */
+/** The matrix of each instance; the identity for an object without instances. */
 export function instancesOf(object: Warpable): {
   matrices: Matrix4[]
   ids: (number | undefined)[]
@@ -117,7 +118,7 @@ export function instancesOf(object: Warpable): {
   return { matrices, ids }
 }
 
-/** Those of a batch that were not deleted; three.js 0.159 keeps them in a list of their own. */
+/** The visible instances of a batch that were not deleted. Three.js 0.159 keeps them in a list of their own. */
 function idsOf(object: Warpable): number[] {
   const { _instanceInfo, _active = [] } = object as unknown as {
     _instanceInfo?: { active: boolean; visible: boolean }[]
@@ -127,13 +128,13 @@ function idsOf(object: Warpable): number[] {
   return isThere.flatMap((is, i) => (is ? i : []))
 }
 
-/** A box and a sphere, each around all of something. */
+/** A box and a sphere that bound the same points. */
 export interface Extent {
   box: Box3
   sphere: Sphere
 }
 
-/** Gives what is around the object as it is drawn, before its own matrix; works out anew what has changed. */
+/** Returns a function that bounds the object as it is drawn, before its own matrix, and computes again only after a change. */
 export function extentOf(warp: ThreeWarp, object: Warpable): () => Extent {
   const before = remembered(
     () => placeState(object, 'world'),
@@ -145,7 +146,7 @@ export function extentOf(warp: ThreeWarp, object: Warpable): () => Extent {
   )
 }
 
-/** Everything where the warp, a vertex or a matrix gives no finite place: such an object is never culled. */
+/** The extent is infinite, so that the object is never culled, if the warp, a vertex or a matrix yields a position that is not finite. */
 function findExtent(warp: ThreeWarp, object: Warpable, before: () => Extent): Extent {
   if (!warp.runs) return whole(everything())
   const extent =
@@ -168,7 +169,7 @@ function extentOfAll(warp: ThreeWarp, object: Warpable): Extent {
   return { box: all.box, sphere: smaller(all.sphere, sphereAround(all.box)) }
 }
 
-/** Of one instance, before its matrix. */
+/** Bounds one instance, before its matrix. */
 function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
   const isRest = warp.settings.space === 'rest' && isMoved(object)
   const from = isRest ? restBox(object) : posedBox(object)
@@ -177,7 +178,7 @@ function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
   return isRest ? whole(posedFrom(object, warped.box)) : warped
 }
 
-/** Two ways of bounding, by where the warp takes a box and by how far it moves a sphere; the smaller sphere counts. */
+/** Bounds by the image of a box and by the distance that a sphere moves, and takes the smaller sphere. */
 function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent): Extent {
   const warped = whole(warpedBox(warp, object, box))
   const by = boundsBy('offset', warp, object, box)
@@ -191,10 +192,10 @@ function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent
 
 const smaller = (a: Sphere, b: Sphere) => (a.radius < b.radius ? a : b)
 
-/** Sines of a GPU are less exact than those of the CPU. */
+/** The sines of a GPU are less exact than those of the CPU. */
 const slack = 1.001
 
-/** Around all instances in the world, before the warp. */
+/** Bounds all instances in the world, before the warp. */
 function aroundInWorld(object: Warpable): Extent {
   const box = posedBox(object)
   const sphere = isMoved(object) ? sphereAround(box) : restSphere(object)
@@ -208,11 +209,11 @@ function aroundInWorld(object: Warpable): Extent {
   return all
 }
 
-/** All instances are warped as one: ten thousand of them would take a second. */
+/** Warps the bounds of all instances at once: one by one, ten thousand of them would take a second. */
 function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Extent {
   const warped = warpedExtent(warp, object, before)
   if (isInfinite(warped.box)) return warped
-  // What three.js will apply, backwards: it makes spheres larger by the largest scale.
+  // Three.js will apply the matrix, and scales spheres by its largest scale.
   const back = new Matrix4().copy(object.matrixWorld).invert()
   return {
     box: warped.box.applyMatrix4(back),
@@ -224,8 +225,8 @@ function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Exten
 }
 
 /**
- * Of a geometry of a batch, whichever instance has it. In the world, where each is warped otherwise, it grows by as far as
- * any vertex of any instance moves.
+ * Bounds a geometry of a batch, for all of its instances. In the world, where each instance is warped differently, the bounds grow
+ * by the largest distance that any vertex of any instance moves.
  */
 export function extentInBatch(warp: ThreeWarp, object: Warpable): (rest: Extent) => Extent {
   if (warp.settings.space !== 'world') return (rest) => warpedExtent(warp, object, rest)

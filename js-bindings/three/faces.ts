@@ -1,4 +1,4 @@
-// Which side of a triangle is the outer one: where a warp mirrors all of space, it is the one that the renderer takes for the back.
+// The outer side of a triangle: where a warp mirrors all of space, the renderer takes it for the back.
 import { BackSide, FrontSide, type Material, type Side } from 'three'
 import { shaderNames } from '../compile/hosts.js'
 import { resolveIncludes } from './shader-source.js'
@@ -30,7 +30,7 @@ const others = new Map<Side, Side>([
   [BackSide, FrontSide],
 ])
 
-/** The material as rays must see it where the surface is inside out. */
+/** The material for rays where the surface is inside out. */
 export function withOtherSide(material: Material | Material[]): Material | Material[] {
   if (Array.isArray(material)) return material.map((each) => withOtherSide(each) as Material)
   const side = others.get(material.side) ?? material.side

@@ -27,7 +27,7 @@ export interface WarpedMaterial<
   readonly material: Kind
   /** For the mesh's property of that name: shadows of directional and spot lights. */
   readonly customDepthMaterial: Material
-  /** Likewise, for point lights. */
+  /** For the mesh's property of that name: shadows of point lights. */
   readonly customDistanceMaterial: Material
 }
 

@@ -57,7 +57,7 @@ export function warpPart(
   register(object, variants)
   return {
     object,
-    // As assigned later, too.
+    // Reads the method each time, since another one may have been assigned.
     raycast: (raycaster, intersects) => object.raycast(raycaster, intersects),
     bounds: () => extent().box.clone(),
     release() {

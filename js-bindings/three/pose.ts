@@ -21,7 +21,7 @@ import {
   variationNames,
 } from '../compile/hosts.js'
 
-/** What can be warped. */
+/** An object that can be warped. */
 export type Warpable = Mesh | Points | Line
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute
@@ -117,7 +117,7 @@ function morphed(object: Warpable, normals: Float32Array) {
   return turned
 }
 
-/** Around a geometry at rest, by the version of its positions. */
+/** Maps positions of geometries to their bounds at rest, for one version. */
 const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
 
 const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
@@ -199,7 +199,7 @@ const scaled = ({ min, max }: Box3, factor: number) => {
   return new Box3(a.clone().min(b), a.max(b))
 }
 
-/** By bone, a box around the vertices at rest that it moves; nothing where weights do not sum to 1. */
+/** Maps bones to boxes around the vertices at rest that they move; `undefined` if weights do not sum to 1. */
 const bonesOf = new WeakMap<
   BufferGeometry,
   { version: string; boxes: Map<number, Box3> | undefined }
@@ -230,7 +230,7 @@ function boxesOfBones(geometry: BufferGeometry) {
 
 const toBone = new Matrix4()
 
-/** Around the object as its morph targets and bones have it, before its own matrix: never too small. */
+/** Bounds the object after morph targets and bones, before its own matrix: never too small. */
 export function posedBox(object: Warpable): Box3 {
   const rest = restBox(object)
   if (!isSkinned(object)) return isMoved(object) ? boxOfMorphs(object, rest) : rest
@@ -243,7 +243,7 @@ export function posedBox(object: Warpable): Box3 {
   return box
 }
 
-/** What morph targets and bones make of a box. */
+/** Bounds everything that morph targets and bones make of the points in a box. */
 export function posedFrom(object: Warpable, box: Box3): Box3 {
   const morphed = boxOfMorphs(object, box)
   if (!isSkinned(object)) return morphed

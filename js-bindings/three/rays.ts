@@ -1,4 +1,4 @@
-// Rays meet what is seen: three's own `raycast` runs on a stand-in of the object whose vertices are warped.
+// Rays meet the warped surface: three's own `raycast` runs on a stand-in of the object whose vertices are warped.
 import {
   type BatchedMesh,
   type BufferAttribute,
@@ -23,7 +23,7 @@ export type Raycast = (raycaster: Raycaster, intersects: Intersection[]) => void
 
 const noted = new WeakSet<ThreeWarp>()
 
-/** What replaces `raycast` of a warped object; `own` is what it was, and `around` is around all that is drawn of it now. */
+/** Creates the `raycast` of a warped object. `own` is its method without the warp, and `around` bounds everything that is drawn of it. */
 export function raycastOf(
   warp: ThreeWarp,
   object: Warpable,
@@ -40,7 +40,7 @@ export function raycastOf(
   }
 }
 
-/** Rays go through what only the GPU knows, and that is said once. */
+/** Warns once that rays miss a warp that only the GPU can run. */
 function noteMiss(warp: ThreeWarp) {
   if (noted.has(warp)) return
   noted.add(warp)
@@ -49,7 +49,7 @@ function noteMiss(warp: ThreeWarp) {
   )
 }
 
-/** Whether the ray meets the sphere. Points and lines are as thick as the raycaster says, so that they are always looked at. */
+/** Tests whether the ray meets the sphere. Points and lines are as thick as the raycaster says, and always count as near. */
 const isNear = ({ ray }: Raycaster, object: Warpable, sphere: Sphere, matrix: Matrix4) =>
   !(object as Mesh).isMesh || ray.intersectsSphere(sphere.clone().applyMatrix4(matrix))
 
@@ -61,7 +61,7 @@ const ofOthers = (geometry: BufferGeometry) => ({
   _geometry: geometry,
 })
 
-/** The object with another geometry, which is where it is: no morph targets and no bones move it further. */
+/** The object with a geometry that no morph targets and no bones move. */
 const standInFor = (
   object: Warpable,
   geometry: BufferGeometry,
@@ -80,7 +80,7 @@ const standInFor = (
     }),
   ) as Warpable
 
-/** The hits of three.js' own `raycast`; `isReversed` if the back of its triangles is outside. */
+/** The hits of three's own `raycast`. `isReversed` is `true` if the back of its triangles is outside. */
 function cast(own: Raycast, standIn: Warpable, isReversed: boolean, raycaster: Raycaster) {
   const found: Intersection[] = []
   if (!isReversed || !(standIn as Mesh).isMesh) {
@@ -96,7 +96,7 @@ function cast(own: Raycast, standIn: Warpable, isReversed: boolean, raycaster: R
   return found
 }
 
-/** In the spaces before the object's matrix, where all instances have one surface. */
+/** Casts in the spaces before the object's matrix, where all instances have one surface. */
 function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
   const geometry = remembered(
     () => stateOf(warp, object),
@@ -117,7 +117,7 @@ function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
   }
 }
 
-/** In the world, each instance by itself. */
+/** Casts in the world, on one instance after the other. */
 function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
   const isBatch = (object as BatchedMesh).isBatchedMesh
   const isMany = isBatch || (object as InstancedMesh).isInstancedMesh
@@ -167,14 +167,14 @@ function instanceOf(warp: ThreeWarp, object: Warpable, matrix: Matrix4, id: numb
   }
 }
 
-/** As three.js has them: normals before the matrix of the object, or of the instance. */
+/** Transforms normals to the space before the matrix of the object or the instance, as three.js returns them. */
 function turnedBack(hit: Intersection, toWorld: Matrix4): Intersection {
   const back = new Matrix3().setFromMatrix4(toWorld).transpose()
   for (const normal of [hit.face?.normal, hit.normal]) normal?.applyMatrix3(back).normalize()
   return hit
 }
 
-/** Which of the batch's triangles an instance shows. */
+/** The range of the batch's triangles that an instance shows. */
 function rangeOf(object: BatchedMesh, id: number) {
   const geometry = object.getGeometryIdAt?.(id) ?? id
   const range = object.getGeometryRangeAt?.(geometry)

@@ -1,4 +1,4 @@
-// Which objects are warped now, and the variants that draw them. Renderers look here for each object that they draw.
+// Maps warped objects to the variants that draw them. Renderers look here for each object that they draw.
 import type { Material, Object3D } from 'three'
 import type { Variants } from './variants.js'
 

@@ -18,7 +18,7 @@ export interface WovenSurface {
   name: string
 }
 
-/** Woven vertex shaders by what they were before. */
+/** Maps vertex shaders to the same with the warp, for each warp. */
 const woven = new WeakMap<ThreeWarp, Map<string, string>>()
 
 export class ShaderWeaver {

@@ -1,4 +1,4 @@
-// Which materials WebGLRenderer can draw warped, and what to write instead of the others.
+// Tests whether WebGLRenderer can draw a material warped, and names an alternative if it cannot.
 import { GLSL3, type Material, type RawShaderMaterial } from 'three'
 import type { WarpSpace } from './settings.js'
 import { canWeave } from './weave.js'

@@ -1,6 +1,6 @@
 /**
- * What WebGLRenderer draws a warped object with, in place of whatever material was chosen for it: a live view of that material,
- * with the warp in its shader.
+ * The material that WebGLRenderer draws a warped object with, in place of whatever material was chosen for it: a live view of that
+ * material, with the warp in its shader.
  *
  * It has an id, listeners, and programs of its own. An inherited id would make three.js leave out the upload of uniforms between
  * two warps of one material (1,174 wrong pixels of 25,600); inherited listeners would make `dispose` call itself.
@@ -25,11 +25,11 @@ export class Variant extends ForwardingMaterial {
   readonly isWarpVariant = true
   readonly id = --lastId
   readonly uuid = MathUtils.generateUUID()
-  /** What `EventDispatcher` keeps. */
+  /** The listeners of `EventDispatcher`. */
   _listeners: object | undefined = undefined
   /** The uniforms that the material's `onBeforeCompile` adds, which all variants of the material have in common. */
   added: AddedUniforms | undefined = undefined
-  /** How many programs it has been compiled for. */
+  /** The number of programs that it has been compiled for. */
   compilations = 0
   private readonly weaver: ShaderWeaver
   private readonly onOriginalDispose: () => void

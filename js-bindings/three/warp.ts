@@ -12,7 +12,7 @@ export interface WarpedObject<Uniforms = {}> extends Warped<Uniforms> {
   /** Around everything that is drawn now, in the units of the object, before its own matrix: never too small. Infinite where
    * only the GPU can run the warp, and where the warp or a vertex has no finite value. */
   bounds(): Box3
-  /** What a `Raycaster` calls: adds hits on the warped surface to `intersects`. */
+  /** Adds hits on the warped surface to `intersects`. A `Raycaster` calls it. */
   raycast(raycaster: Raycaster, intersects: Intersection[]): void
   /** The objects in a group that cannot be warped, such as sprites, and are drawn as they are. */
   readonly skipped: readonly Object3D[]

@@ -1,4 +1,4 @@
-// Everything that one call of `warp` warps: an object and what is in it, their clones, and what is added later.
+// The objects that one call of `warp` warps: an object, its descendants, their clones, and objects that are added later.
 import { type Material, type Mesh, type Object3D, REVISION } from 'three'
 import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
@@ -18,7 +18,7 @@ export class WarpedTree {
   readonly parts: Part[] = []
   readonly skipped: Object3D[] = []
   private readonly variants: Variants
-  /** The parts of clones and of what came later, which may be forgotten before the warp is. */
+  /** The parts of clones and of objects that were added later. They are weak, since such objects may go before the warp does. */
   private readonly later = new Set<WeakRef<Part>>()
   private readonly partOf = new WeakMap<Object3D, Part>()
   private readonly releases: (() => void)[] = []
@@ -86,7 +86,7 @@ export class WarpedTree {
     return part
   }
 
-  /** Warps an object that came later, and what is in it. */
+  /** Warps an object that was added or cloned later, with its descendants. */
   private adopt(object: Object3D) {
     const problems: string[] = []
     for (const each of drawnIn(object)) {
@@ -130,7 +130,7 @@ export class WarpedTree {
     })
   }
 
-  /** What stands in the way of warping an object, whatever the offset; `undefined` if nothing does. */
+  /** Describes why an object cannot be warped by any offset; `undefined` if it can. */
   private problemBefore(object: Warpable): string | undefined {
     if ((object as { isSprite?: boolean }).isSprite)
       return `${nameOf(object)} always faces the camera and has no surface; use a Mesh with a PlaneGeometry`
@@ -141,7 +141,7 @@ export class WarpedTree {
       .find((problem) => problem !== undefined)
   }
 
-  /** What the offset reads of each vertex must be there. */
+  /** Describes which attribute the offset reads and the geometry lacks; `undefined` if it lacks none. */
   private problemWithInputs(object: Warpable): string | undefined {
     const remedies = {
       normal: 'call geometry.computeVertexNormals() first',

@@ -1,4 +1,4 @@
-// How a shader differs from others, for the warp that goes into it.
+// Properties of a shader that decide how a warp is put into it.
 
 export interface WeaveOptions {
   /** `true` if some geometries that are drawn have tangents that the material reads. */

@@ -13,7 +13,7 @@ import { type Surface, WarpCode } from './warp-code.js'
 import { readsNormal, readsPosition, weaveAttributes, wrapMain } from './weave-attributes.js'
 import type { WeaveOptions } from './weave-options.js'
 
-/** Where the position of the vertex is finished. */
+/** Matches the first statement that uses the finished position of the vertex. */
 const anchor = /\b(?:vec4\s+mvPosition|gl_Position)\s*=[^;]*\btransformed\b[^;]*;/
 
 /** Tests whether a warp can be put into a vertex shader. */
@@ -238,7 +238,7 @@ objectTangent = ${tangent};
 const once = (mark: string, statements: string) =>
   `\n#ifndef ${mark}\n#define ${mark}\n${statements}\n#endif`
 
-/** What three's own lines have left to do when bones have moved a warped normal. */
+/** Completes the normal and the bitangent that three's own lines made of a normal that was warped in front of the bones. */
 const afterPose = (
   warp: ThreeWarp,
 ) => `#if defined( WARPJET_NORMAL_DONE ) && defined( WARPJET_VARYING_NORMAL )

@@ -79,7 +79,7 @@ Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
       break;
   }
   Gltf& gltf = readyDescription(files).gltf;
-  refusePacked(gltf);
+  rejectPacked(gltf);
   Mesh mesh = mergeDraws(gltf, files);
   warnings = gltf.warnings;
   return mesh;

@@ -221,41 +221,41 @@ describe('errors:', () => {
   })
 
   test('with a name', () => {
-    const named = (name, names) => () =>
+    const compileNamed = (name, names) => () =>
       compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms[name]), {
         uniforms: { [name]: 1 },
         names,
       })
     throwsWarpError(
-      named('millis'),
+      compileNamed('millis'),
       /uniform "millis" has the name of an input; .* such as "myMillis"/,
     )
-    throwsWarpError(named('position'), /uniform "position" has the name of an input/)
+    throwsWarpError(compileNamed('position'), /uniform "position" has the name of an input/)
     throwsWarpError(
-      named('uTime', { millis: 'uTime' }),
+      compileNamed('uTime', { millis: 'uTime' }),
       /the name that the option "names" gives to millis/,
     )
     throwsWarpError(
-      named('float'),
+      compileNamed('float'),
       /^compileWarp uniforms\.float: "float" cannot be read in a shader/,
     )
-    throwsWarpError(named('offset'), /"offset" has the name of a variable .* read/)
-    assert.deepEqual(named('toString')().uniforms, [{ name: 'toString', type: 'float' }])
+    throwsWarpError(compileNamed('offset'), /"offset" has the name of a variable .* read/)
+    assert.deepEqual(compileNamed('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
   test('reading an undeclared uniform, and writing', () => {
-    const reading = (uniforms) => () =>
+    const readUndeclared = (uniforms) => () =>
       compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
     throwsWarpError(
-      reading({ amount: 1, wind: [1, 0] }),
+      readUndeclared({ amount: 1, wind: [1, 0] }),
       /declares no "amont"; there are amount, wind\./,
     )
     throwsWarpError(
-      reading({}),
+      readUndeclared({}),
       /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/,
     )
     throwsWarpError(
-      reading(),
+      readUndeclared(),
       /^compileWarp: the offset reads uniforms\.amont, which nothing declares/,
     )
     const writing = ({ uniforms, position }) => {

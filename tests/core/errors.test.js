@@ -307,16 +307,16 @@ test('a class in the place of a function', () => {
 })
 
 test('names of results', () => {
-  const named = (outputs) => () => compileWarp(still, { outputs })
-  throwsWarpError(named({ position: '2x' }), /"2x" cannot name a result/)
-  throwsWarpError(named({ position: 'vec3' }), /"vec3" cannot name a result/)
-  throwsWarpError(named({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
-  throwsWarpError(named({ position: 'a', normal: 'a' }), /two results named "a"/)
+  const withOutputs = (outputs) => () => compileWarp(still, { outputs })
+  throwsWarpError(withOutputs({ position: '2x' }), /"2x" cannot name a result/)
+  throwsWarpError(withOutputs({ position: 'vec3' }), /"vec3" cannot name a result/)
+  throwsWarpError(withOutputs({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
+  throwsWarpError(withOutputs({ position: 'a', normal: 'a' }), /two results named "a"/)
   throwsWarpError(
-    named({ position: 7 }),
+    withOutputs({ position: 7 }),
     /expected the name of a shader variable for the option "outputs\.position", got the number 7/,
   )
-  throwsWarpError(named({ offset: 'position' }), /"position" has the name of a variable/)
+  throwsWarpError(withOutputs({ offset: 'position' }), /"position" has the name of a variable/)
   throwsWarpError(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
   throwsWarpError(() => compile(() => 5), /must return an object of named expressions/)
   throwsWarpError(

@@ -34,21 +34,21 @@ for (const target of targets) {
   })
 
   test(`a function of warpjet as the name of a result or a variable in ${target}`, () => {
-    const named = (result, variable) => () =>
+    const compileNamed = (result, variable) => () =>
       compile(
         (glsl) => ({ [result]: glsl.noise(glsl.vec2Param('place')).add(glsl.param(variable)) }),
         { target },
       )
-    const { declarations } = named('height', 'shift')()
+    const { declarations } = compileNamed('height', 'shift')()
     const ours = [...new Set(declarations.match(/\bwarpjet\w+(?=\()/g))]
     assert.ok(ours.includes('warpjetHash'), ours.join())
     for (const name of ours) {
       throwsWarpError(
-        named(name, 'shift'),
+        compileNamed(name, 'shift'),
         /cannot name a result|has the name of a variable or function/,
       )
       throwsWarpError(
-        named('height', name),
+        compileNamed('height', name),
         /cannot be read in a shader|is both a variable and a function/,
       )
     }

@@ -89,13 +89,13 @@ test('a warp with repeat transforms normals like the same loop in JavaScript, on
       repeat(glsl, 6, position, (p, i) => p.add(p.zxy().mult(2).add(i).sin().mult(0.1))).sub(
         position,
       )
-  const unrolled = (glsl, count, start, body) => {
+  const unroll = (glsl, count, start, body) => {
     let state = start
     for (let i = 0; i < count; i++) state = body(state, glsl.val(i))
     return state
   }
   const given = { position: [0.3, -0.2, 0.7, 1, 2, 3], normal: [0, 0, 1, 0.6, 0.8, 0] }
-  const [loop, straight] = [offset((glsl, ...all) => glsl.repeat(...all)), offset(unrolled)].map(
+  const [loop, straight] = [offset((glsl, ...all) => glsl.repeat(...all)), offset(unroll)].map(
     (each) => compileWarp(each).evaluate({ positions: given.position, normals: given.normal }),
   )
   for (const key of ['positions', 'normals'])
@@ -148,7 +148,7 @@ test('bounds contain the results of the loop', () => {
 })
 
 describe('rejects', () => {
-  const made = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
+  const compileWith = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
   const cases = {
     'a count of an expression': [
       (g, x) => g.repeat(x, 0, (s) => s),
@@ -230,17 +230,17 @@ describe('rejects', () => {
     ],
   }
   for (const [name, [work, pattern]] of Object.entries(cases))
-    test(name, () => throwsWarpError(made(work), pattern))
+    test(name, () => throwsWarpError(compileWith(work), pattern))
 
   test('a state of another session', () => {
     let other
     compile((glsl) => ({ r: (other = glsl.param('x')) }))
     throwsWarpError(
-      made((g) => g.repeat(2, other, (s) => s)),
+      compileWith((g) => g.repeat(2, other, (s) => s)),
       /another warp/,
     )
     throwsWarpError(
-      made((g) => g.repeat(2, 0, () => other)),
+      compileWith((g) => g.repeat(2, 0, () => other)),
       /another warp/,
     )
   })

@@ -362,9 +362,9 @@ TEST(HostileMesh, OtherFilesAreNamed) {
   const auto problem = [](const std::string& text) { return problemOfFile(bytesOf(text)); };
   EXPECT_EQ(problem(""), "loadMesh: the file is empty; export or download it again.");
   EXPECT_NE(problem("<!doctype html><title>404</title>").find("web page"), std::string::npos);
-  EXPECT_NE(
-      problem("Kaydara FBX Binary  " + std::string(1, '\0')).find("not a .glb, .gltf, .obj or .stl"),
-      std::string::npos);
+  EXPECT_NE(problem("Kaydara FBX Binary  " + std::string(1, '\0'))
+                .find("not a .glb, .gltf, .obj or .stl"),
+            std::string::npos);
   EXPECT_NE(problem("v 0 zero 0").find("line 1 of the .obj"), std::string::npos);
 }
 

@@ -106,7 +106,7 @@ TEST(Stl, ReadsBinaryWhoseHeaderBeginsLikeText) {
 }
 
 TEST(Stl, ComputesNormalsThatAreNone) {
-  const std::vector<std::string> warning{"Normals of the .stl that are no numbers are computed."};
+  const std::vector<std::string> warning{"Invalid normals of the .stl are computed."};
   for (const float bad : {NAN, INFINITY}) {
     const Loaded loaded = load(binary({facetWith({bad, 0, 0})}));
     EXPECT_EQ(loaded.mesh->normals, upThrice);
@@ -126,7 +126,7 @@ TEST(Stl, LeavesOutFacetsWhosePositionsAreNoNumbers) {
   const Loaded loaded = load(binary({broken, facetWith(tilted)}));
   EXPECT_EQ(loaded.mesh->positions, corners);
   EXPECT_EQ(loaded.warnings,
-            std::vector<std::string>{"Triangles at positions that are no numbers are left out."});
+            std::vector<std::string>{"Triangles with invalid positions are left out."});
   EXPECT_NE(load(binary({broken})).problem.find("nothing to draw"), std::string::npos);
 }
 

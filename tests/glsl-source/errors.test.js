@@ -375,7 +375,7 @@ const wrong = [
   [body('int i = 99999999999; return p;'), 2, 'is not a whole number of 32 bits'],
   [body('int i = 0x; return p;'), 2, 'is not a whole number'],
   [body('"text"; return p;'), 2, 'GLSL has no strings'],
-  ['#include "noise.glsl"', 1, 'replace an #include with the source in the file'],
+  ['#include "noise.glsl"', 1, 'replace it with the source in the file'],
   // nesting depth
   [body(`return ${nest('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'-'.repeat(50_001)}p;`.replaceAll('--', '- -')), 2, 'nested more than 128 deep'],

@@ -52,7 +52,7 @@ test('each package', async (t) => {
         name,
       )
       t.diagnostic(`${differing} pixels differ, by at most ${worst}; ${moved} are moved`)
-      // Of the reader of fonts in troika-three-text.
+      // The font reader of troika-three-text says this.
       const others = messages.filter((message) => !message.startsWith('unsupported GPOS'))
       assert.deepEqual(others, [])
       assert.ok(moved > 400, `${moved} pixels are moved`)

@@ -972,7 +972,7 @@ test('what three.js calls uniforms is told how it goes here', () => {
   const refused = (work, message) => assert.throws(work, { name: 'WarpError', message })
   refused(
     () => warp(plane(), offset, { uniforms: { a: { value: 1 } } }),
-    /; give its value itself\.$/,
+    /; pass its value itself\.$/,
   )
   const warped = warp(plane(), offset, { uniforms: { a: 1 } })
   refused(() => (warped.uniforms.a = 2), /set its value, as in uniforms\.a\.value = 0\.5/)

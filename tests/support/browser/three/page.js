@@ -45,7 +45,7 @@ function free(scene) {
   })
 }
 
-/** What can be left out of the shaders, to see that a test would notice. */
+/** Statements that are left out of the shaders, to see that a test would notice. */
 const sabotages = {
   normals: (source) =>
     source.replaceAll('objectNormal = warpjetNormal', 'objectNormal = warpjetRestNormal'),

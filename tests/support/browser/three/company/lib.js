@@ -9,7 +9,7 @@ const amount = 0.2
 export const offset = ({ glsl, position }) =>
   glsl.vec3(0, 0, position.x().mult(4).sin().mult(amount))
 
-/** The same by hand: z grows by a · sin 4x, whose slope turns the normal. */
+/** Does the same on the CPU: z grows by a · sin 4x, whose slope turns the normal. */
 export function moveByHand(object) {
   const done = new Set()
   object.traverse(({ geometry }) => {

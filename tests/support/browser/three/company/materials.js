@@ -92,7 +92,7 @@ function morphed(way, material) {
 
 const kinds = { skin: boned, morp: morphed, disp: displaced }
 
-/** Those of three.js that a user may replace by their own text. */
+/** Chunks of three.js that a user may replace by their own source. */
 const chunks = [
   'begin_vertex',
   'beginnormal_vertex',
@@ -165,7 +165,7 @@ function cachedByKey() {
 
 function withAccessor() {
   const base = standard()
-  // As troika-three-text derives materials.
+  // Troika-three-text derives materials like this.
   return Object.create(base, {
     isDerivedMaterial: { value: true },
     onBeforeCompile: {

@@ -45,7 +45,7 @@ const addClone =
 
 const shadowed = (after) => ({ shadow: true, after })
 
-/** Moves by one morph target per instance, far to the right of what the geometry has. */
+/** Each instance has a morph target that moves it far to the right of the geometry. */
 function morphing(way) {
   const geometry = new THREE.SphereGeometry(0.4, 32, 24)
   const shift = geometry.attributes.position.clone()

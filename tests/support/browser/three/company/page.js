@@ -1,4 +1,4 @@
-// The page of company.browser.test.js: rows by name, and what the last one printed is in the test's messages.
+// The page of company.browser.test.js, which runs rows by topic and name.
 import { run } from './lib.js'
 import { rows as materials } from './materials.js'
 import { rows as objects } from './objects.js'
