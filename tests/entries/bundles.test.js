@@ -213,5 +213,9 @@ test('bundlers can resolve all imports', () => {
     for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
       // Imports that bundlers must ignore are for Node only.
       if (!asked.includes('/* webpackIgnore: true */'))
-        assert.match(asked, /^(["'])(\.\/(?:surface-variation|with-mesh)\.js|https:.*)\1$/, file)
+        assert.match(
+          asked,
+          /^(["'])(\.\/(?:shared\/)?(?:surface-variation|with-mesh)\.js|https:.*)\1$/,
+          file,
+        )
 })
