@@ -1,38 +1,36 @@
-// What a mesh of Babylon.js is for rays and for culling, as a warp has it.
+// Moves the vertices of a mesh on the CPU, for rays and culling.
 import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { HostWarp } from '../compile/hosts.js'
-import { WarpError, describe } from '../errors/errors.js'
+import { describe } from '../errors/errors.js'
+import { Place } from '../options/place.js'
 
-const method = 'refresh'
+const place = new Place('refresh')
 
-/** The half size of an infinite bounding box. */
+/** Half the size of a box around everything. */
 const farthest = 1e30
 
-/** Where Babylon.js keeps what bones and morph targets have moved, for picking. */
-interface Kept {
+/** Babylon.js picks the positions in this private property, which bones and morph targets have moved. */
+interface WithPositions {
   _internalAbstractMeshDataInfo: { _positions: Vector3[] | null }
 }
 
 export function refreshMesh(warp: HostWarp, mesh: AbstractMesh, given: { millis: number }) {
   const positions = (mesh as Partial<AbstractMesh> | undefined)?.getPositionData?.(false, true)
-  if (!positions)
-    throw new WarpError(
-      `${method}: a mesh of Babylon.js with vertices was expected, but ${describe(mesh)} came.`,
-    )
+  if (!positions) throw place.expected('a mesh of Babylon.js with vertices', describe(mesh))
   if (!warp.runs)
-    throw new WarpError(
-      `${method}: this warp calls a glsl.fn or reads an image, which only the GPU can do; pick another mesh in its place.`,
+    throw place.error(
+      'this warp calls a glsl.fn or reads an image, which only the GPU can do; pick another mesh in its place.',
     )
-  const of = (kind: string, size: number) => {
+  const read = (kind: string, size: number) => {
     const numbers = mesh.getVerticesData(kind)
     return numbers && numbers.length === (positions.length / 3) * size ? numbers : undefined
   }
   const count = positions.length / 3
   const normals = mesh.getNormalsData(false, true) ?? undefined
-  const uvs = of(VertexBuffer.UVKind, 2)
-  const colors = of(VertexBuffer.ColorKind, 4) ?? new Float32Array(4 * count).fill(1)
+  const uvs = read(VertexBuffer.UVKind, 2)
+  const colors = read(VertexBuffer.ColorKind, 4) ?? new Float32Array(4 * count).fill(1)
   const vertices = { positions, colors, ...(normals && { normals }), ...(uvs && { uvs }) }
   const warped = warp.evaluate(vertices, given)
   // Bones come after the warp.
@@ -56,7 +54,8 @@ function put(mesh: AbstractMesh, numbers: ArrayLike<number>) {
     if (!Number.isFinite(max[axis])) max[axis] = farthest
   }
   const { sourceMesh } = mesh as { sourceMesh?: AbstractMesh }
-  ;((sourceMesh ?? mesh) as unknown as Kept)._internalAbstractMeshDataInfo._positions = points
+  ;((sourceMesh ?? mesh) as unknown as WithPositions)._internalAbstractMeshDataInfo._positions =
+    points
   mesh.buildBoundingInfo(min, max, mesh.computeWorldMatrix(true))
   for (const part of mesh.subMeshes.length > 1 ? mesh.subMeshes : [])
     part.refreshBoundingInfo(numbers as Float32Array)

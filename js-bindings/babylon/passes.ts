@@ -62,7 +62,7 @@ interface SubMaterials {
   getSubMaterial(index: number): Material | null
 }
 
-/** Those that store their effect in a submesh call this method first. */
+/** Passes call `_getDrawWrapper` before they put an effect into a submesh. */
 function installInSubMeshes(prototype: SubMesh) {
   const { _getDrawWrapper } = prototype
   prototype._getDrawWrapper = function (passId, isCreated) {
@@ -94,12 +94,29 @@ function installInMaterials(prototype: ShaderMaterial) {
     if (wrapper.effect) replaceEffect(wrapper, mesh, undefined)
     if (!isReadyFor()) return false
     const warp = warpOf(mesh)
-    if (!warp) return true
-    replaceEffect(wrapper, mesh, warp)
+    const plain = wrapper.effect
+    if (!warp || !plain) return true
+    DrawWrapper.prototype.setEffect.call(wrapper, variantFor(plain, mesh, warp), undefined)
     this.getScene().resetCachedMaterial()
     return wrapper.effect!.isReady()
   }
 }
+
+/** Maps a mesh → effects that materials share among meshes → their variants. Made anew for each draw, they would be counted. */
+const variantsOf = new WeakMap<AbstractMesh, WeakMap<Effect, Effect>>()
+
+function variantFor(plain: Effect, mesh: AbstractMesh, warp: PassWarp): Effect {
+  let variants = variantsOf.get(mesh)
+  if (!variants) variantsOf.set(mesh, (variants = new WeakMap()))
+  const known = variants.get(plain)
+  const variant = known && !known.isDisposed && hasCodeOf(warp, known) ? known : undefined
+  const effect = variant ?? effectFor(plain, mesh, warp)
+  variants.set(plain, effect)
+  return effect
+}
+
+const hasCodeOf = ({ codeNumber }: PassWarp, { defines }: Effect) =>
+  defines.includes(`${codeDefine} ${codeNumber}\n`)
 
 interface Stored {
   _storeEffectOnSubMeshes: boolean
@@ -138,8 +155,7 @@ function replaceEffect(wrapper: DrawWrapper, mesh: AbstractMesh, warp: PassWarp 
 function effectFor(effect: Effect, mesh: AbstractMesh, warp: PassWarp | undefined): Effect {
   const plain = plainOf.get(effect) ?? effect
   if (!warp || !isOfPass(plain)) return plain
-  if (plain !== effect && effect.defines.includes(`${codeDefine} ${warp.codeNumber}\n`))
-    return effect
+  if (plain !== effect && hasCodeOf(warp, effect)) return effect
   return variantOf(plain, mesh, warp)
 }
 

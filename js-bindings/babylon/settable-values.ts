@@ -1,7 +1,7 @@
-// The property `values` of a warp: by name the value of each uniform, which may be set.
+// Makes the property `values` of a warp, which maps names → values of uniforms. They may be set.
 import type { HostWarp } from '../compile/hosts.js'
 
-/** Throws a `WarpError` for a name that is none, and for what cannot be such a value. */
+/** Setting throws a `WarpError` for an unknown name and for a value of another type. */
 export const settableValues = (uniforms: HostWarp['uniforms']): Record<string, unknown> =>
   new Proxy(
     Object.defineProperties(

@@ -1,4 +1,4 @@
-// The uniforms of a warp in shaders of Babylon.js: what they are called and typed there, and how their numbers are sent.
+// The uniforms of a warp in shaders of Babylon.js: their names and types there, and how their numbers are sent.
 import { type HostUniform, type HostWarp, shaderNames } from '../compile/hosts.js'
 
 /** A warp, and the names of its frame constants, which are vec4s. */
@@ -26,7 +26,7 @@ export const numberUniforms = ({
   ...frame.map((label) => ({ label, type: 'vec4' as const })),
 ]
 
-/** Tells both stages whether the warp mirrors all of space. */
+/** The uniform of both stages that is -1 if the warp mirrors all of space, and else 1. */
 export const orientationUniform: SentUniform = { name: shaderNames.orientation, type: 'float' }
 
 /** The uniforms of the vertex shader as it declares them. */

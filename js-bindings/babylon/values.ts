@@ -1,4 +1,4 @@
-// Values of Babylon.js, as a warp has them: textures, and the numbers of vectors, colours and matrices.
+// Converts values of Babylon.js: textures, and vectors, colours and matrices to numbers.
 import { Constants } from '@babylonjs/core/Engines/constants.js'
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { Host, ImageSampling, Wrap } from '../compile/hosts.js'

@@ -48,6 +48,14 @@ const settings = object({
   ),
 } satisfies KindsOf<BabylonWarpOptions>)
 
+/** Maps the class of a material that does not call plugins → what to write instead. */
+const remedies: Partial<Record<string, string>> = {
+  MultiMaterial: 'warp its subMaterials',
+  NodeMaterial: 'use a StandardMaterial or a PBRMaterial',
+  BackgroundMaterial: 'use a StandardMaterial or a PBRMaterial',
+  ShaderMaterial: 'put the code of compileWarp into its shader',
+}
+
 /** Maps the code of warps → its number. */
 const codeNumbers = new Map<string, number>()
 
@@ -88,6 +96,11 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   ) {
     if (typeof (material as Partial<Material>)?.getEffect !== 'function')
       throw place.expected('a material of Babylon.js', describe(material))
+    const remedy = remedies[material.getClassName()]
+    if (remedy)
+      throw place.error(
+        `the ${material.getClassName()} "${material.name}" takes no plugins; ${remedy}.`,
+      )
     if (material.pluginManager?.getPlugin(pluginName))
       throw place.error(
         `the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,

@@ -1,4 +1,4 @@
-// How a host samples an image, as uniforms.
+// The sampling of an image by its host, as uniforms.
 import { hostWraps, samplingUniforms } from '../core/expression/sampling.js'
 
 export { samplingUniforms }

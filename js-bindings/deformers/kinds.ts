@@ -47,7 +47,7 @@ interface Settings<Value> {
 const shapes = { 1: 'an expression of one number', 3: 'a vec3' }
 
 /** The kind of an option that may be computed. Constants are checked when it is read, computed values when they are made. */
-const computed = <Given, Value>(settings: Settings<Value>): Kind<Computed<Value>, Given> => ({
+const computedKind = <Given, Value>(settings: Settings<Value>): Kind<Computed<Value>, Given> => ({
   read(option, place) {
     const { default: standard, expected, rows, acceptsConstant, make } = settings
     const given = option === undefined ? standard : option
@@ -80,7 +80,7 @@ function shapeOf(value: unknown, inputs: WarpInputs, place: Place): Shape {
 }
 
 export const number = (standard?: number) =>
-  computed<NumberOption, Scalar>({
+  computedKind<NumberOption, Scalar>({
     default: standard,
     expected: 'a number',
     rows: 1,
@@ -97,7 +97,7 @@ const minComputed = 1e-6
 
 /** The kind of a number above 0. */
 export const positive = (standard: number) =>
-  computed<NumberOption, Scalar>({
+  computedKind<NumberOption, Scalar>({
     default: standard,
     expected: 'a number above 0',
     rows: 1,
@@ -112,7 +112,7 @@ const isTriple = (value: unknown): value is Triple =>
   Array.from(value).every((x) => isFiniteFloat(x) || isExpression(x))
 
 export const vector = (standard: Triple | ((inputs: WarpInputs) => Vec3) = [0, 0, 0]) =>
-  computed<VectorOption, Vec3>({
+  computedKind<VectorOption, Vec3>({
     default: standard,
     expected: 'an array of 3 finite numbers',
     rows: 3,
@@ -132,7 +132,7 @@ export function constantDirection(value: unknown): number[] | undefined {
 
 /** The kind of a direction, which is normalized. */
 export const axis = (standard?: AxisName) =>
-  computed<AxisOption, Vec3>({
+  computedKind<AxisOption, Vec3>({
     default: standard,
     expected: '"x", "y", "z" or an array of 3 finite numbers that are not all 0',
     rows: 3,

@@ -33,7 +33,7 @@ export function replay(glsl: Builder, listing: Listing, given: ReplayInputs): Ex
   const replayIn = (glsl: Builder, parameters: Expression[]): Expression[] => {
     // The upper half of an integer that is known to be small is `undefined`.
     const made: (Expression | undefined)[] = []
-    const listed = (count: number) =>
+    const operandsOf = (count: number) =>
       Array.from({ length: count }, () => made[word()] ?? glsl.val!(0))
     const run = (end: string) => {
       while (at < words.length) {
@@ -41,7 +41,7 @@ export function replay(glsl: Builder, listing: Listing, given: ReplayInputs): Ex
         if (name === end) return
         if (name === 'define') define(word(), word())
         else if (name === 'fold') repeat(word(), word())
-        else if (name === 'call') made.push(...routines[word()]!(glsl, listed(word())))
+        else if (name === 'call') made.push(...routines[word()]!(glsl, operandsOf(word())))
         else made.push(operation(name))
       }
     }
@@ -54,9 +54,9 @@ export function replay(glsl: Builder, listing: Listing, given: ReplayInputs): Ex
       const body = (states: object, step: Expression) => {
         made.push(step, ...(Object.values(states) as Expression[]))
         run('next')
-        return stateOf(listed(count))
+        return stateOf(operandsOf(count))
       }
-      const outcomes = glsl.repeat!(steps, stateOf(listed(count)), body)
+      const outcomes = glsl.repeat!(steps, stateOf(operandsOf(count)), body)
       made.push(...(Object.values(outcomes) as Expression[]))
     }
     const operation = (name: string): Expression | undefined => {
@@ -86,11 +86,13 @@ export function replay(glsl: Builder, listing: Listing, given: ReplayInputs): Ex
         case 'imageSize':
           return given.imageSize(word())
         default:
-          return glsl[name]!(...listed(word()))
+          return glsl[name]!(...operandsOf(word()))
       }
     }
     run('end')
-    return at < words.length ? listed(word()) : Array.from(listing.results, (place) => made[place]!)
+    return at < words.length
+      ? operandsOf(word())
+      : Array.from(listing.results, (place) => made[place]!)
   }
   return replayIn(glsl, [])
 }

@@ -73,7 +73,7 @@ const isMirroredBy = (warp: Evaluates, uniforms: Uniforms | undefined) =>
 function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {
   bakedWarp.read(warp, place.part('the warp'))
   const uniforms = uniformsOf(place, options)
-  const { copy, variation } = withJob(place.method, (job) => {
+  const { copy, variation } = withJob(place, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
     return { copy: takeMesh(job), variation: readsVariation(warp) ? takeVariation(job) : {} }

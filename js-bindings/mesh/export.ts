@@ -1,7 +1,9 @@
 // `exportGLB`: writes a mesh as a GLB file.
-import { WarpError } from '../errors/errors.js'
+import { Place } from '../options/place.js'
 import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import { withJob } from './job.js'
+
+const place = new Place('exportGLB')
 
 /**
  * Returns the bytes of a GLB file (glTF 2.0), which other programs can open. Normals and tangents are normalized, as the
@@ -11,12 +13,10 @@ import { withJob } from './job.js'
  * triangles), arrays that do not fit together, and a texture that is neither PNG nor JPEG.
  */
 export function exportGLB(mesh: MeshOrGeometry): Uint8Array {
-  return withJob('exportGLB', (job) => {
+  return withJob(place, (job) => {
     putMesh(job, mesh)
     if (job.triangleCount() === 0)
-      throw new WarpError(
-        'exportGLB: the mesh has no triangles, but a GLB file needs at least one.',
-      )
+      throw place.error('the mesh has no triangles, but a GLB file needs at least one.')
     job.act('writeFile')
     return job.bytes('file')
   })

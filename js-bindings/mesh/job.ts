@@ -1,6 +1,6 @@
 // Passes the arrays of one call to the mesh wasm module and back.
-import { WarpError } from '../errors/errors.js'
-import { anyNumber, firstWrong, describeNumber } from '../options/numbers.js'
+import { anyNumber, describeNumber, firstWrong } from '../options/numbers.js'
+import type { Place } from '../options/place.js'
 import type { ByteArray, FloatArray, IndexArray } from '../wasm/mesh-tables.js'
 import {
   type Mesh,
@@ -22,10 +22,10 @@ type Action =
   | 'addVariation'
   | 'writeFile'
 
-/** The data of one call of `method`, in wasm memory. */
+/** The data of one call, in wasm memory. */
 export class Job {
   constructor(
-    readonly method: string,
+    readonly place: Place,
     private readonly mesh: Mesh,
     private readonly bound: MeshModule,
   ) {}
@@ -36,9 +36,9 @@ export class Job {
     this.expect(this.mesh.resizeFloats(name, numbers))
     const wrong = firstWrong(numbers, anyNumber)
     if (wrong >= 0)
-      throw new WarpError(
-        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}: expected a finite number, got ${describeNumber(numbers[wrong])}.`,
-      )
+      throw this.place
+        .part(`${name}[${wrong}], of vertex ${Math.floor(wrong / size)}`)
+        .expected('a finite number', describeNumber(numbers[wrong]))
     this.expect(this.mesh.setFloats(name, numbers))
   }
 
@@ -124,9 +124,9 @@ export class Job {
     let problem: { error: unknown } | undefined
     const evaluate = (vertices: Mesh) => {
       try {
-        warp(new Job(this.method, vertices, this.bound))
+        warp(new Job(this.place, vertices, this.bound))
         // The warp may itself have used this wasm instance and broken it, even if it caught the error.
-        if (this.bound.isBroken) throw new WarpError(tooLarge(this.method))
+        if (this.bound.isBroken) throw tooLarge(this.place)
         return true
       } catch (error) {
         problem = { error }
@@ -142,28 +142,28 @@ export class Job {
   }
 
   private expect({ problem, texts }: Outcome): string[] {
-    if (problem) throw new WarpError(`${this.method}: ${problem}`)
+    if (problem) throw this.place.error(problem)
     return texts
   }
 }
 
 /** Runs `work` with a job, and deletes the job in any case. */
-export function withJob<Result>(method: string, work: (job: Job) => Result): Result {
+export function withJob<Result>(place: Place, work: (job: Job) => Result): Result {
   try {
     return meshes.use(
       ({ Mesh }) => new Mesh(),
-      (mesh, bound) => work(new Job(method, mesh, bound)),
+      (mesh, bound) => work(new Job(place, mesh, bound)),
     )
   } catch (error) {
-    if (error instanceof MeshFailure) throw new WarpError(tooLarge(method))
+    if (error instanceof MeshFailure) throw tooLarge(place)
     if (!(error instanceof MeshStartFailure)) throw error
     throw Object.assign(
-      new WarpError(
-        `${method}: meshes need WebAssembly with exceptions, which every current browser supports, but this one lacks.`,
+      place.error(
+        'meshes need WebAssembly with exceptions, which every current browser supports, but this one lacks.',
       ),
       { cause: error.cause },
     )
   }
 }
 
-const tooLarge = (method: string) => `${method}: the mesh is too large or too deeply nested.`
+const tooLarge = (place: Place) => place.error('the mesh is too large or too deeply nested.')

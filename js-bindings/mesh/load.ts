@@ -92,7 +92,7 @@ export async function readModel(
   const asked = new Set<string>()
   const found: FoundDecoders = new Map()
   for (;;) {
-    const step = withJob('loadMesh', (job): Step => {
+    const step = withJob(place, (job): Step => {
       putFiles(job, bytes, files)
       const missing = job.act('findFiles').filter((uri) => !asked.has(uri))
       if (missing.length && resolve) return { missing }

@@ -3,7 +3,7 @@ import { describe } from '../errors/errors.js'
 import { finiteFloat, firstWrong, describeNumber } from '../options/numbers.js'
 import { isList } from '../options/guards.js'
 import { kind, record, text } from '../options/kinds.js'
-import { Place } from '../options/place.js'
+import type { Place } from '../options/place.js'
 import { type Geometry, arraysOf, isGeometry } from '../core/inputs/geometry.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import type { Job } from './job.js'
@@ -78,7 +78,7 @@ function meshOf(place: Place, given: unknown): unknown {
  * Copies the mesh into the job and checks that its arrays fit together; throws a `WarpError` if they do not.
  */
 export function putMesh(job: Job, given: unknown) {
-  const place = new Place(job.method)
+  const { place } = job
   const mesh = meshOf(place, given)
   if (!isObject(mesh) || !('positions' in mesh))
     throw place.expected('a mesh such as { positions, normals, indices }', describe(given))

@@ -42,7 +42,7 @@ export interface AdaptiveOptions extends Limit {
 }
 
 export interface LevelsOptions extends Limit {
-  /** How many times each triangle is split into four. */
+  /** The number of times that each triangle is split into four. */
   levels: number
 }
 
@@ -71,7 +71,7 @@ export function subdivide(
       describe(options),
     )
   const refine = 'levels' in options ? refineUniformly(options) : refineAdaptively(options)
-  return withJob(place.method, (job) => {
+  return withJob(place, (job) => {
     putMesh(job, given)
     job.act('addNormals')
     const warnings = refine(job)

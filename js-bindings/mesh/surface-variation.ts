@@ -1,9 +1,12 @@
 // `surfaceVariation`: computes the gradients of normals and uvs over a mesh.
 import { variationNames } from '../core/inputs/inputs.js'
 import { arrayNames } from '../core/inputs/vertices.js'
-import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
+import { Place } from '../options/place.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import { type Job, withJob } from './job.js'
+import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
+
+const place = new Place('surfaceVariation')
 
 /** Gradients along the surface, each with 3 numbers per vertex. */
 export interface SurfaceVariation {
@@ -25,11 +28,11 @@ export interface SurfaceVariation {
  * together or the mesh is too large for the memory of the module.
  */
 export const surfaceVariation = (mesh: MeshOrGeometry): SurfaceVariation =>
-  findVariation('surfaceVariation', mesh)
+  findVariation(place, mesh)
 
-/** Does the same as `surfaceVariation`, with messages that name `method`. */
-export const findVariation = (method: string, mesh: MeshOrGeometry): SurfaceVariation =>
-  withJob(method, (job) => {
+/** Does the same as `surfaceVariation`, with messages that name another call. */
+export const findVariation = (place: Place, mesh: MeshOrGeometry): SurfaceVariation =>
+  withJob(place, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
     return takeVariation(job)

@@ -1,5 +1,5 @@
 // Decodes the compressed parts of a glTF.
-import { WarpError, shorten } from '../errors/errors.js'
+import { shorten } from '../errors/errors.js'
 import { type Codec, type MeshoptDecoder, adviceFor } from './decoders.js'
 import { type DracoModule, type DracoPlan, decodeDraco } from './draco.js'
 import type { Job } from './job.js'
@@ -22,14 +22,14 @@ export function unpackParts(job: Job, found: FoundDecoders): Codec[] {
     const decoder = found.get(plan.codec)
     if (decoder) job.unpack(part, decode(job, plan, decoder, job.packedBytes(part)))
     else if (!plan.isOptional)
-      throw new WarpError(
-        `${job.method}: the model is compressed by ${plan.extension}, but has no decoder; ${adviceFor(plan.codec)}.`,
+      throw job.place.error(
+        `the model is compressed by ${plan.extension}, but has no decoder; ${adviceFor(plan.codec)}.`,
       )
   })
   return []
 }
 
-function decode({ method }: Job, plan: Plan, decoder: unknown, bytes: Uint8Array): Uint8Array[] {
+function decode({ place }: Job, plan: Plan, decoder: unknown, bytes: Uint8Array): Uint8Array[] {
   try {
     if (plan.codec === 'draco') return decodeDraco(decoder as DracoModule, plan, bytes)
     const { count, byteStride, mode, filter } = plan
@@ -39,8 +39,8 @@ function decode({ method }: Job, plan: Plan, decoder: unknown, bytes: Uint8Array
     return [target]
   } catch (error) {
     const why = shorten(error instanceof Error ? error.message : String(error))
-    throw new WarpError(
-      `${method}: the data of ${plan.extension} cannot be decoded (${why}); export the model again.`,
+    throw place.error(
+      `the data of ${plan.extension} cannot be decoded (${why}); export the model again.`,
     )
   }
 }

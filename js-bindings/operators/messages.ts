@@ -32,7 +32,7 @@ export interface Missing {
   place: Place
   /** Names of variables, and `this`, `super`, `#private` and so on. */
   names: readonly string[]
-  /** Those of the names that are also names of globals. */
+  /** The subset of `names` that are also names of globals. */
   shadowed: ReadonlySet<string>
   /** The properties of `this` that are read. */
   members: readonly string[]

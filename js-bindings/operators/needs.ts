@@ -93,7 +93,7 @@ function isCallToTranslate(
   return isHanded && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
 }
 
-/** Returns a function that tells whether the value of a node may be an expression. It ignores the order of statements. */
+/** Returns a function that checks whether the value of a node may be an expression. It ignores the order of statements. */
 function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => boolean {
   const names = new Set(['arguments', ...others.filter((name) => !isBuiltIn(name))])
   const functions = new Set<string>()

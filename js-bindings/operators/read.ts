@@ -97,7 +97,7 @@ function isVariable(name: string): boolean {
     new Function(name, `'use strict'`)
     return true
   } catch (error) {
-    // A page that forbids `new Function` tells nothing about names.
+    // On a page that forbids `new Function` the name cannot be checked.
     return !(error instanceof SyntaxError)
   }
 }
@@ -205,7 +205,7 @@ function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree
     : isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
 }
 
-/** Returns a function that tells whether a node is the callee of a call in the tree. */
+/** Returns a function that checks whether a node is the callee of a call in the tree. */
 const isCalledIn = (tree: Tree) => {
   const callees = new Set<Tree>()
   const visit = (node: Tree) => {

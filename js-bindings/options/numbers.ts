@@ -63,7 +63,7 @@ interface NumbersOptions {
   test?: NumberTest
   /** The order of the numbers in messages, such as `, column by column,`. */
   layout?: string | undefined
-  /** What the user passed, if the numbers were taken from it. */
+  /** The value that the user passed, if `value` was extracted from it. */
   given?: unknown
   advice?: string | undefined
 }

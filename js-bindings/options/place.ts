@@ -1,4 +1,4 @@
-// Where a value was passed, as messages name it.
+// The call and argument that a message is about.
 import { WarpError } from '../errors/errors.js'
 
 /** A call of the user's, and the argument, option or other part of it that a message is about. */

@@ -30,13 +30,13 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    */
   defs?: string
   /**
-   * Whether the light of an offset that depends on normal or uv accounts for how these vary over the surface; if `false`, they count
-   * as constant. Default: true.
+   * If true, the light of an offset that depends on normal or uv accounts for how these vary over the surface; if false, they count as
+   * constant. Default: true.
    */
   surfaceVariation?: boolean
   /**
-   * Whether lines and points are warped too, as drawn by `stroke()`, `line()` and `bezier()`. Default: true if the sketch has called
-   * `stroke()` and the offset reads neither normal, uv nor color, which lines lack. Otherwise lines and points are not drawn.
+   * If true, lines and points are warped too, as drawn by `stroke()`, `line()` and `bezier()`; if false, they are not drawn. Default:
+   * true if the sketch has called `stroke()` and the offset reads neither normal, uv nor color, which lines lack.
    */
   stroke?: boolean
   /**

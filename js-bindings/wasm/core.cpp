@@ -1,5 +1,5 @@
-// The compiler's border to JavaScript. The calls that happen once per operation are plain exports
-// with numbers only; embind binds the rest. No exception crosses: a problem is a message, which
+// The bindings of the compiler. Calls that happen once per operation are plain exports with numbers
+// only; embind binds the others. No exception crosses the border: a problem is a message, which
 // JavaScript throws.
 #include <emscripten.h>
 #include <malloc.h>
@@ -22,7 +22,7 @@
 
 using namespace warpjet;
 
-// A `Session` of JavaScript is a `Builder`. These take its address.
+// JavaScript's `Session` is a `Builder`. These functions take its address.
 extern "C" {
 
 EMSCRIPTEN_KEEPALIVE int constant(Builder* session, double value) {
@@ -31,8 +31,8 @@ EMSCRIPTEN_KEEPALIVE int constant(Builder* session, double value) {
 
 EMSCRIPTEN_KEEPALIVE void push(Builder* session, int handle) { session->push(handle); }
 
-// Pushes the first `count` of a, b and c, then calls: the border is crossed once per operation, and
-// not for each operand too.
+// Pushes the first `count` of a, b and c, then calls: the border is crossed once per operation
+// instead of once per operand.
 EMSCRIPTEN_KEEPALIVE int call(Builder* session, int operation, int isMethod, int count, int a,
                               int b, int c) {
   const std::array operands{a, b, c};
@@ -44,7 +44,7 @@ EMSCRIPTEN_KEEPALIVE int callFunction(Builder* session, int function) {
   return session->callFunction(function);
 }
 
-// Kinds are numbers of rows.
+// Calls a noise. `kind` and `base` are numbers of `NoiseKind`.
 EMSCRIPTEN_KEEPALIVE int callNoise(Builder* session, int kind, int base, int octaves,
                                    int isMethod) {
   return session->callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
@@ -54,12 +54,12 @@ EMSCRIPTEN_KEEPALIVE int swizzle(Builder* session, int handle, int count, int in
   return session->swizzle(handle, count, static_cast<unsigned>(indices));
 }
 
-// The number of an input in the module.
+// Returns the number of an input in the module.
 EMSCRIPTEN_KEEPALIVE std::uint32_t inputOf(Builder* session, int handle) {
   return session->inputOf(handle);
 }
 
-// Columns and rows, four bits each.
+// Returns columns and rows, with four bits each.
 EMSCRIPTEN_KEEPALIVE int shapeOf(Builder* session, int handle) {
   const Shape shape = session->shape(handle);
   return shape.columns << 4 | shape.rows;
@@ -71,14 +71,15 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// The names of all operations in the order of their numbers.
+// Returns the names of all operations, in the order of their numbers.
 std::vector<std::string> operationNames() {
   std::vector<std::string> names;
   for (const Operation& operation : operations) names.emplace_back(operation.name);
   return names;
 }
 
-// Which of them are methods, and which are in lists: not what only shader text calls.
+// Returns flags of all operations: bit 0 for methods, bit 1 for those that are listed, which
+// operations of GLSL source only are not.
 std::vector<std::uint8_t> operationFlags() {
   std::vector<std::uint8_t> flags;
   for (const Operation& operation : operations) {
@@ -110,7 +111,7 @@ int warp(Builder& session, std::string_view method, bool needsDirections, bool i
   return session.warp(method, {needsDirections, isFlat});
 }
 
-// Calls whose partial derivatives are needed.
+// Returns the calls whose partial derivatives are needed.
 Words pendingCalls(Builder& session) {
   Words calls;
   for (const NodeId call : session.pendingCalls()) calls.push_back(index(call));
@@ -127,7 +128,7 @@ int argumentOfCall(Builder& session, std::uint32_t call, int i) {
 
 bool setPartials(Builder& session, std::uint32_t call) { return session.setPartials(NodeId{call}); }
 
-// The serialized module; empty if there is a problem.
+// Returns the serialized module; empty if there is a problem.
 Words finish(Builder& session) { return session.finish() ? save(session.module()) : Words{}; }
 
 // Module
@@ -142,13 +143,14 @@ struct Stats {
   std::uint32_t nodes = 0, operations = 0, temporaries = 0, vectors = 0;
 };
 
-struct BoundShaderText {
+// The record that JavaScript receives.
+struct ShaderTextRecord {
   std::string problem, code = {}, declarations = {};
   std::vector<Variable> inputs = {};  // the host's expressions that the text reads
   Stats stats = {};
 };
 
-// Without instructions and problem if it would call a function of the host.
+// Has neither instructions nor a problem if the program would call a function of the host.
 struct CpuProgram {
   std::string problem;
   Words words = {};
@@ -170,7 +172,7 @@ std::vector<Variable> inputs(const Module& module) {
   return all;
 }
 
-// The inputs that the results depend on.
+// Returns the inputs that the results depend on.
 std::vector<Variable> inputsReadBy(const Module& module, const Words& results) {
   std::vector<Variable> read;
   for (const std::uint32_t i : inputsRead(module, results))
@@ -187,25 +189,25 @@ std::vector<Variable> results(const Module& module) {
 
 std::uint32_t separate(Module& module, const Words& known) { return separateFrame(module, known); }
 
-// Names of inputs or results: numbers and texts in two lists, since a record for each takes three
-// calls.
+// Combines numbers and names of inputs or results. They cross as two arrays, since a record for
+// each pair takes three calls.
 std::vector<Naming> namings(const Words& numbers, const std::vector<std::string>& names) {
   std::vector<Naming> all;
   for (std::size_t i = 0; i < numbers.size(); ++i) all.push_back({numbers[i], names[i]});
   return all;
 }
 
-// A depth of 0 leaves it to us.
-BoundShaderText writeText(const Module& module, std::string_view target, const Words& inputs,
-                     const std::vector<std::string>& inputNames, const Words& results,
-                     const std::vector<std::string>& resultNames, int maxDepth) {
+// Writes shader code. A depth of 0 selects the default.
+ShaderTextRecord writeText(const Module& module, std::string_view target, const Words& inputs,
+                           const std::vector<std::string>& inputNames, const Words& results,
+                           const std::vector<std::string>& resultNames, int maxDepth) {
   ShaderTextOptions options{.results = namings(results, resultNames),
                             .inputs = namings(inputs, inputNames)};
   if (maxDepth > 0) options.emit = {maxDepth, EmitOptions::maxTrackedReads};
   ShaderTextResult written = write(module, *findDialect(target), options);
   if (!written.text) return {.problem = written.problem};
   auto& [emitted, declarations, names] = *written.text;
-  BoundShaderText text{{}, std::move(emitted.code), std::move(declarations)};
+  ShaderTextRecord text{{}, std::move(emitted.code), std::move(declarations)};
   for (auto& [number, name] : names)
     text.inputs.push_back({std::move(name), module.graph.input(number).shape, number});
   text.stats = {
@@ -220,7 +222,7 @@ CpuProgram makeProgram(const Module& module, const Words& wanted) {
   return {{}, std::move(made.program->words), made.program->instructions, inputs(module)};
 }
 
-// Whether a program reads each of its inputs, which have so many numbers.
+// Returns for each input whether the program reads it. `sizes` are the counts of their numbers.
 std::vector<std::uint8_t> inputsOfProgramRead(const Words& words, std::uint32_t instructions,
                                               const Words& sizes) {
   const Program program{words, instructions};
@@ -274,12 +276,12 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("operations", &Stats::operations)
       .field("temporaries", &Stats::temporaries)
       .field("vectors", &Stats::vectors);
-  value_object<BoundShaderText>("ShaderText")
-      .field("problem", &BoundShaderText::problem)
-      .field("code", &BoundShaderText::code)
-      .field("declarations", &BoundShaderText::declarations)
-      .field("inputs", &BoundShaderText::inputs)
-      .field("stats", &BoundShaderText::stats);
+  value_object<ShaderTextRecord>("ShaderText")
+      .field("problem", &ShaderTextRecord::problem)
+      .field("code", &ShaderTextRecord::code)
+      .field("declarations", &ShaderTextRecord::declarations)
+      .field("inputs", &ShaderTextRecord::inputs)
+      .field("stats", &ShaderTextRecord::stats);
   value_object<CpuProgram>("Program")
       .field("problem", &CpuProgram::problem)
       .field("words", &CpuProgram::words)

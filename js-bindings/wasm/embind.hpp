@@ -1,4 +1,4 @@
-// What embind lacks: vectors that cross as JavaScript arrays, typed views of memory, and
+// Extensions of embind: vectors that cross as JavaScript arrays, typed views of memory, and
 // string_view parameters.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace warpjet {
 
-// Numbers in memory, which JavaScript sees as a typed array, until the memory grows.
+// Numbers in memory, which JavaScript sees as a typed array that is valid until the memory grows.
 template <typename T>
 struct View {
   std::size_t size;
@@ -30,8 +30,8 @@ extern "C" void _embind_register_array(emscripten::internal::TYPEID array,
 
 namespace emscripten::internal {
 
-// Crosses as a copy, which .cmake/embind-array.js makes and reads. (Embind's register_vector gives
-// objects with size(), get(i) and delete().)
+// Vectors cross as copies, which .cmake/embind-array.js makes and reads. (Embind's register_vector
+// makes objects with size(), get(i) and delete().)
 template <typename T>
 struct BindingType<std::vector<T>> {
   using Item = typename BindingType<T>::WireType;
@@ -64,13 +64,13 @@ struct IsVector : std::false_type {};
 template <typename T>
 struct IsVector<std::vector<T>> : std::true_type {};
 
-// References have the identity of what they refer to.
+// A reference has the type ID of the vector that it refers to.
 template <typename T>
 struct TypeID<T, std::enable_if_t<IsVector<typename Canonicalized<T>::type>::value>> {
   static constexpr TYPEID get() { return LightTypeID<typename Canonicalized<T>::type>::get(); }
 };
 
-// A result only.
+// For results only.
 template <typename T>
 struct BindingType<warpjet::View<T>> {
   using WireType = BindingType<val>::WireType;
@@ -79,7 +79,7 @@ struct BindingType<warpjet::View<T>> {
   }
 };
 
-// A parameter only: the characters are released after the call.
+// For parameters only: the characters are released after the call.
 template <>
 struct BindingType<std::string_view> {
   using WireType = BindingType<std::string>::WireType;
@@ -94,7 +94,8 @@ struct TypeID<std::string_view> {
 
 namespace warpjet {
 
-// The number of a typed array, in the order of embind's memory views; -1 for what is no number.
+// Returns the index of a typed array in the order of embind's memory views; -1 if T is not a
+// number.
 template <typename T>
 constexpr int typedArrayOf() {
   if constexpr (std::is_floating_point_v<T>) {

@@ -1,5 +1,5 @@
-// The border to JavaScript of what runs programs on many vertices. Vertices cross by views of
-// arrays here; machine code has arrays of its own in memory that JavaScript allocates.
+// The bindings of the evaluation of programs at many vertices. Vertices cross by views of arrays
+// here; machine code has its own arrays, in memory that JavaScript allocates.
 #include <emscripten.h>
 #include <malloc.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// The numbers of an input, `size` a vertex or, if it is uniform, `size` in all.
+// The numbers of an input: `size` per vertex or, if it is uniform, `size` in total.
 struct InputArray {
   std::uint32_t size;
   bool isUniform;
@@ -36,7 +36,8 @@ class CpuProgram {
   CpuProgram(Words words, std::uint32_t instructions)
       : words_(std::move(words)), instructions_(instructions) {}
 
-  // Whether the wanted results depend on each input, which have so many numbers.
+  // Returns for each input whether the wanted results depend on it. `sizes` are the counts of
+  // their numbers.
   std::vector<std::uint8_t> inputsRead(const Words& wanted, const Words& sizes) const {
     std::vector<std::uint8_t> isRead;
     std::vector<std::size_t> inputOf;  // by number
@@ -50,7 +51,8 @@ class CpuProgram {
     return isRead;
   }
 
-  // Pairs of a low and a high number: of each number of the inputs, and of each result.
+  // Returns a lower and an upper bound of each wanted result. `ranges` has those of each number of
+  // the inputs.
   std::vector<double> bounds(const std::vector<double>& ranges, const Words& wanted) const {
     std::vector<Range> given;
     for (std::size_t i = 0; i + 1 < ranges.size(); i += 2)
@@ -79,8 +81,8 @@ class CpuProgram {
   std::uint32_t instructions_;
 };
 
-// Interprets a program for the wanted ones of its results, a batch of at most so many vertices at a
-// time. The caller fills the inputs, uniform ones before the first run.
+// Interprets a program for some of its results, in batches of at most `vertices` vertices. The
+// caller fills the inputs: uniform ones before the first run.
 class Evaluator {
  public:
   Evaluator(const CpuProgram& program, const Words& wanted, const std::vector<InputArray>& inputs,
@@ -116,7 +118,7 @@ class Evaluator {
 struct Code {
   std::vector<std::uint8_t> module;  // empty if the program is too long
   Words inputsAt = {}, resultsAt = {};
-  // Bits of floats that must be at this offset before `start`: the last that the memory must have.
+  // Bits of floats that must be at this offset before `start`: the last part of the memory.
   Words shared = {};
   std::uint32_t sharedAt = 0;
 };
@@ -149,7 +151,7 @@ std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 }  // namespace
 
-// What machine code imports: `Staged` of src/eval/staged.hpp has what else it needs.
+// The imports of machine code; `Staged` of src/eval/staged.hpp has its other requirements.
 extern "C" {
 #define LANES(name) \
   EMSCRIPTEN_KEEPALIVE simd::Floats lanes_##name(simd::Floats x) { return name(Lanes(x)).floats; }

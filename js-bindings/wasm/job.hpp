@@ -1,5 +1,5 @@
-// What enters and leaves one call of the module of meshes. Its arrays have names, which
-// `npm run reference` prints for JavaScript.
+// The data that enters and leaves one call of the module of meshes. Its arrays have names, which
+// `npm run reference` writes for JavaScript.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ namespace warpjet {
 
 struct Job {
   Mesh mesh;
-  Origins origins;  // of a mesh that was refined
-  // A file, as it enters or leaves; further files that it needs, the next of them.
+  Origins origins;  // of a refined mesh
+  // The input or output file, and the next one of the further files that it needs.
   std::vector<std::uint8_t> file, contents;
-  std::optional<ModelFile> model;  // made of the file when it is first asked about
+  std::optional<ModelFile> model;  // parsed from the file when it is first needed
   Files files;
   std::vector<PackedPart> parts;  // the compressed ones of the model
   Pieces pieces;                  // of the part that is being unpacked

@@ -1,5 +1,6 @@
-// The border to JavaScript of meshes: JavaScript fills the arrays of a job, calls, reads them, and
-// deletes it. No exception crosses: what may fail gives an outcome, which holds a message then.
+// The bindings of meshes. JavaScript fills the arrays of a job, calls its functions, reads the
+// arrays, and deletes it. No exception crosses the border: functions that can fail return an
+// outcome with a message.
 #include <malloc.h>
 
 #include <algorithm>
@@ -19,9 +20,9 @@
 #include "job.hpp"
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/refine/shortfall.hpp"
 #include "mesh/refine/subdivide.hpp"
-#include "mesh/messages.hpp"
 #include "mesh/surface/normals.hpp"
 #include "mesh/surface/variation.hpp"
 
@@ -33,13 +34,13 @@ namespace {
 using Texts = std::vector<std::string>;
 
 struct Outcome {
-  std::string problem;  // empty if it went well
+  std::string problem;  // empty if there is none
   Texts texts = {};
 };
 
 constexpr const char* noMemory = "there is not enough memory for so large a mesh.";
 
-// What `work` gives, which may throw.
+// Returns the outcome of `work`, which may throw.
 template <class Work>
 Outcome attempt(Work&& work) {
   try {
@@ -55,7 +56,7 @@ Outcome attempt(Work&& work) {
   }
 }
 
-// The array of a job that has this name and holds such numbers.
+// Returns the array of a job with this name and type.
 template <class Number>
 std::vector<Number>& arrayOf(Job& job, std::string_view name) {
   std::vector<Number>* found = nullptr;
@@ -73,7 +74,7 @@ View<Number> read(Job& job, std::string_view name) {
   return View(arrayOf<Number>(job, name));
 }
 
-// Makes room for as many numbers.
+// Resizes an array to the length of `numbers`.
 template <class Number>
 Outcome resize(Job& job, std::string_view name, const val& numbers) {
   return attempt([&]() -> Texts {
@@ -82,7 +83,7 @@ Outcome resize(Job& job, std::string_view name, const val& numbers) {
   });
 }
 
-// Copies numbers of JavaScript.
+// Copies numbers from JavaScript.
 template <class Number>
 Outcome fill(Job& job, std::string_view name, const val& numbers) {
   Outcome outcome = resize<Number>(job, name, numbers);
@@ -92,7 +93,7 @@ Outcome fill(Job& job, std::string_view name, const val& numbers) {
   return outcome;
 }
 
-// The four numbers of the material; empty if there is none.
+// Returns the four numbers of the material; empty if there is none.
 std::vector<float> baseColor(const Job& job) {
   if (!job.mesh.material) return {};
   const auto& color = job.mesh.material->baseColor;
@@ -156,13 +157,13 @@ Outcome unpack(Job& job, std::uint32_t part) {
   });
 }
 
-// JavaScript puts the name of what the user called before every message.
+// Removes the method, since JavaScript puts the name of the called function before every message.
 std::string withoutMethod(const std::string& message) {
   const std::string method = "loadMesh: ";
   return message.starts_with(method) ? message.substr(method.size()) : message;
 }
 
-// From file to mesh. The texts are warnings.
+// Loads a mesh from the file. The texts are warnings.
 Outcome loadFile(Job& job) {
   return attempt([&]() -> Texts {
     if (!job.model) job.model.emplace(job.file);
@@ -179,7 +180,7 @@ Outcome loadFile(Job& job) {
   });
 }
 
-// Whether the arrays of the mesh fit together.
+// Checks that the arrays of the mesh fit together.
 Outcome checkMesh(Job& job) {
   return attempt([&]() -> Texts {
     std::string problem = problemOf(job.mesh);
@@ -196,7 +197,7 @@ Outcome addNormals(Job& job) {
   });
 }
 
-// Finds how a checked mesh with normals varies.
+// Computes the surface variation of a checked mesh with normals.
 Outcome addVariation(Job& job) {
   return attempt([&]() -> Texts {
     addSurfaceVariation(job.mesh);
@@ -204,7 +205,7 @@ Outcome addVariation(Job& job) {
   });
 }
 
-// From a checked mesh to a file.
+// Writes a checked mesh to a file.
 Outcome writeFile(Job& job) {
   return attempt([&]() -> Texts {
     if (!job.picture.empty()) {
@@ -224,9 +225,9 @@ struct Borrowed {
   Job* job;
 };
 
-// From a checked mesh to one of more triangles. `warp` moves the vertices of the job that it is
-// given, whose normals may get lost, and returns whether it could; it must not throw. The texts say
-// what was not reached.
+// Subdivides a checked mesh where the warp needs it. `warp` moves the vertices of the job that is
+// passed to it, whose normals may be lost, and returns `false` if it fails; it must not throw. The
+// texts say which goals were not reached.
 Outcome refine(Job& job, float tolerance, float angle, std::uint32_t maxTriangles,
                const val& warp) {
   const auto warped = [&](const Mesh& vertices) -> Moved {
@@ -245,7 +246,7 @@ Outcome refine(Job& job, float tolerance, float angle, std::uint32_t maxTriangle
   });
 }
 
-// The same, with each triangle divided so often.
+// Subdivides each triangle of a checked mesh `levels` times.
 Outcome refineUniformly(Job& job, int levels, std::uint32_t maxTriangles) {
   return attempt([&] {
     Divided divided = subdivideUniformly(job.mesh, levels, maxTriangles);

@@ -28,11 +28,11 @@ std::string_view kindName(Kind kind) {
     case Kind::Mat3:
       return "a mat3";
     case Kind::Input:
-      return "a single input, such as position.x()";
+      return "a single input (such as position.x())";
     case Kind::Inputs:
-      return "a vector of inputs, such as position";
+      return "a vector of inputs (such as position)";
     case Kind::Inputs3:
-      return "a vec3 of inputs, such as position";
+      return "a vec3 of inputs (such as position)";
     default:
       return "an expression";
   }

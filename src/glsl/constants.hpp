@@ -30,7 +30,7 @@ class Constants {
   // The bits of each component of a constant expression of ints or uints; empty if they are
   // unknown.
   std::vector<std::int32_t> integers(ExpressionId expression);
-  // The same for a single number.
+  // The value of a constant int or uint scalar; nullopt if it is unknown.
   std::optional<std::int32_t> integer(ExpressionId expression);
 
  private:

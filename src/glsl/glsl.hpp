@@ -40,11 +40,11 @@ struct FunctionHead {
 //   Argument     number, component, layout
 //   Uniform      number of the name, component, layout
 //                for both: an integer has two halves; 128 in the layout marks the upper one
-//   Component    operand, component, layout: columns and rows of the operand's value, four bits
-//   each Texel        number of the image's name, operand; so has FetchedTexel ImageSize    number
-//   of the image's name Fold         number of iterations, number of states, and their initial
-//   values; the step number
-//                and the states are operations then, followed by those of the body, until
+//   Component    operand, component, layout of the operand: columns and rows, four bits each
+//   Texel        number of the image's name, operand; so has FetchedTexel
+//   ImageSize    number of the image's name
+//   Fold         number of iterations, number of states, and the states' initial values. The step
+//                number and the states are the next operations, followed by the body, until
 //   Next         the new values of the states, whose outcomes are the next operations
 //   Define       a function of the source, the next of `routines`: the number of arguments, and of
 //                those that it has derivatives for, which come first. Its body follows, whose

@@ -127,9 +127,9 @@ void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
 bool Lowering::isTooMuch(Location place) {
   if (problems_.any()) return true;
   if (++steps_ > maxSteps || recorder_.isFull()) {
-    problems_.add(place, "this takes more than 250,000 steps once its loops are unrolled");
+    problems_.add(place, "this needs more than 250,000 steps once its loops are unrolled");
   } else if (depth_ > maxDepth) {
-    problems_.add(place, "calls and expressions are nested too deep here");
+    problems_.add(place, "calls and expressions are nested too deeply here");
   }
   return problems_.any();
 }

@@ -50,7 +50,7 @@ Id Lowering::packHalf(Id x) {
   const Id size = of(BitAnd, bits, uint(0x7fffffff));
   const Id sign = of(BitAnd, of(ShiftRight, bits, number(Base::Int, 16)), uint(0x8000));
   const Id odd = of(BitAnd, of(ShiftRight, size, number(Base::Int, 13)), uint(1));
-  const Id usual =
+  const Id normal =
       of(ShiftRight, of(Subtract, of(Add, size, of(Add, odd, uint(0xfff))), uint(0x38000000)),
          number(Base::Int, 13));
   // Below 2^-14, they are spaced as at 2^-14.
@@ -59,7 +59,7 @@ Id Lowering::packHalf(Id x) {
   const Id bounded = recorder_.apply(Code::Min, Base::Float, {scaled, number(Base::Float, 1024)});
   const Id tiny =
       recorder_.convert(recorder_.apply(Code::Round, Base::Float, {bounded}), Base::Uint);
-  Id half = recorder_.choose(of(Less, size, uint(0x38800000)), tiny, usual);
+  Id half = recorder_.choose(of(Less, size, uint(0x38800000)), tiny, normal);
   // Numbers from 65520 up become infinite.
   half = recorder_.choose(of(Less, size, uint(0x477ff000)), half, uint(0x7c00));
   return of(BitOr, sign, half);
@@ -72,12 +72,12 @@ Id Lowering::unpackHalf(Id bits) {
   const auto uint = [&](double value) { return number(Base::Uint, value); };
   const auto of = [&](Operator op, Id a, Id b) { return scalar(op, Base::Uint, a, b); };
   const Id size = of(BitAnd, bits, uint(0x7fff));
-  const Id usual =
+  const Id normal =
       recorder_.apply(Code::FloatOfBits, Base::Float,
                       {of(Add, of(ShiftLeft, size, number(Base::Int, 13)), uint(0x38000000))});
   const Id tiny = scalar(Multiply, Base::Float, recorder_.convert(size, Base::Float),
                          number(Base::Float, 1.0 / 16777216));
-  const Id value = recorder_.choose(of(Less, size, uint(0x400)), tiny, usual);
+  const Id value = recorder_.choose(of(Less, size, uint(0x400)), tiny, normal);
   const Id isBelow = of(Equal, of(BitAnd, bits, uint(0x8000)), uint(0x8000));
   return recorder_.choose(isBelow, recorder_.apply(Code::Neg, Base::Float, {value}), value);
 }

@@ -154,15 +154,15 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
   result.pop_back();
   // Macros whose expansion has ended by then may be used again.
   const auto depth = static_cast<Within::difference_type>(rest->depth);
-  std::size_t held = 0;
-  for (const std::vector<Token>& argument : arguments) held += argument.size();
-  held_ += held;
+  std::size_t argumentCount = 0;
+  for (const std::vector<Token>& argument : arguments) argumentCount += argument.size();
+  argumentTokens_ += argumentCount;
   ++nested_;
-  if (held_ > maxTokens) problems_.add(token.place, tooLong);
+  if (argumentTokens_ > maxTokens) problems_.add(token.place, tooLong);
   substitute(macro, token, line, arguments, result, {within.begin(), within.begin() + depth},
              *rest);
   --nested_;
-  held_ -= held;
+  argumentTokens_ -= argumentCount;
   return true;
 }
 

@@ -74,7 +74,7 @@ class Macros {
   std::map<std::string_view, Macro> macros_;
   // The calls being expanded, and the number of tokens in their arguments.
   int nested_ = 0;
-  std::size_t held_ = 0;
+  std::size_t argumentTokens_ = 0;
   Problems& problems_;
   std::deque<std::string>& made_;
 };

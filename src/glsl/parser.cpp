@@ -219,11 +219,11 @@ VariableId Parser::addVariable(const Token& name, Type type, Variable::Kind kind
   const int size = tree_.types.size(type);
   if (size > maxValueSize) {
     fail(name.place, quoted(name.text) + " is too large");
-  } else if ((held_ += size) > maxHeld) {
+  } else if ((totalSize_ += size) > maxHeld) {
     fail(name.place, "the variables of this source are too large in total");
   } else if (kind == Variable::Kind::Uniform || kind == Variable::Kind::Attribute) {
     // Counts them even if each is a float.
-    if ((heldOutside_ += type.isNumeric() ? 1 : size) > maxValueSize)
+    if ((inputSize_ += type.isNumeric() ? 1 : size) > maxValueSize)
       fail(name.place, "this source has too many inputs: more than 65,536 uniforms");
   }
   const auto index = static_cast<VariableId>(tree_.variables.size());

@@ -160,7 +160,7 @@ class Parser {
   enum class Stage : std::uint8_t { Unknown, Vertex, Fragment } stage_ = Stage::Unknown;
   bool hasReturn_ = false;  // true if the current function has a return
   // The size of all variables, and of uniforms and attributes.
-  int held_ = 0, heldOutside_ = 0;
+  int totalSize_ = 0, inputSize_ = 0;
   // The counters of the enclosing loops, as GLSL ES 1.00 defines them.
   std::vector<VariableId> counters_;
   std::map<std::string_view, std::vector<FunctionId>> overloads_;

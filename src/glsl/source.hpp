@@ -36,9 +36,8 @@ class Problems {
   std::optional<Found> found_;
 };
 
-// The source in normalized form: lines end with '
-// ' only, and each line that ends with a backslash is joined to the next one, at the positions
-// `joins` of `joined`.
+// The source in normalized form: lines end with '\n' only, and each line that ends with a backslash
+// is joined to the next one, at the positions `joins` of `joined`.
 struct Lines {
   explicit Lines(std::string_view text);
 

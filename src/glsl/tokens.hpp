@@ -28,8 +28,8 @@ struct Token {
   }
 };
 
-// The last token is an End. The text of tokens refers to `source`, whose lines end with '
-// '. `joins`, in ascending order, are the positions where two lines were joined by a backslash.
+// The last token is an End. The text of tokens refers to `source`, whose lines end with '\n'. At
+// each of the positions `joins`, in ascending order, two lines were joined by a backslash.
 std::vector<Token> readTokens(std::string_view source, Problems& problems,
                               std::span<const std::size_t> joins = {});
 

@@ -13,9 +13,9 @@
 #include "mesh/gltf/look.hpp"
 #include "mesh/gltf/merge.hpp"
 #include "mesh/gltf/packed.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/obj/obj.hpp"
 #include "mesh/obj/paints.hpp"
-#include "mesh/messages.hpp"
 #include "mesh/stl/stl.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/uri.hpp"
@@ -79,7 +79,7 @@ Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
       break;
   }
   Gltf& gltf = readyDescription(files).gltf;
-  refusePacked(gltf);
+  rejectPacked(gltf);
   Mesh mesh = mergeDraws(gltf, files);
   warnings = gltf.warnings;
   return mesh;

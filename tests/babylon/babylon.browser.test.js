@@ -20,6 +20,7 @@ import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
 import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js'
 import { ShadowGenerator } from '@babylonjs/core/Lights/Shadows/shadowGenerator.js'
 import '@babylonjs/core/Lights/Shadows/shadowGeneratorSceneComponent.js'
+import { MultiMaterial } from '@babylonjs/core/Materials/multiMaterial.js'
 import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
 import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
@@ -246,6 +247,10 @@ window.mistakes = async () => {
     () => warpOther(({ glsl, mouse }) => glsl.vec3(mouse, 0)),
     () => warpOther(({ glsl }) => glsl.vec3(glsl.param('wind'), 0, 0)),
     () => warpOther(({ glsl }) => glsl.vec3(0, 0, 0), { map: { width: 1, height: 1 } }),
+    () => new BabylonWarp(new MultiMaterial('parts', scene), offset),
+    () => new BabylonWarp(new StandardMaterial('other', scene), offset, { unifroms: {} }),
+    () => new BabylonWarp(new StandardMaterial('other', scene), offset, { surfaceVariation: true }),
+    () => new BabylonWarp({ name: 'red' }, offset),
   ].map((work) => {
     try {
       work()
@@ -361,7 +366,7 @@ for (const backend of ['webgl', 'webgpu'])
     })
   })
 
-test('rays and culling follow where they are told to', async () => {
+test('rays and culling follow refresh', async () => {
   const { hits, misses, apart, before, outside } = await page.evaluate(() => pick())
   assert.ok(hits > 60 && before > 60, `${hits} hits, ${before} otherwise before`)
   assert.equal(misses, 0)
@@ -369,7 +374,7 @@ test('rays and culling follow where they are told to', async () => {
   assert.equal(outside, false)
 })
 
-test('mistakes are told in a sentence, and what was set before stays', async () => {
+test('mistakes throw a message, and values set before stay', async () => {
   const { said, isKept } = await page.evaluate(() => mistakes())
   const expected = [
     /^WarpError: BabylonWarp: the warp has no uniform "linaer"; there are linear, shift\.$/,
@@ -380,6 +385,10 @@ test('mistakes are told in a sentence, and what was set before stays', async () 
     /^WarpError: BabylonWarp: the offset reads mouse, which Babylon\.js does not have; declare it, as in \{ uniforms: \{ myMouse: \[0, 0\] \} \}\.$/,
     /^WarpError: BabylonWarp: the offset reads "wind" by glsl\.param, which no shader of Babylon\.js declares; /,
     /^WarpError: BabylonWarp: expected a texture of Babylon\.js for the uniform "map", got /,
+    /^WarpError: BabylonWarp: the MultiMaterial "parts" takes no plugins; warp its subMaterials\.$/,
+    /^WarpError: BabylonWarp: there is no option "unifroms"; did you mean uniforms\?/,
+    /^WarpError: BabylonWarp: expected only false for the option "surfaceVariation", got the boolean true; addSurfaceVariation\(mesh\) /,
+    /^WarpError: BabylonWarp: expected a material of Babylon\.js, got /,
   ]
   assert.equal(said.length, expected.length)
   said.forEach((text, i) => assert.match(text, expected[i]))

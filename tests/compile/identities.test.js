@@ -227,7 +227,7 @@ describe('the value and the derivative:', () => {
 describe('vectors:', () => {
   const random = seededRandom(99)
   const below = (end) => Math.floor(random() * end)
-  const shuffled = (items) =>
+  const shuffle = (items) =>
     items
       .map((item) => [random(), item])
       .sort(([a], [b]) => a - b)
@@ -242,7 +242,7 @@ describe('vectors:', () => {
   test('a sum of products of components is a dot product', () => {
     for (let i = 0; i < formulas; i++) {
       const size = 2 + below(3)
-      const order = shuffled(parts.slice(0, size))
+      const order = shuffle(parts.slice(0, size))
       const { code } = compile((glsl) => {
         const [a, b] = ['a', 'b'].map((name) => glsl[`vec${size}Param`](name))
         return { y: sumOf(order.map((part) => [a[part](), b[part]()])) }
@@ -256,7 +256,7 @@ describe('vectors:', () => {
 
   test('similar formulas are not rewritten', () => {
     for (let i = 0; i < formulas; i++) {
-      const [first, second] = [shuffled(['x', 'y', 'z']), shuffled(['x', 'y', 'z'])]
+      const [first, second] = [shuffle(['x', 'y', 'z']), shuffle(['x', 'y', 'z'])]
       const { code } = compile((glsl) => {
         const [a, b] = [glsl.vec3Param('a'), glsl.vec3Param('b')]
         return { y: sumOf(first.map((part, k) => [a[part](), b[second[k]]()])) }
@@ -271,7 +271,7 @@ describe('vectors:', () => {
 
   test('differences of products of components are a cross product, in either order', () => {
     for (let i = 0; i < formulas; i++) {
-      const [u, v] = shuffled(['a', 'b'])
+      const [u, v] = shuffle(['a', 'b'])
       const wrong = below(3) ? -1 : below(3)
       const isReverse = below(2) === 1
       const product = (a, b) => (isReverse ? b.mult(a) : a.mult(b))
@@ -304,7 +304,7 @@ describe('vectors:', () => {
     for (let i = 0; i < formulas; i++) {
       const [scale, shift] = numbers(2).map((number) => Math.round(number * 4) / 4 + 5)
       const other = below(4)
-      const order = shuffled(['x', 'y', 'z'])
+      const order = shuffle(['x', 'y', 'z'])
       const { code } = compile((glsl) => {
         const p = glsl.vec3Param('p')
         const component = (part, k) => {

@@ -12,7 +12,7 @@ import { plainOperations } from '../random/plain.js'
 import { describe, shrink } from '../random/shrink.js'
 
 const count = 2000
-/** Of those, how many are compared with numbers. */
+/** The number of expressions whose values and derivatives are checked. */
 const compared = isRun('every random expression') ? count : 500
 const cases = Array.from({ length: count }, (_, seed) => randomCase(seed))
 
@@ -103,12 +103,12 @@ test('a wrong derivative is detected, and minimized to that operation', async ()
 })
 
 test('an expression that the compiler rejects is detected, and minimized', async () => {
-  const refusing = (source) => {
+  const rejectProducts = (source) => {
     if (/inverse\(.*sinh\(/.test(source)) throw new Error('inverse: not after sinh.')
     return () => ({})
   }
   const check = (test) => {
-    const { failure } = checkCase(test, refusing)
+    const { failure } = checkCase(test, rejectProducts)
     return { failure: failure?.kind === 'error' ? failure : undefined }
   }
   const [failure] = await failuresOf(check, 1)

@@ -1,20 +1,12 @@
 // The offset function is called once; its recording can be written in any language, for any host.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compile, compileWarp, targets, WarpError } from 'warpjet'
+import { compile, compileWarp, targets } from 'warpjet'
 import { memoryInUse } from '../../dist/memory.js'
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const bumpy = ({ glsl, position, normal, uv, millis }) =>
   normal.mult(glsl.noise(position.mult(3)).add(millis.sin()).mult(0.1)).add(glsl.vec3(uv, 0))
-
-function refuses(work, pattern) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, String(error))
-    assert.match(error.message, pattern)
-    assert.doesNotMatch(error.message, /\n/)
-    return true
-  })
-}
 
 describe('emit', () => {
   for (const options of [{}, { tangents: true }, { surfaceVariation: true }, { normals: false }])
@@ -60,21 +52,24 @@ describe('emit', () => {
 
   test('throws for wrong arguments', () => {
     const warp = compileWarp(({ glsl, position }) => position.mult(glsl.param('aPlace')))
-    refuses(
+    throwsWarpError(
       () => warp.emit('hlsl'),
       /emit: expected 'glsl300', 'glsl100' or 'wgsl' for the target, got the text "hlsl"/,
     )
-    refuses(() => warp.emit('wgsl', { name: {} }), /emit: there is no option "name"/)
-    refuses(
+    throwsWarpError(() => warp.emit('wgsl', { name: {} }), /emit: there is no option "name"/)
+    throwsWarpError(
       () => warp.emit('wgsl', { names: { place: 'p' } }),
       /emit: there is no option "place" in the option "names"/,
     )
-    refuses(
+    throwsWarpError(
       () => warp.emit('wgsl', { outputs: { offset: 3 } }),
       /expected the name of a shader variable for the option "outputs\.offset", got the number 3/,
     )
-    refuses(() => warp.emit('wgsl', { names: { position: 'fn' } }), /"fn" is a word of WGSL/)
-    refuses(
+    throwsWarpError(
+      () => warp.emit('wgsl', { names: { position: 'fn' } }),
+      /"fn" is a word of WGSL/,
+    )
+    throwsWarpError(
       () => warp.emit('glsl300', { names: { position: 'aPlace' } }),
       /names\.position: "aPlace" is the name of another input already/,
     )
@@ -83,7 +78,10 @@ describe('emit', () => {
         position,
       ),
     )
-    refuses(() => call.emit('wgsl'), /"source" of f must be a source in WGSL for the target wgsl/)
+    throwsWarpError(
+      () => call.emit('wgsl'),
+      /"source" of f must be a source in WGSL for the target wgsl/,
+    )
     assert.match(call.emit('glsl100').declarations, /float f\(float x\)/)
   })
 
@@ -96,7 +94,7 @@ describe('emit', () => {
       warp.emit('wgsl', { names: { position: 'q', normal: 'q' } }).code,
       /warpedPosition = q \+ offset/,
     )
-    refuses(
+    throwsWarpError(
       () => warp.emit('wgsl', { names: { position: 'q' } }),
       /emit: position and normal were one input, "p", when the offset was compiled/,
     )
@@ -168,14 +166,14 @@ describe('labels in different spellings are one variable', () => {
   })
   test('ambiguous labels are rejected', () => {
     const both = (first, second) => () => compile((glsl) => ({ a: first(glsl), b: second(glsl) }))
-    refuses(
+    throwsWarpError(
       both(
         (glsl) => glsl.vec2Param('p.xy'),
         (glsl) => glsl.vec2Param('p.yz'),
       ),
       /vec2Param: "p\.xy" was read before "p\.yz" and may be a part of it; read the vector of both first/,
     )
-    refuses(
+    throwsWarpError(
       both(
         (glsl) => glsl.param('m[0].x'),
         (glsl) => glsl.mat3Param('m'),

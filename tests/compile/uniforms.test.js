@@ -1,22 +1,15 @@
 // The option `uniforms` of compileWarp: types follow from values, and values are used on the CPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { WarpError, compile, compileWarp } from 'warpjet'
+import { compile, compileWarp } from 'warpjet'
 import { bakeWarp, subdivide } from 'warpjet/mesh'
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const origin = [0, 0, 0]
 
 /** Returns the position to which a warp moves the origin. */
 const movedTo = (offset, uniforms, given) =>
   compileWarp(offset, { uniforms }).evaluateAt(origin, { uniforms: given }).position
-
-const refuses = (work, message) =>
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, error.stack)
-    assert.match(error.message, message)
-    assert.ok(!error.message.includes('\n'))
-    return true
-  })
 
 const read = ({ glsl, uniforms }) => glsl.vec3(uniforms.value, 0, 0)
 const declare = (value) => compileWarp(read, { uniforms: { value } })
@@ -96,7 +89,7 @@ describe('names of properties of Object:', () => {
   test('inherited properties are neither declared nor passed', () => {
     const inheriting = Object.create({ amount: 1 })
     inheriting.reach = 5
-    refuses(
+    throwsWarpError(
       () => movedTo(({ glsl, uniforms }) => glsl.vec3(uniforms.amount, 0, 0), inheriting),
       /amount/,
     )
@@ -107,13 +100,13 @@ describe('names of properties of Object:', () => {
 
   test('__proto__ is a key like others, and not a valid name in a shader', () => {
     const uniforms = JSON.parse('{ "__proto__": 1 }')
-    refuses(
+    throwsWarpError(
       () => compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms['__proto__']), { uniforms }),
       /"__proto__" cannot be read in a shader: .* two underscores/,
     )
     const still = compileWarp(({ position }) => position, { uniforms })
     assert.deepEqual(still.evaluateAt([1, 2, 3], { uniforms }).position, [2, 4, 6])
-    refuses(
+    throwsWarpError(
       () => compileWarp(({ position }) => position).evaluateAt(origin, { uniforms }),
       /the warp has no uniform "__proto__"/,
     )
@@ -198,12 +191,12 @@ describe('on the CPU', () => {
 describe('errors:', () => {
   test('with the option', () => {
     const option = (uniforms) => () => compileWarp(({ position }) => position, { uniforms })
-    refuses(
+    throwsWarpError(
       option(3),
       /expected an object, such as \{ amount: .*for the option "uniforms", got the number 3/,
     )
-    refuses(option([1, 2]), /expected an object, .* got an array of 2/)
-    refuses(option(null), /expected an object, .* got null/)
+    throwsWarpError(option([1, 2]), /expected an object, .* got an array of 2/)
+    throwsWarpError(option(null), /expected an object, .* got null/)
   })
 
   test('with a value', () => {
@@ -224,34 +217,52 @@ describe('errors:', () => {
       [[1, , 2], /got one with undefined/],
       [() => [0, NaN], /got one with NaN/],
     ]
-    for (const [value, message] of cases) refuses(() => declare(value), message)
+    for (const [value, message] of cases) throwsWarpError(() => declare(value), message)
   })
 
   test('with a name', () => {
-    const named = (name, names) => () =>
+    const compileNamed = (name, names) => () =>
       compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms[name]), {
         uniforms: { [name]: 1 },
         names,
       })
-    refuses(named('millis'), /uniform "millis" has the name of an input; .* such as "myMillis"/)
-    refuses(named('position'), /uniform "position" has the name of an input/)
-    refuses(named('uTime', { millis: 'uTime' }), /the name that the option "names" gives to millis/)
-    refuses(named('float'), /^compileWarp uniforms\.float: "float" cannot be read in a shader/)
-    refuses(named('offset'), /"offset" has the name of a variable .* read/)
-    assert.deepEqual(named('toString')().uniforms, [{ name: 'toString', type: 'float' }])
+    throwsWarpError(
+      compileNamed('millis'),
+      /uniform "millis" has the name of an input; .* such as "myMillis"/,
+    )
+    throwsWarpError(compileNamed('position'), /uniform "position" has the name of an input/)
+    throwsWarpError(
+      compileNamed('uTime', { millis: 'uTime' }),
+      /the name that the option "names" gives to millis/,
+    )
+    throwsWarpError(
+      compileNamed('float'),
+      /^compileWarp uniforms\.float: "float" cannot be read in a shader/,
+    )
+    throwsWarpError(compileNamed('offset'), /"offset" has the name of a variable .* read/)
+    assert.deepEqual(compileNamed('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
   test('reading an undeclared uniform, and writing', () => {
-    const reading = (uniforms) => () =>
+    const readUndeclared = (uniforms) => () =>
       compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
-    refuses(reading({ amount: 1, wind: [1, 0] }), /declares no "amont"; there are amount, wind\./)
-    refuses(reading({}), /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/)
-    refuses(reading(), /^compileWarp: the offset reads uniforms\.amont, which nothing declares/)
+    throwsWarpError(
+      readUndeclared({ amount: 1, wind: [1, 0] }),
+      /declares no "amont"; there are amount, wind\./,
+    )
+    throwsWarpError(
+      readUndeclared({}),
+      /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/,
+    )
+    throwsWarpError(
+      readUndeclared(),
+      /^compileWarp: the offset reads uniforms\.amont, which nothing declares/,
+    )
     const writing = ({ uniforms, position }) => {
       uniforms.amount = 3
       return position
     }
-    refuses(
+    throwsWarpError(
       () => compileWarp(writing, { uniforms: { amount: 1 } }),
       /uniforms\.amount cannot be set/,
     )
@@ -262,36 +273,45 @@ describe('errors:', () => {
       uniforms: { center: [0, 0, 0], amount: 1, unread: [1, 2] },
     })
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
-    refuses(
+    throwsWarpError(
       call({ amount: [1, 2] }),
       /expected a finite number for the uniform "amount", got an array of 2/,
     )
-    refuses(call({ amount: 'a' }), /expected a finite number .* got the text "a"/)
-    refuses(call({ amount: () => 3 }), /expected a finite number .* got a function/)
-    refuses(
+    throwsWarpError(call({ amount: 'a' }), /expected a finite number .* got the text "a"/)
+    throwsWarpError(call({ amount: () => 3 }), /expected a finite number .* got a function/)
+    throwsWarpError(
       call({ center: 3 }),
       /expected an array of 3 finite numbers for the uniform "center", got the number 3/,
     )
-    refuses(call({ center: [1, NaN, 2] }), /for the uniform "center", got one with NaN/)
-    refuses(call({ unread: 1 }), /expected an array of 2 finite numbers for the uniform "unread"/)
-    refuses(call({ centre: [1, 2, 3] }), /no uniform "centre"; there are .*center, amount, unread/)
+    throwsWarpError(call({ center: [1, NaN, 2] }), /for the uniform "center", got one with NaN/)
+    throwsWarpError(
+      call({ unread: 1 }),
+      /expected an array of 2 finite numbers for the uniform "unread"/,
+    )
+    throwsWarpError(
+      call({ centre: [1, 2, 3] }),
+      /no uniform "centre"; there are .*center, amount, unread/,
+    )
   })
 
   test('names of properties of Object', () => {
     const offset = ({ glsl }) => glsl.vec3(glsl.param('toString'), glsl.param('constructor'), 0)
     const warp = compileWarp(offset)
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
-    refuses(call(), /the warp reads "toString"; pass a value/)
-    refuses(call({ toString: 1 }), /the warp reads "constructor"; pass a value/)
+    throwsWarpError(call(), /the warp reads "toString"; pass a value/)
+    throwsWarpError(call({ toString: 1 }), /the warp reads "constructor"; pass a value/)
     assert.deepEqual(call({ toString: 1, constructor: 2 })().position, [1, 2, 0])
     const { evaluate } = compile((glsl) => ({ y: glsl.param('toString').mult(2) }))
-    refuses(() => evaluate({}), /^evaluate: expected a finite number for "toString", got undefined/)
+    throwsWarpError(
+      () => evaluate({}),
+      /^evaluate: expected a finite number for "toString", got undefined/,
+    )
     assert.deepEqual(evaluate({ toString: 2 }), { y: 4 })
   })
 
   test('names of inputs that have other names in the shader', () => {
     const offset = ({ glsl, millis }) => glsl.vec3(glsl.param('millis').mult(millis), 0, 0)
-    refuses(
+    throwsWarpError(
       () => compileWarp(offset, { names: { millis: 'uTime' } }),
       /^compileWarp: the shader's "millis" has the name of the input millis, .* "uTime"; rename it/,
     )
@@ -305,16 +325,16 @@ describe('errors:', () => {
     let now = 1
     const warp = declare(() => now)
     now = [1, 2]
-    refuses(
+    throwsWarpError(
       () => warp.evaluateAt(origin),
       /^evaluateAt: expected a finite number for the uniform "value", got an array of 2; its function must always return what it returned at first\./,
     )
     now = undefined
-    refuses(
+    throwsWarpError(
       () => warp.bounds({ min: origin, max: origin }),
       /^bounds: .* got undefined; its function must always return/,
     )
     now = NaN
-    refuses(() => warp.evaluateAt(origin), /for the uniform "value", got NaN/)
+    throwsWarpError(() => warp.evaluateAt(origin), /for the uniform "value", got NaN/)
   })
 })

@@ -3,60 +3,52 @@ import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 import { inspect } from 'node:util'
 import { chain, inSpace, twist } from '../../dist/deformers.js'
-import { compile, compileWarp, gen, WarpError } from '../../dist/warpjet.js'
+import { compile, compileWarp, gen } from '../../dist/warpjet.js'
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
 
 afterEach(() => assert.match(compileWarp(still).code, /warpedPosition/))
 
-function refuses(work, pattern) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, String(error))
-    assert.match(error.message, pattern)
-    assert.doesNotMatch(error.message, /\n/)
-    return true
-  })
-}
-
 const offset = (callback) => () => compileWarp(callback)
 
 test('wrong results of the offset function', () => {
-  refuses(
+  throwsWarpError(
     offset(() => undefined),
     /must return a vec3.*undefined/,
   )
-  refuses(
+  throwsWarpError(
     offset(() => 5),
     /must return a vec3.*the number 5/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.vec2(1, 2)),
     /must return a vec3.*a vec2/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ millis }) => millis),
     /must return a vec3.*a single number/,
   )
-  refuses(
+  throwsWarpError(
     offset(() => [0, 0, 0]),
     /must return a vec3.*an array of 3/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.vec3(NaN, 0, 0)),
     /vec3: argument 1 is NaN/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.vec3(0, 1 / 0, 0)),
     /vec3: argument 2 is Infinity/,
   )
 })
 
 test("JavaScript's operators", () => {
-  refuses(
+  throwsWarpError(
     offset(({ position }) => position.x() * 2),
     /own \+ - \* \/ .* do not work on expressions/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ position }) => (position.x() > 0 ? position : position.neg())),
     /do not work on expressions/,
   )
@@ -70,12 +62,12 @@ test('expressions converted to strings', () => {
     // Node's console calls it.
     assert.equal(inspect(x), 'an expression of warpjet')
     assert.equal(inspect([glsl.vec2Param('v').y]), '[ an expression of warpjet ]')
-    refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
-    refuses(
+    throwsWarpError(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
+    throwsWarpError(
       () => glsl.fn({ name: 'f', arity: 1, source: `float f(float a) { return a * ${x}; }` }),
       /^fn: the option "source" of f contains an expression; make it an argument/,
     )
-    refuses(() => x + '', /do not work on expressions/)
+    throwsWarpError(() => x + '', /do not work on expressions/)
     return { result: x }
   })
 })
@@ -85,116 +77,125 @@ test('expressions of another copy of warpjet', async () => {
   let foreign
   other.compileWarp(({ position }) => (foreign = position))
   const sentence = /was made by another copy of warpjet; this page loads two copies, so load all/
-  refuses(
+  throwsWarpError(
     offset(() => foreign),
     sentence,
   )
-  refuses(
+  throwsWarpError(
     offset(({ position }) => position.add(foreign)),
     sentence,
   )
 })
 
 test('values that are not offset functions', () => {
-  refuses(() => compileWarp(), /expected a function, got undefined/)
-  refuses(() => compileWarp('x'), /expected a function, got the text "x"\.$/)
-  refuses(
+  throwsWarpError(() => compileWarp(), /expected a function, got undefined/)
+  throwsWarpError(() => compileWarp('x'), /expected a function, got the text "x"\.$/)
+  throwsWarpError(
     () => compileWarp('vec3 offset(vec3 p) { return p; }'),
     /got the text .*; glslOffset\(text\)/,
   )
-  refuses(() => compile(7), /compile: expected a function, got the number 7/)
-  refuses(() => gen({}), /gen: expected a function, got an empty object/)
-  refuses(() => gen(async () => {}), /gen: the function must be neither async nor a generator/)
-  refuses(() => compile(async () => ({})), /compile: the function must return an object of named/)
+  throwsWarpError(() => compile(7), /compile: expected a function, got the number 7/)
+  throwsWarpError(() => gen({}), /gen: expected a function, got an empty object/)
+  throwsWarpError(
+    () => gen(async () => {}),
+    /gen: the function must be neither async nor a generator/,
+  )
+  throwsWarpError(
+    () => compile(async () => ({})),
+    /compile: the function must return an object of named/,
+  )
 })
 
 test('operands', () => {
   const with_ = (operand) => offset(({ position }) => position.add(operand))
-  refuses(with_(undefined), /add: expected a number or an expression for argument 1, got undefined/)
-  refuses(with_('1'), /add: expected .* for argument 1, got the text "1"/)
-  refuses(with_({ x: 1 }), /add: expected .* for argument 1, got an object/)
-  refuses(with_([1, 2]), /add: expected .* for argument 1, got an array of 2/)
-  refuses(with_(NaN), /add: argument 1 is NaN/)
-  refuses(with_(1e-60), /add: argument 1 is 1e-60, too close to zero/)
-  refuses(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
-  refuses(
+  throwsWarpError(
+    with_(undefined),
+    /add: expected a number or an expression for argument 1, got undefined/,
+  )
+  throwsWarpError(with_('1'), /add: expected .* for argument 1, got the text "1"/)
+  throwsWarpError(with_({ x: 1 }), /add: expected .* for argument 1, got an object/)
+  throwsWarpError(with_([1, 2]), /add: expected .* for argument 1, got an array of 2/)
+  throwsWarpError(with_(NaN), /add: argument 1 is NaN/)
+  throwsWarpError(with_(1e-60), /add: argument 1 is 1e-60, too close to zero/)
+  throwsWarpError(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
+  throwsWarpError(
     offset(({ millis }) => millis.add()),
     /add: expected 1 argument, got 0/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ millis }) => millis.sin(2)),
     /sin: expected no arguments, got 1/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.sin()),
     /sin: expected 1 argument, got 0/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.sum()),
     /sum: expected 2 arguments, got 0/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl, millis }) => glsl.max(millis, null)),
     /max: expected .* for argument 2, got null/,
   )
 })
 
 test('sizes', () => {
-  refuses(
+  throwsWarpError(
     offset(({ position, uv }) => position.add(uv)),
     /add: a vec3 and a vec2 do not fit/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ uv }) => uv.cross(uv)),
     /cross: .* must be a vec3, but is a vec2/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ millis, uv }) => uv.dot(millis)),
     /dot: argument 1 must be a vector/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ uv }) => uv.z()),
     /z: a vec2 has no such components/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ millis }) => millis.x()),
     /x: a single number has no such components/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.vec3(1, 2)),
     /vec3: expected 3 components, got 2/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.vec3()),
     /vec3: expected 3 components, got 0/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ uv }) => uv.scale(uv)),
     /scale: argument 1 must be a single number/,
   )
 })
 
 test('constants without a finite result', () => {
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.val(1).div(0)),
     /div: it divides by zero/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.val(-1).sqrt()),
     /sqrt: the result/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ glsl }) => glsl.val(1e30).mult(1e30)),
     /mult: the result/,
   )
 })
 
 test('divisions by zero, and sizes inside of a composition', () => {
-  refuses(
+  throwsWarpError(
     offset(({ position }) => position.div(0)),
     /div: it divides by zero/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ uv, position }) => uv.dot(position)),
     /dot: a vec2 and a vec3 do not fit/,
   )
@@ -203,34 +204,34 @@ test('divisions by zero, and sizes inside of a composition', () => {
 test('expressions of another warp', () => {
   let stolen
   compileWarp(({ glsl, position }) => ((stolen = position), glsl.vec3(0, 0, 0)))
-  refuses(
+  throwsWarpError(
     offset(() => stolen),
     /comes from another warp/,
   )
-  refuses(
+  throwsWarpError(
     offset(({ position }) => position.add(stolen)),
     /add: argument 1 comes from another warp/,
   )
-  refuses(() => stolen.add(1), /add: the function that made this expression is over/)
+  throwsWarpError(() => stolen.add(1), /add: the function that made this expression is over/)
 })
 
 test('options', () => {
-  refuses(
+  throwsWarpError(
     () => compileWarp(still, { target: 'hlsl' }),
     /expected 'glsl300', 'glsl100' or 'wgsl' for the option "target", got the text "hlsl"/,
   )
-  refuses(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
-  refuses(() => compileWarp(still, 5), /expected an object of options, got/)
-  refuses(
+  throwsWarpError(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
+  throwsWarpError(() => compileWarp(still, 5), /expected an object of options, got/)
+  throwsWarpError(
     () => compileWarp(still, { normals: 'no' }),
     /expected true or false for the option "normals", got the text "no"/,
   )
-  refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
-  refuses(
+  throwsWarpError(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
+  throwsWarpError(
     () => compileWarp(still, { names: { position: 5 } }),
     /for the option "names\.position", got the number 5/,
   )
-  refuses(
+  throwsWarpError(
     () => gen(() => {}, { maxDepthPerVariable: 0 }),
     /expected a number of at least 1 for the option "maxDepthPerVariable"/,
   )
@@ -248,25 +249,25 @@ test('results requested by .output(…) outside of gen', () => {
       return warp({ glsl, millis, position, slope })
     })
   const only = /^output(Deriv)?: only gen takes results this way; return the expression/
-  refuses(
+  throwsWarpError(
     asks(({ millis, position }) => {
       millis.sin().output('hack')
       return position
     }),
     only,
   )
-  refuses(
+  throwsWarpError(
     asks(({ millis, position }) => {
       millis.sin().outputDeriv('hack', millis)
       return position
     }),
     only,
   )
-  refuses(
+  throwsWarpError(
     asks(({ glsl, position, slope }) => glsl.vec3(slope(position.x()), 0, 0)),
     only,
   )
-  refuses(
+  throwsWarpError(
     () =>
       compile((glsl) => {
         const x = glsl.param('x')
@@ -280,9 +281,9 @@ test('results requested by .output(…) outside of gen', () => {
 test('a class in the place of a function', () => {
   class Offset {}
   const isClass = /expected a function, got a class\./
-  for (const run of [compileWarp, compile, gen]) refuses(() => run(Offset), isClass)
-  refuses(() => compileWarp(Map), isClass)
-  refuses(
+  for (const run of [compileWarp, compile, gen]) throwsWarpError(() => run(Offset), isClass)
+  throwsWarpError(() => compileWarp(Map), isClass)
+  throwsWarpError(
     () => compileWarp(still, { uniforms: { reach: Offset } }),
     /^compileWarp: expected a number, .*, for the uniform "reach", got a class\./,
   )
@@ -293,54 +294,63 @@ test('a class in the place of a function', () => {
       source: 'float slope(float x) { return x; }',
       derivatives: [Offset],
     })
-  refuses(
+  throwsWarpError(
     offset(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
     /^slope: expected a number or an expression for derivative 1, got a class/,
   )
-  refuses(
+  throwsWarpError(
     () => chain(twist({ angle: 1 }), Offset),
     /expected an offset function, .* for argument 2, got a class/,
   )
-  refuses(() => twist({ angle: Offset }), /expected .* for the option "angle", got a class/)
-  refuses(() => inSpace(Offset, still), /for the matrix, got a class/)
+  throwsWarpError(() => twist({ angle: Offset }), /expected .* for the option "angle", got a class/)
+  throwsWarpError(() => inSpace(Offset, still), /for the matrix, got a class/)
 })
 
 test('names of results', () => {
-  const named = (outputs) => () => compileWarp(still, { outputs })
-  refuses(named({ position: '2x' }), /"2x" cannot name a result/)
-  refuses(named({ position: 'vec3' }), /"vec3" cannot name a result/)
-  refuses(named({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
-  refuses(named({ position: 'a', normal: 'a' }), /two results named "a"/)
-  refuses(
-    named({ position: 7 }),
+  const withOutputs = (outputs) => () => compileWarp(still, { outputs })
+  throwsWarpError(withOutputs({ position: '2x' }), /"2x" cannot name a result/)
+  throwsWarpError(withOutputs({ position: 'vec3' }), /"vec3" cannot name a result/)
+  throwsWarpError(withOutputs({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
+  throwsWarpError(withOutputs({ position: 'a', normal: 'a' }), /two results named "a"/)
+  throwsWarpError(
+    withOutputs({ position: 7 }),
     /expected the name of a shader variable for the option "outputs\.position", got the number 7/,
   )
-  refuses(named({ offset: 'position' }), /"position" has the name of a variable/)
-  refuses(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
-  refuses(() => compile(() => 5), /must return an object of named expressions/)
-  refuses(() => compile(() => []), /must return an object of named expressions.*an array of 0/)
-  refuses(() => compile((glsl) => ({ cos: glsl.param('x').cos() })), /"cos" cannot name a result/)
-  refuses(() => gen((ad) => ad.param('z').sin().output('z')), /"z" has the name of a variable/)
+  throwsWarpError(withOutputs({ offset: 'position' }), /"position" has the name of a variable/)
+  throwsWarpError(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
+  throwsWarpError(() => compile(() => 5), /must return an object of named expressions/)
+  throwsWarpError(
+    () => compile(() => []),
+    /must return an object of named expressions.*an array of 0/,
+  )
+  throwsWarpError(
+    () => compile((glsl) => ({ cos: glsl.param('x').cos() })),
+    /"cos" cannot name a result/,
+  )
+  throwsWarpError(
+    () => gen((ad) => ad.param('z').sin().output('z')),
+    /"z" has the name of a variable/,
+  )
 })
 
 test('names of parameters', () => {
   const param = (name) => offset(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
-  refuses(param('for'), /"for" cannot be read in a shader: "for" is a word of GLSL/)
-  refuses(param('gl_Foo'), /gl_ or webgl_ are reserved in GLSL/)
-  refuses(param('a__b'), /two underscores/)
-  refuses(param('x; y'), /";" is not allowed in it/)
-  refuses(param('x +'), /an operand is missing/)
-  refuses(param('(x'), /"\)" is missing/)
-  refuses(param(''), /it is empty/)
-  refuses(param('sin'), /"sin" is a function of GLSL/)
-  refuses(param('float'), /"float" is a word of GLSL/)
-  refuses(
+  throwsWarpError(param('for'), /"for" cannot be read in a shader: "for" is a word of GLSL/)
+  throwsWarpError(param('gl_Foo'), /gl_ or webgl_ are reserved in GLSL/)
+  throwsWarpError(param('a__b'), /two underscores/)
+  throwsWarpError(param('x; y'), /";" is not allowed in it/)
+  throwsWarpError(param('x +'), /an operand is missing/)
+  throwsWarpError(param('(x'), /"\)" is missing/)
+  throwsWarpError(param(''), /it is empty/)
+  throwsWarpError(param('sin'), /"sin" is a function of GLSL/)
+  throwsWarpError(param('float'), /"float" is a word of GLSL/)
+  throwsWarpError(
     offset(({ glsl }) => glsl.vec3Param('a').mult(glsl.param('a'))),
     /"a" was read as a vec3 before, and now as a single number/,
   )
-  refuses(param('é'), /only letters from a to z/)
-  refuses(param('a'.repeat(300)), /longer than 256 letters/)
-  refuses(param(undefined), /expected the name of a shader variable, got undefined/)
+  throwsWarpError(param('é'), /only letters from a to z/)
+  throwsWarpError(param('a'.repeat(300)), /longer than 256 letters/)
+  throwsWarpError(param(undefined), /expected the name of a shader variable, got undefined/)
 })
 
 test('derivatives', () => {
@@ -349,15 +359,15 @@ test('derivatives', () => {
       const v = glsl.vec3Param('v')
       return { d: glsl.derivative(v.x().sin(), choose(v)) }
     })
-  refuses(
+  throwsWarpError(
     by((v) => v),
     /derivative: argument 2 must be a single input, such as position\.x\(\), but is a vec3/,
   )
-  refuses(
+  throwsWarpError(
     by((v) => v.x().mult(2)),
     /derivative: argument 2 must be an input such as millis .* not something computed/,
   )
-  refuses(
+  throwsWarpError(
     by(() => 3),
     /must be an input/,
   )
@@ -374,7 +384,7 @@ test('two spellings of one variable', () => {
     }
   })
   assert.match(code, /a = p\.z \* 2\.0;\s+b = a;\s+c = p\.zx;/)
-  refuses(
+  throwsWarpError(
     () => compile((glsl) => ({ r: glsl.param('p.x').mult(glsl.vec3Param('p')) })),
     /vec3Param: "p\.x" was read before "p", whose part it is; read the vector first/,
   )
@@ -383,71 +393,71 @@ test('two spellings of one variable', () => {
 test('vectors of inputs', () => {
   const of = (callback) => () =>
     compile((glsl) => ({ d: callback(glsl, glsl.vec3Param('v'), glsl.vec2Param('u')) }))
-  refuses(
+  throwsWarpError(
     of((glsl, v) => glsl.gradient(v, v)),
     /gradient: expected a single number as argument 1, got a vec3/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, v) => glsl.gradient(v.x(), v.mult(2))),
     /argument 2 must be an input such as .* not something computed/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, v) => glsl.jacobian(v, v.xxy())),
     /jacobian: argument 2 must have different components/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, v) => glsl.jacobian(v, v.x())),
-    /expected a vector of inputs, such as position as argument 2, got a single number/,
+    /expected a vector of inputs (such as position) as argument 2, got a single number/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, v, u) => glsl.adjustNormal(v, v, u)),
-    /adjustNormal: expected a vec3 of inputs, such as position as argument 3, got a vec2/,
+    /adjustNormal: expected a vec3 of inputs (such as position) as argument 3, got a vec2/,
   )
 })
 
 test('matrices', () => {
   const of = (callback) => () => compile((glsl) => ({ r: callback(glsl, glsl.mat3Param('m')) }))
-  refuses(
+  throwsWarpError(
     of((glsl, m) => m.sin()),
     /sin: it does not work on matrices/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, m) => m.mult(glsl.vec2(1, 2))),
     /mult: a mat3 and a vec2 do not fit together/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, m) => glsl.val(1).div(m)),
     /div: a matrix cannot divide; multiply by its inverse/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl) => glsl.mat2(1, 2, 2, 4).inverse()),
     /inverse: the determinant of this matrix is 0/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl) => glsl.rotate(glsl.vec3(0, 0, 0), 1)),
     /rotate: the axis is zero/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, m) => m.column(3)),
     /column: argument 1 must be a whole number from 0 to 2/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl) => glsl.mat2(1, 2, 3)),
     /mat2: expected 4 components, got 3/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl) => glsl.mat2(glsl.vec3(1), glsl.vec2(1, 2))),
     /mat2: expected 2 columns of 2 components, got a vec3/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, m) => glsl.mat3Rows(m)),
     /mat3Rows: expected a vector or a number as argument 1, got a mat3/,
   )
-  refuses(
+  throwsWarpError(
     of((glsl, m) => m.x()),
     /x: a mat3 has no such components/,
   )
-  refuses(
+  throwsWarpError(
     () =>
       compile((glsl) => ({ j: glsl.jacobian(glsl.vec2Param('u'), glsl.vec3Param('v')) }), {
         target: 'glsl100',
@@ -468,7 +478,7 @@ test('singular constants', () => {
     mod: (glsl) => glsl.param('x').mod(0),
     smoothstep: (glsl) => glsl.smoothstep(1, 1, glsl.param('x')),
   }))
-    refuses(of(callback), new RegExp(`^${name}: `))
+    throwsWarpError(of(callback), new RegExp(`^${name}: `))
 })
 
 test('functions of the shader', () => {
@@ -478,54 +488,57 @@ test('functions of the shader', () => {
     () =>
       compile((glsl) => ({ r: use(glsl.fn(options), glsl.param('x'), glsl) }), { target })
   const differentiated = (f, x, glsl) => glsl.derivative(f(x), x)
-  refuses(
+  throwsWarpError(
     of(undefined),
     /fn: expected an object \{ name, source, arity, derivatives \}, got undefined/,
   )
-  refuses(of({ nam: 'a' }), /fn: there is no option "nam"/)
-  refuses(of({ ...a, name: 5 }), /expected a text for the option "name", got the number 5/)
-  refuses(of({ ...a, name: 'sin' }), /"sin" cannot name a function: "sin" is a function of GLSL/)
-  refuses(of({ ...a, name: 'b' }), /"b" is not in the source/)
-  refuses(
+  throwsWarpError(of({ nam: 'a' }), /fn: there is no option "nam"/)
+  throwsWarpError(of({ ...a, name: 5 }), /expected a text for the option "name", got the number 5/)
+  throwsWarpError(
+    of({ ...a, name: 'sin' }),
+    /"sin" cannot name a function: "sin" is a function of GLSL/,
+  )
+  throwsWarpError(of({ ...a, name: 'b' }), /"b" is not in the source/)
+  throwsWarpError(
     of({ ...a, arity: 0 }),
     /expected a whole number from 1 to 16 for the option "arity" of a/,
   )
-  refuses(
+  throwsWarpError(
     of({ ...a, source: { wgsl: '' } }),
     /expected GLSL source for the target glsl300, or an object \{ glsl: … \} with it, for the option "source" of a/,
   )
-  refuses(
+  throwsWarpError(
     of({ ...a, derivatives: [] }),
     /expected an array of 1, one for each argument, for the option "derivatives" of a/,
   )
-  refuses(
+  throwsWarpError(
     of(a, (f) => f(1, 2)),
     /a: expected 1 argument, got 2/,
   )
-  refuses(
+  throwsWarpError(
     of(a, (f, x, glsl) => f(glsl.mat2(1))),
     /a: expected a number or a vector as argument 1, got a mat2/,
   )
-  refuses(of(a, differentiated), /a: its derivatives are needed here/)
-  refuses(
+  throwsWarpError(of(a, differentiated), /a: its derivatives are needed here/)
+  throwsWarpError(
     of({ ...a, derivatives: [() => undefined] }, differentiated),
     /a: expected a number or an expression for derivative 1, got undefined/,
   )
-  refuses(
+  throwsWarpError(
     of({ ...a, derivatives: [(x) => x.add(1).mult(0.5).sin().neg().add(x).gt(0)] }, (f, x, glsl) =>
       glsl.derivative(f(glsl.vec2(x, 1)), x).dot(glsl.vec3(1, 1, 1)),
     ),
     /dot: a vec2 and a vec3/,
   )
-  refuses(
+  throwsWarpError(
     of(a, (f, x, glsl) => glsl.fn({ ...a, source: 'float a(float x) { return -x; }' })(f(x))),
     /"a" is the name of another function already/,
   )
-  refuses(
+  throwsWarpError(
     () => compile((glsl) => ({ a: glsl.fn(a)(glsl.param('x')) })),
     /The result "a" has the name of a variable or function that is read for it/,
   )
-  refuses(
+  throwsWarpError(
     () => compile((glsl) => ({ r: glsl.fn(a)(glsl.param('x')) })).evaluate({ x: 1 }),
     /evaluate: only the GPU can call a function of glsl\.fn/,
   )
@@ -534,22 +547,22 @@ test('functions of the shader', () => {
 test('numbers for evaluate', () => {
   const { evaluate } = compile((glsl) => ({ r: glsl.vec2Param('v').x().add(glsl.param('x')) }))
   assert.deepEqual(evaluate({ v: [1, 2], x: 3 }), { r: 4 })
-  refuses(
+  throwsWarpError(
     () => evaluate(),
     /evaluate: expected an array of 2 finite numbers for "v", got undefined/,
   )
-  refuses(
+  throwsWarpError(
     () => evaluate({ v: [1], x: 1 }),
     /expected an array of 2 finite numbers for "v", got an array of 1/,
   )
-  refuses(
+  throwsWarpError(
     () => evaluate({ v: [1, 2], x: '1' }),
     /expected a finite number for "x", got the text "1"/,
   )
 })
 
 test('constants that only a derivative combines', () => {
-  refuses(
+  throwsWarpError(
     () =>
       compile((glsl) => {
         const x = glsl.param('x')
@@ -560,7 +573,7 @@ test('constants that only a derivative combines', () => {
 })
 
 test('an endless loop throws a sentence', { timeout: 60_000 }, () => {
-  refuses(
+  throwsWarpError(
     offset(({ millis }) => {
       for (let v = millis; ;) v = v.sin().add(1)
     }),

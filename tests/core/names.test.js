@@ -1,15 +1,9 @@
 // glsl.fn rejects names that are reserved by a language, used by shaders, or used by warpjet.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { WarpError, compile, targets } from '../../dist/warpjet.js'
+import { compile, targets } from '../../dist/warpjet.js'
 import { functions } from '../operations/names.js'
-
-const refuses = (work, message) =>
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, error.stack)
-    assert.match(error.message, message)
-    return true
-  })
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const declare = (name, target) =>
   compile(
@@ -24,30 +18,39 @@ for (const target of targets) {
   test(`functions of ${target}`, () => {
     assert.ok(functions[target].length > 40)
     for (const name of functions[target])
-      refuses(
+      throwsWarpError(
         () => declare(name, target),
         new RegExp(`^fn: "${name}" cannot name a function: .* (WGSL|GLSL)`),
       )
   })
 
   test(`main, and names like those of warpjet, in ${target}`, () => {
-    refuses(() => declare('main', target), /"main" cannot .* that a shader begins with/)
-    refuses(() => declare('warpjetHash', target), /such names are reserved for warpjet; rename it/)
+    throwsWarpError(() => declare('main', target), /"main" cannot .* that a shader begins with/)
+    throwsWarpError(
+      () => declare('warpjetHash', target),
+      /such names are reserved for warpjet; rename it/,
+    )
     assert.match(declare('bump', target).code, /height = bump\(steepness\)/)
   })
 
   test(`a function of warpjet as the name of a result or a variable in ${target}`, () => {
-    const named = (result, variable) => () =>
+    const compileNamed = (result, variable) => () =>
       compile(
         (glsl) => ({ [result]: glsl.noise(glsl.vec2Param('place')).add(glsl.param(variable)) }),
         { target },
       )
-    const { declarations } = named('height', 'shift')()
+    const { declarations } = compileNamed('height', 'shift')()
     const ours = [...new Set(declarations.match(/\bwarpjet\w+(?=\()/g))]
     assert.ok(ours.includes('warpjetHash'), ours.join())
     for (const name of ours) {
-      refuses(named(name, 'shift'), /cannot name a result|has the name of a variable or function/)
-      refuses(named('height', name), /cannot be read in a shader|is both a variable and a function/)
+      throwsWarpError(
+        compileNamed(name, 'shift'),
+        /cannot name a result|has the name of a variable or function/,
+      )
+      throwsWarpError(
+        compileNamed('height', name),
+        /cannot be read in a shader|is both a variable and a function/,
+      )
     }
   })
 }

@@ -2,23 +2,15 @@
 // errors.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
+import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { foldCallback, foldNumber, randomFoldCase, secondSlope, slopes } from '../random/folds.js'
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const near = (got, expected, tolerance, message) =>
   assert.ok(
     Math.abs(got - expected) <= tolerance * Math.max(1, Math.abs(expected)),
     message ?? `${got} for ${expected}`,
   )
-
-function refuses(work, pattern) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, String(error))
-    assert.match(error.message, pattern)
-    assert.match(error.message, /^[^\n]+\.$/)
-    return true
-  })
-}
 
 describe('values', () => {
   test('of a number, with the number of the step', () => {
@@ -97,13 +89,13 @@ test('a warp with repeat transforms normals like the same loop in JavaScript, on
       repeat(glsl, 6, position, (p, i) => p.add(p.zxy().mult(2).add(i).sin().mult(0.1))).sub(
         position,
       )
-  const unrolled = (glsl, count, start, body) => {
+  const unroll = (glsl, count, start, body) => {
     let state = start
     for (let i = 0; i < count; i++) state = body(state, glsl.val(i))
     return state
   }
   const given = { position: [0.3, -0.2, 0.7, 1, 2, 3], normal: [0, 0, 1, 0.6, 0.8, 0] }
-  const [loop, straight] = [offset((glsl, ...all) => glsl.repeat(...all)), offset(unrolled)].map(
+  const [loop, straight] = [offset((glsl, ...all) => glsl.repeat(...all)), offset(unroll)].map(
     (each) => compileWarp(each).evaluate({ positions: given.position, normals: given.normal }),
   )
   for (const key of ['positions', 'normals'])
@@ -156,7 +148,7 @@ test('bounds contain the results of the loop', () => {
 })
 
 describe('rejects', () => {
-  const made = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
+  const compileWith = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
   const cases = {
     'a count of an expression': [
       (g, x) => g.repeat(x, 0, (s) => s),
@@ -238,17 +230,17 @@ describe('rejects', () => {
     ],
   }
   for (const [name, [work, pattern]] of Object.entries(cases))
-    test(name, () => refuses(made(work), pattern))
+    test(name, () => throwsWarpError(compileWith(work), pattern))
 
   test('a state of another session', () => {
     let other
     compile((glsl) => ({ r: (other = glsl.param('x')) }))
-    refuses(
-      made((g) => g.repeat(2, other, (s) => s)),
+    throwsWarpError(
+      compileWith((g) => g.repeat(2, other, (s) => s)),
       /another warp/,
     )
-    refuses(
-      made((g) => g.repeat(2, 0, () => other)),
+    throwsWarpError(
+      compileWith((g) => g.repeat(2, 0, () => other)),
       /another warp/,
     )
   })

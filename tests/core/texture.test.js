@@ -1,22 +1,14 @@
 // glsl.texture in Node: the names in the code, shared calls, and errors.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
+import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const inverted = ({ glsl, position }) =>
   glsl.vec3(0, 0, glsl.texture('heightMap', position.xy().add(0.5)).r())
 
 const count = (text, word) => text.split(word).length - 1
-
-function refuses(work, pattern) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, String(error))
-    assert.match(error.message, pattern)
-    assert.doesNotMatch(error.message, /\n/)
-    return true
-  })
-}
 
 test('the image is among the uniforms, and so is its size where the language cannot query it', () => {
   for (const target of targets) {
@@ -76,35 +68,44 @@ test('errors', () => {
         r: glsl.texture(...args.map((arg) => (typeof arg === 'function' ? arg(glsl) : arg))),
       }))
   const uv = (glsl) => glsl.vec2Param('uv')
-  refuses(
+  throwsWarpError(
     of(),
     /texture: expected the name of a sampler2D, such as "heightMap", for argument 1, got undefined/,
   )
-  refuses(of(5, uv), /texture: expected the name of .* for argument 1, got the number 5/)
-  refuses(of('a b', uv), /texture: expected the name of .* for argument 1, got the text "a b"/)
-  refuses(of('maps[0]', uv), /texture: expected the name of .* for argument 1/)
-  refuses(of('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/)
-  refuses(of('map'), /texture: expected a number or an expression for argument 2, got undefined/)
-  refuses(of('map', [0, 1]), /texture: expected .* for argument 2, got an array of 2/)
-  refuses(of('map', 0.5), /texture: expected a vec2 for argument 2, got a single number/)
-  refuses(
+  throwsWarpError(of(5, uv), /texture: expected the name of .* for argument 1, got the number 5/)
+  throwsWarpError(
+    of('a b', uv),
+    /texture: expected the name of .* for argument 1, got the text "a b"/,
+  )
+  throwsWarpError(of('maps[0]', uv), /texture: expected the name of .* for argument 1/)
+  throwsWarpError(of('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/)
+  throwsWarpError(
+    of('map'),
+    /texture: expected a number or an expression for argument 2, got undefined/,
+  )
+  throwsWarpError(of('map', [0, 1]), /texture: expected .* for argument 2, got an array of 2/)
+  throwsWarpError(of('map', 0.5), /texture: expected a vec2 for argument 2, got a single number/)
+  throwsWarpError(
     of('map', (glsl) => glsl.vec3Param('p')),
     /texture: expected a vec2 for argument 2, got a vec3/,
   )
-  refuses(of('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/)
-  refuses(
+  throwsWarpError(of('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/)
+  throwsWarpError(
     of('map', uv, 'bicubic'),
     /texture: expected an object of options, got the text "bicubic"/,
   )
-  refuses(
+  throwsWarpError(
     of('map', uv, { filter: 'linear' }),
     /texture: expected one of bilinear, bicubic, bspline, nearest for the option "filter", got the text "linear"/,
   )
-  refuses(
+  throwsWarpError(
     of('map', uv, { wrap: 3 }),
     /texture: expected one of clamp, repeat, mirror, sampler for the option "wrap", got the number 3/,
   )
-  refuses(of('map', uv, {}, 1), /texture: it takes a name, a vec2 and options; the number 1/)
+  throwsWarpError(
+    of('map', uv, {}, 1),
+    /texture: it takes a name, a vec2 and options; the number 1/,
+  )
 })
 
 test('a name cannot be an image and a number', () => {
@@ -116,22 +117,28 @@ test('a name cannot be an image and a number', () => {
       }
       return { r: reads[first]().add(reads[second]()) }
     })
-  refuses(both('image', 'number'), /"map" was read as an image before, and now as a single number/)
-  refuses(both('number', 'image'), /"map" was read as a single number before, and now as an image/)
-  refuses(
+  throwsWarpError(
+    both('image', 'number'),
+    /"map" was read as an image before, and now as a single number/,
+  )
+  throwsWarpError(
+    both('number', 'image'),
+    /"map" was read as a single number before, and now as an image/,
+  )
+  throwsWarpError(
     () => compile((glsl) => ({ map: glsl.texture('map', glsl.vec2(0, 0)).r() })),
     /The result "map" has the name of a variable/,
   )
 })
 
 test('the CPU cannot read images yet', () => {
-  refuses(
+  throwsWarpError(
     () => compile((glsl) => ({ r: glsl.texture('map', glsl.vec2(0, 0)).r() })).evaluate({ map: 1 }),
     /evaluate: only the GPU can .* read an image by glsl\.texture/,
   )
   const warp = compileWarp(inverted)
-  refuses(() => warp.evaluate({ positions: [0, 0, 0] }), /reads an image by glsl\.texture/)
-  refuses(
+  throwsWarpError(() => warp.evaluate({ positions: [0, 0, 0] }), /reads an image by glsl\.texture/)
+  throwsWarpError(
     () => warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] }),
     /bounds: .*reads an image by glsl\.texture/,
   )

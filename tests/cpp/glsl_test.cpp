@@ -108,7 +108,7 @@ TEST(GlslTokens, ABackslashJoinsLines) {
   EXPECT_EQ(joined("a\\\r\n\\\r\nb\rc"), "ab@1:1 c@4:1 @4:2 ");
   EXPECT_EQ(joined("#define A \\\n 1\nA"), "1@3:1 @3:2 ");
   EXPECT_EQ(joined("/* \\\n \n */ a \\ b"),
-            "line 3, column 7: there is a character here that no shader can hold: \"\\\".\n"
+            "line 3, column 7: shaders do not allow this character: \"\\\".\n"
             "   */ a \\ b\n        ^");
 }
 
@@ -213,10 +213,10 @@ TEST(GlslRecorder, ConditionsAreSimplified) {
       Code::Lt, Base::Bool, {recorder.leaf(Code::Argument, 0), recorder.constant(Base::Float, 1)});
   const Id yes = recorder.constant(Base::Bool, 1), no = recorder.constant(Base::Bool, 0);
   EXPECT_EQ(recorder.choose(c, yes, no), c);
-  EXPECT_EQ(recorder.choose(c, no, yes), recorder.negated(c));
-  EXPECT_EQ(recorder.negated(recorder.negated(c)), c);
-  EXPECT_EQ(recorder.both(c, yes), c);
-  EXPECT_EQ(recorder.either(c, c), c);
+  EXPECT_EQ(recorder.choose(c, no, yes), recorder.logicalNot(c));
+  EXPECT_EQ(recorder.logicalNot(recorder.logicalNot(c)), c);
+  EXPECT_EQ(recorder.logicalAnd(c, yes), c);
+  EXPECT_EQ(recorder.logicalOr(c, c), c);
   const Id x = recorder.leaf(Code::Argument, 1);
   EXPECT_EQ(recorder.choose(c, x, recorder.undefined(Base::Float)), x);
 }

@@ -125,7 +125,7 @@ void checkRow() {
 }
 
 TEST(Interval, HoldsTheValuesOfEveryRow) {
-  ops::numbered<ops::count>([](auto... row) { (checkRow<row>(), ...); });
+  ops::withIndices<ops::count>([](auto... row) { (checkRow<row>(), ...); });
 }
 
 // Samples the domains of the table, where rows with one operand are monotonic or have their
@@ -170,7 +170,7 @@ void checkTightness() {
 }
 
 TEST(Interval, IsNotWiderThanTheValues) {
-  ops::numbered<ops::count>([](auto... row) { (checkTightness<row>(), ...); });
+  ops::withIndices<ops::count>([](auto... row) { (checkTightness<row>(), ...); });
 }
 
 void expectNear(Interval x, double low, double high) {

@@ -39,13 +39,13 @@ Lanes evaluateRow(const Operands<Lanes>& operands) {
     return operands[0];
   } else {
     constexpr auto value = std::get<Row>(ops::table).value;
-    return ops::numbered<ops::declarations[Row].arity>(
+    return ops::withIndices<ops::declarations[Row].arity>(
         [&](auto... i) { return asNumber(value(operand<Row, i>(operands)...)); });
   }
 }
 
 constexpr auto evaluators =
-    ops::numbered<ops::count>([](auto... row) { return std::array{&evaluateRow<row>...}; });
+    ops::withIndices<ops::count>([](auto... row) { return std::array{&evaluateRow<row>...}; });
 
 std::size_t rowNamed(std::string_view name) {
   for (std::size_t row = 0; row < ops::count; ++row) {

@@ -165,7 +165,7 @@ TEST(HostileMesh, EachLieHasItsSentence) {
        [](json& t) {
          t["buffers"] = {{{"byteLength", 4000000000u}}};
        },
-       "buffer 0 says 4,000,000,000 bytes"},
+       "buffer 0: expected 4,000,000,000 bytes"},
       {"no buffer", [](json& t) { t["bufferViews"][0]["buffer"] = 1; }, "buffer 1"},
       {"buffer without bytes",
        [](json& t) {
@@ -181,7 +181,7 @@ TEST(HostileMesh, EachLieHasItsSentence) {
        [](json& t) {
          t["buffers"] = {{{"byteLength", 9}, {"uri", "data:;base64,AAAA"}}};
        },
-       "says 9 bytes, 3 came"},
+       "expected 9 bytes, got 3"},
       {"data uri without data",
        [](json& t) {
          t["buffers"] = {{{"byteLength", 1}, {"uri", "data:"}}};
@@ -362,9 +362,9 @@ TEST(HostileMesh, OtherFilesAreNamed) {
   const auto problem = [](const std::string& text) { return problemOfFile(bytesOf(text)); };
   EXPECT_EQ(problem(""), "loadMesh: the file is empty; export or download it again.");
   EXPECT_NE(problem("<!doctype html><title>404</title>").find("web page"), std::string::npos);
-  EXPECT_NE(
-      problem("Kaydara FBX Binary  " + std::string(1, '\0')).find("no .glb, .gltf, .obj or .stl"),
-      std::string::npos);
+  EXPECT_NE(problem("Kaydara FBX Binary  " + std::string(1, '\0'))
+                .find("not a .glb, .gltf, .obj or .stl"),
+            std::string::npos);
   EXPECT_NE(problem("v 0 zero 0").find("line 1 of the .obj"), std::string::npos);
 }
 

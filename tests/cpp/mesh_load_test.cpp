@@ -388,7 +388,7 @@ TEST(LoadMesh, KeepsTheFirstOfSeveralTextures) {
             (Image{{0xFF, 0xD8, 0xFF, 0xE0}, "image/jpeg"}));
   EXPECT_EQ(warningsOf(file),
             std::vector<std::string>{
-                "The parts have different base-colour textures; only the first is kept."});
+                "The parts have different base-colour textures; only the first one is used."});
 }
 
 TEST(LoadMesh, TakesPicturesFromTheCallersFiles) {
@@ -412,7 +412,7 @@ TEST(LoadMesh, SaysWhatItIgnores) {
   file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   EXPECT_EQ(warningsOf(file.glb()),
             (std::vector<std::string>{
-                "The model has animations; they are ignored, and it stands still.",
+                "The model has animations; they are ignored.",
                 "The model has morph targets; they are ignored, and it keeps its base shape.",
                 "A texture is moved or scaled by KHR_texture_transform, which is ignored.",
                 "A texture uses other uvs than TEXCOORD_0, the only ones that are read."}));
@@ -434,7 +434,7 @@ TEST(LoadMesh, ScalesNormalsAndTangentsToALengthOfOne) {
 
 TEST(LoadMesh, ClampsColors) {
   const json odd = {{"baseColorFactor", {5, -1, 1e308, 2}}};
-  const std::string ofMaterials = "Base colours that lie outside 0 to 1 are clamped to it.";
+  const std::string ofMaterials = "Base colours outside 0 to 1 are clamped.";
   EXPECT_EQ(loaded(painted(odd, odd).glb()).material->baseColor,
             (std::array<float, 4>{1, 0, 1, 1}));
   EXPECT_EQ(warningsOf(painted(odd, odd).glb()), std::vector<std::string>{ofMaterials});
@@ -445,9 +445,9 @@ TEST(LoadMesh, ClampsColors) {
   const Mesh mesh = loaded(file.glb());
   EXPECT_EQ((Floats{mesh.colors.begin(), mesh.colors.begin() + 12}),
             (Floats{0.5f, 0, 0.5f, 1, 0, 0, 0, 0.5f, 0, 0, 1, 1}));
-  EXPECT_EQ(warningsOf(file.glb()),
-            (std::vector<std::string>{
-                "Colours of vertices that lie outside 0 to 1 are clamped to it.", ofMaterials}));
+  EXPECT_EQ(
+      warningsOf(file.glb()),
+      (std::vector<std::string>{"Colours of vertices outside 0 to 1 are clamped.", ofMaterials}));
 }
 
 // Node 0 shows the mesh at another place, which has no effect. Joint 1 is at x = 1, as it was

@@ -107,12 +107,12 @@ TEST(Mtl, TakesThePictureOfItsColors) {
   files["a.png"] = files["b.png"] = png;
   EXPECT_EQ(
       load("mtllib a.mtl\nusemtl red\n" + square + "f 1 2 3\nusemtl blue\nf 1 3 4", files).warnings,
-      Names{"The parts have different base-colour textures; only the first is kept."});
+      Names{"The parts have different base-colour textures; only the first one is used."});
 }
 
 TEST(Mtl, SaysWhatIsMissing) {
   EXPECT_EQ(load(twoParts).warnings,
-            Names{"The materials of the .obj are left out, since \"a.mtl\" is not there."});
+            Names{"The materials of the .obj are left out, since \"a.mtl\" is missing."});
   EXPECT_EQ(load("usemtl red\n" + square + "f 1 2 3").warnings,
             Names{"The materials of the .obj are left out, since it names no .mtl file (mtllib)."});
   EXPECT_EQ(
@@ -134,7 +134,7 @@ TEST(Mtl, PassesOverColorsThatAreNone) {
   const Loaded grey = load("mtllib a.mtl\nusemtl red\n" + square + "f 1 2 3",
                            withMaterials("Kd 1 0 0\nnewmtl red\nKd 2"));
   EXPECT_EQ(grey.mesh->material->baseColor, (std::array<float, 4>{1, 1, 1, 1}));
-  EXPECT_EQ(grey.warnings, Names{"Colours of the .mtl that lie outside 0 to 1 are clamped to it."});
+  EXPECT_EQ(grey.warnings, Names{"Colours of the .mtl outside 0 to 1 are clamped."});
 }
 
 }  // namespace

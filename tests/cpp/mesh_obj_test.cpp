@@ -65,14 +65,13 @@ TEST(Obj, CutsConcavePolygonsInside) {
         "v " + std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + " 0\n";
     face += ' ' + std::to_string(i);
   }
-  EXPECT_EQ(
-      load(circle + face).warnings,
-      std::vector<std::string>{"Faces of more than 4,096 corners are taken for convex ones."});
+  EXPECT_EQ(load(circle + face).warnings,
+            std::vector<std::string>{"Faces of more than 4,096 corners are treated as convex."});
 }
 
 TEST(Obj, GoesWithoutUvsAndNormalsThatAreNotThere) {
   const std::vector<std::string> warning{
-      "Faces name uvs or normals that are not there; they go without."};
+      "Faces refer to uvs or normals that do not exist; these are ignored."};
   for (const char* face : {"f 1/1/1 2/1/1 3/1/1", "f 1//1 2//2 3//3", "f 1/-1 2/0 3/7"}) {
     const Loaded loaded = load(square + face);
     ASSERT_TRUE(loaded.mesh) << loaded.problem;
@@ -150,9 +149,8 @@ TEST(Obj, ComputesSingleNormalsThatAreNoNumbers) {
   ASSERT_TRUE(loaded.mesh) << loaded.problem;
   EXPECT_EQ(loaded.mesh->normals, (Floats{1, 0, 0, 0, 0, 1, 1, 0, 0}));
   EXPECT_EQ(loaded.mesh->uvs, (Floats{0.5f, 0, 0, 0, 0.5f, 0}));
-  EXPECT_EQ(loaded.warnings,
-            (std::vector<std::string>{"Normals of the .obj that are no numbers are computed.",
-                                      "Uvs of the .obj that are no numbers are 0."}));
+  EXPECT_EQ(loaded.warnings, (std::vector<std::string>{"Invalid normals of the .obj are computed.",
+                                                       "Invalid uvs of the .obj are set to 0."}));
 }
 
 TEST(Obj, LeavesOutFacesAtPositionsThatAreNoNumbers) {
@@ -160,7 +158,7 @@ TEST(Obj, LeavesOutFacesAtPositionsThatAreNoNumbers) {
   ASSERT_TRUE(loaded.mesh) << loaded.problem;
   EXPECT_EQ(loaded.mesh->positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
   EXPECT_EQ(loaded.warnings,
-            std::vector<std::string>{"Triangles at positions that are no numbers are left out."});
+            std::vector<std::string>{"Triangles with invalid positions are left out."});
   EXPECT_EQ(
       problemIn(square + "v nan 0 0\nf 1 2 5\n"),
       "loadMesh: line 5 of the .obj has \"nan\" where a number belongs; export the model again.");
@@ -223,9 +221,8 @@ TEST(Obj, ClampsColors) {
     const Loaded clamped = load("v 0 0 0 " + std::string(text) + "\nv 1 0 0\nv 0 1 0\nf 1 2 3");
     EXPECT_EQ((Floats{clamped.mesh->colors.begin(), clamped.mesh->colors.begin() + 4}),
               (Floats{1, 0, 0, 1}));
-    EXPECT_EQ(
-        clamped.warnings,
-        std::vector<std::string>{"Colours of the .obj that lie outside 0 to 1 are clamped to it."});
+    EXPECT_EQ(clamped.warnings,
+              std::vector<std::string>{"Colours of the .obj outside 0 to 1 are clamped."});
   }
 }
 
@@ -237,7 +234,7 @@ TEST(Obj, PassesOverWhatItDoesNotKnow) {
   EXPECT_EQ(loaded.mesh->indices, (Indices{0, 1, 2}));
   EXPECT_EQ(loaded.warnings,
             (std::vector<std::string>{
-                "The materials of the .obj are left out, since \"a.mtl\" is not there.",
+                "The materials of the .obj are left out, since \"a.mtl\" is missing.",
                 "Faces of fewer than three corners are left out."}));
 }
 

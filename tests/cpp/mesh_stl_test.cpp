@@ -106,7 +106,7 @@ TEST(Stl, ReadsBinaryWhoseHeaderBeginsLikeText) {
 }
 
 TEST(Stl, ComputesNormalsThatAreNone) {
-  const std::vector<std::string> warning{"Normals of the .stl that are no numbers are computed."};
+  const std::vector<std::string> warning{"Invalid normals of the .stl are computed."};
   for (const float bad : {NAN, INFINITY}) {
     const Loaded loaded = load(binary({facetWith({bad, 0, 0})}));
     EXPECT_EQ(loaded.mesh->normals, upThrice);
@@ -126,7 +126,7 @@ TEST(Stl, LeavesOutFacetsWhosePositionsAreNoNumbers) {
   const Loaded loaded = load(binary({broken, facetWith(tilted)}));
   EXPECT_EQ(loaded.mesh->positions, corners);
   EXPECT_EQ(loaded.warnings,
-            std::vector<std::string>{"Triangles at positions that are no numbers are left out."});
+            std::vector<std::string>{"Triangles with invalid positions are left out."});
   EXPECT_NE(load(binary({broken})).problem.find("nothing to draw"), std::string::npos);
 }
 
@@ -165,7 +165,7 @@ TEST(Stl, SaysWhatIsWrong) {
             "export or download it again.");
   File solidHeader = binary({facetWith(tilted), facetWith(tilted)}, "solid work");
   solidHeader.resize(150);
-  EXPECT_NE(problem(solidHeader).find("184 bytes, 150 came"), std::string::npos);
+  EXPECT_NE(problem(solidHeader).find("184 bytes, got 150"), std::string::npos);
   EXPECT_NE(problem(binary({})).find("nothing to draw"), std::string::npos);
   for (std::size_t size = 1; size < file.size(); ++size)
     EXPECT_NE(problem({file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size)}), "");

@@ -264,12 +264,12 @@ template <std::size_t Row>
 void checkRow() {
   if constexpr (declarations[Row].signature.result == Type::Float &&
                 declarations[Row].signature.operands[0] == Type::Float) {
-    numbered<declarations[Row].arity>([](auto... i) { (checkPartial<Row, i>(), ...); });
+    withIndices<declarations[Row].arity>([](auto... i) { (checkPartial<Row, i>(), ...); });
   }
 }
 
 TEST(Ops, PartialDerivativesMatchFiniteDifferences) {
-  numbered<count>([](auto... row) { (checkRow<row>(), ...); });
+  withIndices<count>([](auto... row) { (checkRow<row>(), ...); });
 }
 
 // Checks the formula of row `Row`, if it has one, at one point.
@@ -279,7 +279,7 @@ void checkFormula(const Operands<double>& x) {
   if constexpr (!std::is_same_v<Lowered, NoFormula>) {
     constexpr auto formula = std::get<Row>(table).lowered;
     const double value = valueOf(Op(Row), x);
-    const double lowered = spread<declarations[Row].arity>(formula, x.data());
+    const double lowered = applyTo<declarations[Row].arity>(formula, x.data());
     const auto at = [&] {
       return std::string(declarations[Row].name) + " of " + std::to_string(x[0]) + ", " +
              std::to_string(x[1]);
@@ -303,7 +303,7 @@ void checkFormulaOnDomain() {
 }
 
 TEST(Ops, LoweredFormulasHaveTheSameValues) {
-  numbered<count>([](auto... row) { (checkFormulaOnDomain<row>(), ...); });
+  withIndices<count>([](auto... row) { (checkFormulaOnDomain<row>(), ...); });
 }
 
 TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {

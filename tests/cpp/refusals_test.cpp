@@ -95,8 +95,8 @@ TEST_F(Refusals, OfOperandsOfTheWrongKind) {
           "transpose: expected a matrix as the value it is called on, got a vec2.");
   refuses(
       method("inverse", {m23}),
-      "inverse: the value it is called on must be a matrix of as many rows as columns, but is a "
-      "matrix of 2 columns and 3 rows.");
+      "inverse: expected a square matrix as the value it is called on, got a matrix of 2 columns "
+      "and 3 rows.");
   refuses(call("determinant", {v4}),
           "determinant: expected a square matrix as argument 1, got a vec4.");
   refuses(call("rotate", {v2, x}), "rotate: expected a vec3 as argument 1, got a vec2.");
@@ -108,7 +108,7 @@ TEST_F(Refusals, OfOperandsOfTheWrongKind) {
 
 TEST_F(Refusals, OfDerivativesByWhatIsNoInput) {
   refuses(method("derivative", {x, v3}),
-          "derivative: expected a single input, such as position.x() as argument 1, got a vec3.");
+          "derivative: expected a single input (such as position.x()) as argument 1, got a vec3.");
   refuses(call("derivative", {x, call("sin", {x})}),
           "derivative: argument 2 must be an input such as millis or position.x(), not something "
           "computed.");
@@ -116,7 +116,7 @@ TEST_F(Refusals, OfDerivativesByWhatIsNoInput) {
           "derivative: argument 2 must be an input such as millis or position.x(), not something "
           "computed.");
   refuses(call("gradient", {x, x}),
-          "gradient: argument 2 must be a vector of inputs, such as position, but is a single "
+          "gradient: expected a vector of inputs (such as position) as argument 2, got a single "
           "number.");
   refuses(call("jacobian", {v2, call("vec2", {x, x})}),
           "jacobian: argument 2 must have different components.");
@@ -124,7 +124,7 @@ TEST_F(Refusals, OfDerivativesByWhatIsNoInput) {
           "jacobian: argument 2 must be an input such as millis or position.x(), not something "
           "computed.");
   refuses(call("adjustNormal", {v3, v3, v2}),
-          "adjustNormal: expected a vec3 of inputs, such as position as argument 3, got a vec2.");
+          "adjustNormal: expected a vec3 of inputs (such as position) as argument 3, got a vec2.");
 }
 
 TEST_F(Refusals, OfVectorsAndMatricesOfTheWrongParts) {
@@ -290,7 +290,7 @@ TEST_F(Refusals, OfRectangularResultsInWebGl1) {
   old.builder.output("gen", "j", old.m23);
   refusesText(old,
               "gen: the result \"j\" is a matrix of 2 columns and 3 rows, but WebGL 1 has only "
-              "matrices of as many rows as columns; take its columns by .column(0).");
+              "square matrices; use its columns, such as .column(0).");
   Bench square(glsl100);
   square.builder.output("gen", "j", square.m3);
   EXPECT_TRUE(square.written().text);
@@ -305,7 +305,7 @@ TEST_F(Refusals, OfResultsThatHideAVariable) {
   ASSERT_TRUE(written().text) << problemOfText();
   builder.output("gen", "scale", uv);
   refusesText(*this,
-              "The result \"scale\" has the name of a variable or function that is read for it "
+              "The result \"scale\" has the name of a variable or function that its code reads "
               "(\"inputs.uv * scale\"); rename the result.");
 }
 
@@ -313,7 +313,7 @@ TEST_F(Refusals, OfResultsThatHideAFunction) {
   const int noise = hostFunction("noise", "float noise(float x) {}", 1);
   builder.output("gen", "noise", own(noise, {x}));
   refusesText(*this,
-              "The result \"noise\" has the name of a variable or function that is read for it "
+              "The result \"noise\" has the name of a variable or function that its code reads "
               "(\"noise\"); rename the result.");
 }
 

@@ -217,7 +217,7 @@ class SurfaceTest : public WarpTest {
     Value m = deformation(differentiator, offset, p);
     const Expression inputs[] = {n[0], n[1], n[2], uv[0], uv[1]};
     for (std::size_t i = 0; i < 5; ++i)
-      m = varied(differentiator, m, offset, inputs[i], gradients[i]);
+      m = varyInput(differentiator, m, offset, inputs[i], gradients[i]);
     return m;
   }
 

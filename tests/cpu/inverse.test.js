@@ -101,25 +101,25 @@ test('uniforms by value and by function, and other inputs of the offset', () => 
 })
 
 test('errors', () => {
-  const refused = (work, message) => assert.throws(work, { name: 'WarpError', message })
-  refused(
+  const rejects = (work, message) => assert.throws(work, { name: 'WarpError', message })
+  rejects(
     () => twist.inverseAt([1, 2]),
     /^inverseAt: expected an array of 3 finite numbers for the point, got an array of 2/,
   )
-  refused(
+  rejects(
     () => twist.inverseAt([1, 2, NaN]),
     /^inverseAt: expected .* for the point, got one with NaN/,
   )
-  refused(
+  rejects(
     () => twist.inverseAt([1, 2, 3], { near: 4 }),
     /^inverseAt: expected an array of 3 finite numbers for near, got the number 4/,
   )
-  refused(() => twist.inverseAt([1, 2, 3], { from: [0, 0, 0] }), /^inverseAt: .*from/)
-  refused(() => twist.inverseAt([1, 2, 3], { uniforms: { speed: 1 } }), /no uniform "speed"/)
+  rejects(() => twist.inverseAt([1, 2, 3], { from: [0, 0, 0] }), /^inverseAt: .*from/)
+  rejects(() => twist.inverseAt([1, 2, 3], { uniforms: { speed: 1 } }), /no uniform "speed"/)
   const alongNormal = compileWarp(({ normal }) => normal.mult(2))
-  refused(() => alongNormal.inverseAt([1, 2, 3]), /^inverseAt: the warp reads the normal/)
+  rejects(() => alongNormal.inverseAt([1, 2, 3]), /^inverseAt: the warp reads the normal/)
   const flat = compileWarp(({ normal }) => normal, { normals: false })
-  refused(() => flat.inverseAt([1, 2, 3]), /^inverseAt: .*normals: false/)
+  rejects(() => flat.inverseAt([1, 2, 3]), /^inverseAt: .*normals: false/)
 })
 
 /** x + y², y + xz, z + x²: it folds, and moves far positions farther away. */

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError, compileWarp } from 'warpjet'
-import { differentiate, glslOffset } from 'warpjet/glsl'
+import { glslOffset } from 'warpjet/glsl'
 
 const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
 const nest = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
@@ -375,7 +375,7 @@ const wrong = [
   [body('int i = 99999999999; return p;'), 2, 'is not a whole number of 32 bits'],
   [body('int i = 0x; return p;'), 2, 'is not a whole number'],
   [body('"text"; return p;'), 2, 'GLSL has no strings'],
-  ['#include "noise.glsl"', 1, 'replace an #include with the source in the file'],
+  ['#include "noise.glsl"', 1, 'replace it with the source in the file'],
   // nesting depth
   [body(`return ${nest('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'-'.repeat(50_001)}p;`.replaceAll('--', '- -')), 2, 'nested more than 128 deep'],
@@ -464,89 +464,6 @@ test('#line changes the reported line number, but not the line that is shown', (
   assert.throws(
     () => glslOffset('#line 70\nfloat x = y;'),
     /line 70, column 11: "y" is not declared\.\n {2}float x = y;\n {12}\^/,
-  )
-})
-
-test('arguments that are not source, and wrong options', () => {
-  const good = 'vec3 offset(vec3 p) { return p; }'
-  assert.throws(
-    () => glslOffset(5),
-    /^WarpError: glslOffset: expected a string of GLSL for the source, got the number 5/,
-  )
-  assert.throws(
-    () => glslOffset('shaders/waves.glsl'),
-    /expected a string of GLSL .* is the name of a file; read the file first/,
-  )
-  assert.throws(() => glslOffset(''), /the source has no function/)
-  assert.throws(
-    () => glslOffset(good, { function: 'other' }),
-    /no function "other"; there are offset/,
-  )
-  assert.throws(
-    () => glslOffset(good, { returns: 'colour' }),
-    /expected 'offset' or 'position' for the option "returns", got the text "colour"/,
-  )
-  assert.throws(
-    () => glslOffset(good, { maxIterations: 0 }),
-    /expected a whole number from 1 to 4096 for the option "maxIterations"/,
-  )
-  assert.throws(() => glslOffset(good, { depth: 1 }), /there is no option "depth"/)
-  assert.throws(
-    () => glslOffset('float offset(vec3 p) { return 1.; }'),
-    /expected a function that returns a vec3, .* got one that returns a float/,
-  )
-  assert.throws(
-    () => glslOffset('vec3 offset(float speed) { return vec3(speed); }'),
-    /the parameter speed of offset has no value/,
-  )
-  assert.throws(
-    () => glslOffset('vec3 offset(vec3 position, float time) { return position; }'),
-    /the parameter time of offset has no value; call it millis\.$/,
-  )
-  assert.throws(
-    () => glslOffset('vec3 offset(vec3 uv) { return uv; }'),
-    /uv of offset: expected a vec2, .* got a vec3/,
-  )
-  assert.throws(() => glslOffset('vec3 offset(out vec3 p) { p = vec3(1.); return p; }'), /is out/)
-  assert.throws(
-    () => differentiate('float f(vec3 p) { return p.x; }', { by: 'q' }),
-    /expected a parameter of f, one of p, for the option "by", got the text "q"/,
-  )
-  assert.throws(() => differentiate('float f(vec4 p) { return p.x; }'), /five numbers/)
-  assert.throws(
-    () => differentiate('float f(int i) { return 1.; }'),
-    /expected a float or a vector/,
-  )
-  assert.throws(() => differentiate('int f(out float x) { return 1; }'), /x of f is out/)
-  assert.throws(
-    () => differentiate('float f(float x, out int i) { while (x < 1.) x++; return x; }'),
-    /i of f is out/,
-  )
-  assert.throws(
-    () => glslOffset('vec3 offset(int uv) { return vec3(1.); }'),
-    /uv of offset: expected a vec2, .* got an int/,
-  )
-  assert.throws(
-    () => differentiate('int f(float p) { return 1; }'),
-    /f returns an int; expected a float or a vector/,
-  )
-  assert.ok(
-    differentiate(
-      'uniform float result, outcome, derivatives; float f(float x) { return x * result * outcome * derivatives; }',
-    ).includes('return result2;'),
-  )
-  const other = compileWarp(
-    glslOffset('uniform vec2 amount; vec3 offset(vec3 p) { return vec3(amount, 0.); }'),
-    { uniforms: { amount: [1, 2] } },
-  )
-  assert.ok(other.code)
-  assert.throws(
-    () =>
-      compileWarp(
-        glslOffset('uniform vec2 amount; vec3 offset(vec3 p) { return vec3(amount, 0.); }'),
-        { uniforms: { amount: 1 } },
-      ),
-    /amount: expected a vec2, .* got a single number/,
   )
 })
 

@@ -11,7 +11,8 @@ WebAssembly.Module = function (bytes) {
   if (memory >= 0) copy.set([0x80, 0x81, 0x00], memory + 3)
   return new Module(copy)
 }
-const { compile, compileWarp, WarpError } = await import('../../dist/warpjet.js')
+const { compile, compileWarp } = await import('../../dist/warpjet.js')
+const { throwsWarpError } = await import('../support/warp-errors.js')
 const { memoryInUse } = await import('../../dist/memory.js')
 
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
@@ -22,13 +23,6 @@ afterEach(() => {
   assert.match(compileWarp(still).code, /warpedPosition/)
   assert.equal(memoryInUse(), before)
 })
-
-const refuses = (work, message) =>
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, error.stack)
-    assert.match(error.message, message)
-    return true
-  })
 
 const outOfMemory =
   /^There is not enough memory for so large a warp: the compiler already holds [2-8] MB\.$/
@@ -42,13 +36,13 @@ function many(start, count) {
 
 test('a warp that is too large', () => {
   const large = ({ glsl, millis }) => glsl.vec3(many(millis, 1e6), 0, 0)
-  refuses(() => compileWarp(large), outOfMemory)
+  throwsWarpError(() => compileWarp(large), outOfMemory)
 })
 
 test('a warp that compiles, but is too large to evaluate', () => {
   const warp = compileWarp(({ glsl, position }) => glsl.vec3(many(position.x(), 10_000), 0, 0))
   const vertices = { positions: new Float32Array(30_000), normals: new Float32Array(30_000) }
-  refuses(
+  throwsWarpError(
     () => warp.evaluate(vertices),
     /^There is not enough memory to evaluate so large a warp on the CPU, which already takes [2-8] MB\.$/,
   )
@@ -63,19 +57,19 @@ test('a hundred nested warps', () => {
       if (depth < 100) nested(depth + 1)()
       return glsl.vec3(0, 0, 0)
     })
-  refuses(nested(1), outOfMemory)
+  throwsWarpError(nested(1), outOfMemory)
   assert.ok(deepest > 1 && deepest < 100, `${deepest}`)
 })
 
 test('a name longer than the memory', () => {
-  refuses(() => compile((glsl) => ({ y: glsl.param('x'.repeat(2 ** 23)) })), outOfMemory)
+  throwsWarpError(() => compile((glsl) => ({ y: glsl.param('x'.repeat(2 ** 23)) })), outOfMemory)
 })
 
 test('the warp around one that ran out of memory is lost too', () => {
-  refuses(
+  throwsWarpError(
     () =>
       compileWarp(({ glsl, millis }) => {
-        refuses(() => compile((glsl) => ({ y: many(glsl.param('x'), 1e6) })), outOfMemory)
+        throwsWarpError(() => compile((glsl) => ({ y: many(glsl.param('x'), 1e6) })), outOfMemory)
         return glsl.vec3(millis, 0, 0)
       }),
     /^vec3: the compiler ran out of memory, and this warp was lost with it; make it again\.$/,

@@ -48,10 +48,17 @@ export async function ownTypes() {
   }
   const findNamed = (file, is, name) => findAll(file, is).find((node) => node.name?.text === name)
 
+  const textOf = ({ comment }) => ts.getTextOfJSDocComment(comment) ?? ''
+  /** Returns the comment of a declaration, and its `@default` as a sentence. */
   const meaningOf = (node) =>
-    ts
-      .getJSDocCommentsAndTags(node)
-      .map(({ comment }) => ts.getTextOfJSDocComment(comment) ?? '')
+    [
+      ...ts.getJSDocCommentsAndTags(node).map(textOf),
+      ...ts
+        .getJSDocTags(node)
+        .filter(({ tagName }) => tagName.text === 'default')
+        .map((tag) => `Default: ${textOf(tag)}.`),
+    ]
+      .filter(Boolean)
       .join(' ')
       .replaceAll(/\s+/g, ' ')
       .replaceAll('`', '')

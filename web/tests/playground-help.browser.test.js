@@ -153,7 +153,7 @@ test('shows the formula and the derivative of the operation under the pointer', 
   await write(page, still('#ff0000', 'glsl.vec3(0, 0, 0)', ", { space: 'world' }"))
   assert.match(
     (await meaningOf('space')).join(' '),
-    /'local' \| 'world' \| 'camera' Left out: local/,
+    /'local' \| 'world' \| 'camera' Default: 'local'\. The space/,
   )
   await write(page, still('#ff0000'))
   await settled(page)

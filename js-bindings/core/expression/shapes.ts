@@ -21,7 +21,7 @@ type Condition = 'bool' | 'bvec2' | 'bvec3' | 'bvec4'
 export type TypeName = ShapeName | Whole | Condition
 export type ShapeName = 'float' | 'vec2' | 'vec3' | 'vec4' | 'mat2' | 'mat3' | 'mat4' | 'sampler2D'
 
-/** How an input is converted to floats: a whole number becomes two inputs, since a float represents only 24 of its bits. */
+/** The conversion of an input to floats: a whole number becomes two inputs, since a float represents only 24 of its bits. */
 export interface ReadAsFloats {
   name: string
   type: TypeName

@@ -8,7 +8,7 @@ import { Expression } from './expression.js'
 import type { Shape } from './shapes.js'
 import { UnusedExpressions } from './unused.js'
 
-/** How a callback is recorded. */
+/** Options for recording a callback. */
 export interface Recording {
   /** `true` if expressions request results by `.output(name)`, as in `gen`. */
   hasOutputMethods?: boolean

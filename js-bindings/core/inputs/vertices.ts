@@ -1,4 +1,4 @@
-// What a warp on the CPU reads, and its checks: arrays of vertices, uniforms, a box.
+// The inputs of a warp on the CPU, and their checks: arrays of vertices, uniforms, a box.
 import { describe } from '../../errors/errors.js'
 import { isList } from '../../options/guards.js'
 import { describeNumber, finiteFloat, firstWrong, readNumbers } from '../../options/numbers.js'

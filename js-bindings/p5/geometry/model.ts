@@ -10,12 +10,12 @@ import type { Mesh, Picture } from '../../mesh/mesh-arrays.js'
 
 export interface LoadModelOptions {
   /**
-   * Whether the model is centered and scaled to 200 units along its longest side, as by p5's `loadModel`.
+   * If true, the model is centered and scaled to 200 units along its longest side, as by p5's `loadModel`.
    * @default true
    */
   normalize?: boolean
   /**
-   * Whether the file's y axis points upwards on the canvas.
+   * If true, the file's y axis points upwards on the canvas.
    * @default true
    */
   flipY?: boolean

@@ -1,8 +1,9 @@
 // Computes gradients of normal and uv on a p5.Geometry and stores them as vertex properties, which p5 2.x passes to shaders as
 // attributes. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { arrayNames, variationAttribute, variationNames } from '../../compile/hosts.js'
-import { WarpError, describe } from '../../errors/errors.js'
+import { describe } from '../../errors/errors.js'
 import { type SurfaceVariation, findVariation } from '../../mesh/surface-variation.js'
+import { Place } from '../../options/place.js'
 
 /** The members of a p5.Geometry that we use. */
 interface Geometry {
@@ -15,23 +16,24 @@ interface Geometry {
   vertexProperty?(name: string, value: number[]): void
 }
 
+const place = new Place('addSurfaceVariation')
+
 /**
  * Computes and stores the gradients; replaces earlier ones. For the p5 addon's `addSurfaceVariation`, not for users.
  * @internal
  */
 export function varyGeometry(geometry: unknown) {
-  const method = 'addSurfaceVariation'
   const shape = geometry as Geometry | undefined
   if (!Array.isArray(shape?.vertices))
-    throw new WarpError(
-      `${method}: expected a p5.Geometry, such as buildGeometry(() => sphere(100)), got ${describe(geometry)}.`,
+    throw place.expected(
+      'a p5.Geometry, such as buildGeometry(() => sphere(100)),',
+      describe(geometry),
     )
-  if (!shape.vertexProperty)
-    throw new WarpError(`${method}: this p5 has no vertex properties; use p5 2.`)
+  if (!shape.vertexProperty) throw place.error('this p5 has no vertex properties; use p5 2.')
   const { vertices, vertexNormals, uvs, faces } = shape
   const flat = (vectors: typeof vertices) => vectors.flatMap(({ x, y, z }) => [x, y, z])
   const isWhole = (list: unknown[], size: number) => list.length === size * vertices.length
-  const found = findVariation(method, {
+  const found = findVariation(place, {
     positions: flat(vertices),
     normals: isWhole(vertexNormals, 1) ? flat(vertexNormals) : undefined,
     uvs: isWhole(uvs, 2) ? uvs : undefined,

@@ -36,7 +36,7 @@ export function mergeHooks(
 
 const parts = (text: string) => /^\s*\(([^)]*)\)([^]*)$/.exec(text)!.slice(1) as [string, string]
 
-/** Returns the statements of a hook with the parameter `value` that callInOrder `own` and `our` in order. */
+/** Returns the statements of a hook with the parameter `value` that calls `own` and `our` in order. */
 function callInOrder(turn: HookOrder, own: string, our: string, value: string, more = '') {
   const call = (name: string, ...values: string[]) =>
     `${name}(${[...values.filter(Boolean), more].filter(Boolean).join(', ')})`
@@ -77,7 +77,7 @@ function bothInWgsl(
   const [type, word] = name.split(' ')
   const [parameters, values] = extra[stage]
   const ourHook = `warpjetHook_${word}`
-  const written = (label: string, text: string) => {
+  const writeFunction = (label: string, text: string) => {
     const [parameter, body] = parts(text)
     const list = [parameter.trim(), parameters].filter(Boolean).join(', ')
     return `fn ${label}(${list})${type === 'void' ? '' : ` -> ${type}`}${body}`
@@ -85,7 +85,7 @@ function bothInWgsl(
   const [parameter] = parts(our)
   const value = parameter.split(':')[0]!.trim()
   return {
-    above: `${written(sketchHook(name), own)}\n${written(ourHook, our)}`,
+    above: `${writeFunction(sketchHook(name), own)}\n${writeFunction(ourHook, our)}`,
     hook: `(${parameter}) { ${callInOrder(turn, sketchHook(name), ourHook, value, values)} }`,
   }
 }

@@ -140,17 +140,18 @@ export function variationInWgsl(warpCode: InSpace, ofCamera = 'model.uNormalMatr
   const { space } = warpCode
   const names = attributesOf(warpCode)
   if (names.length === 0) return ''
-  const given = (name: string) => `${variationAttribute(name)}_`
+  const attributeOf = (name: string) => `${variationAttribute(name)}_`
   const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: ofCamera }[space]
   const lines = names.map((name) => {
-    if (!matrix) return given(name)
-    if (!isOfNormal(name)) return `warpjetNormalMatrix * ${given(name)}`
+    if (!matrix) return attributeOf(name)
+    if (!isOfNormal(name)) return `warpjetNormalMatrix * ${attributeOf(name)}`
     const row = 'XYZ'.indexOf(name[6]!)
     const all = ['X', 'Y', 'Z'].map((axis) => `normal${axis}Gradient`)
     const sum = all
       .map(
         (each, i) =>
-          names.includes(each as never) && `${given(each)} * warpjetNormalMatrix[${i}][${row}]`,
+          names.includes(each as never) &&
+          `${attributeOf(each)} * warpjetNormalMatrix[${i}][${row}]`,
       )
       .filter(Boolean)
     return `warpjetNormalMatrix * (${sum.join(' + ')})`

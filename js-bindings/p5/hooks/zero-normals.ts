@@ -1,8 +1,8 @@
 import type { Shader } from '../host.js'
 
 /**
- * Where a warp collapses a whole triangle, as `floor` does, its normals are zero, and p5 would light it by normalize(vec3(0)). These
- * hooks light it as if it faced the eye.
+ * Returns hooks that light a collapsed triangle as if it faced the eye. If a warp collapses a whole triangle, as `floor` does, its
+ * normals are zero, and p5 would light it by normalize(vec3(0)).
  */
 export const zeroNormalHooks = ({ hooks }: Shader) =>
   'Inputs getPixelInputs' in hooks.fragment && {

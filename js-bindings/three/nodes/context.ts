@@ -49,7 +49,7 @@ interface WarpContext {
 const outerOf = new WeakMap<ContextNode, ContextNode>()
 const contexts = new WeakMap<ThreeWarp, WeakMap<ContextNode, WarpContext>>()
 
-/** The context for an object with this warp, or with none, which also undoes that of an object around: shadows are drawn meanwhile. */
+/** Returns the context for an object with this warp, or with none: shadows are drawn while another object is. */
 function contextFor(current: ContextNode, warp: ThreeWarp | undefined): ContextNode {
   const outer = outerOf.get(current) ?? current
   if (!warp) return outer
@@ -67,7 +67,7 @@ interface Drawing {
   contextNode: ContextNode
 }
 
-/** What is replaced of NodeMaterial. */
+/** The methods of NodeMaterial that are replaced, and what they use. */
 interface Methods {
   positionNode: unknown
   setupPosition(builder: Builder): unknown

@@ -126,7 +126,7 @@ void forSparse(const Gltf& gltf, int accessor, std::size_t components, Replace r
                              groupDigits(info.count));
         replace(static_cast<std::size_t>(place), values, i);
       } else {
-        fail(accessor, "has sparse indices that are no unsigned integers");
+        fail(accessor, "has sparse indices that are not unsigned integers");
       }
     }
   };
@@ -159,7 +159,7 @@ void appendAs(const Gltf& gltf, int accessor, std::size_t components, std::size_
 std::size_t countOf(const Gltf& gltf, int accessor) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
   if (info.bufferView < 0 && info.count > maxZeros)
-    fail(accessor, "says " + groupDigits(info.count) + " elements without any bytes; at most " +
+    fail(accessor, "declares " + groupDigits(info.count) + " elements without any bytes; at most " +
                        groupDigits(maxZeros) + " are read");
   if (info.bufferView >= 0) ownElements(gltf, accessor, sizeOf(info));
   return info.count;

@@ -73,7 +73,7 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
                       " are read; export it with fewer triangles or in several files.");
   // These take time, not memory.
   if (ofTargets > maxMeshBytes)
-    throw FileProblem("the model has more morph targets at work than are read, " +
+    throw FileProblem("the model has more active morph targets than are supported, " +
                       groupDigits(ofTargets) + " bytes; export it in its final shape.");
 }
 

@@ -93,14 +93,14 @@ std::string adviceFor(std::string_view extension) {
   return "without it";
 }
 
-void refuseExtensions(const json& tree) {
+void rejectExtensions(const json& tree) {
   const auto required = tree.find("extensionsRequired");
   if (required == tree.end()) return;
   for (const json& entry : *required) {
     const std::string name = entry;
     if (!isRead(name))
       throw FileProblem("the model requires the extension " + quotedText(name) +
-                        ", which is not read here; export the model " + adviceFor(name) + '.');
+                        ", which is not supported; export the model " + adviceFor(name) + '.');
   }
 }
 

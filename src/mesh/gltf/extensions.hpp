@@ -53,7 +53,7 @@ struct Extensions {
 
 // Throws a FileProblem if a description requires an unsupported extension that would change the
 // mesh. Extensions that only change textures disable those textures.
-void refuseExtensions(const nlohmann::json& tree);
+void rejectExtensions(const nlohmann::json& tree);
 
 // Extracts them from a description that has been reduced to the schema.
 Extensions takeExtensions(nlohmann::json& tree);

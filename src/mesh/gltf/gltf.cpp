@@ -52,7 +52,7 @@ void keepBuffersAndImages(Gltf& gltf, json& tree) {
 
 void warnOfMotion(Gltf& gltf, json& tree) {
   if (!takeMember(tree, "animations").empty())
-    gltf.warn("The model has animations; they are ignored, and it stands still.");
+    gltf.warn("The model has animations; they are ignored.");
 }
 
 // tinygltf rejects indices without a view, which are valid if they are sparse or compressed; so
@@ -128,7 +128,7 @@ Gltf parseDescription(std::string_view text) {
   if (!version.starts_with("2."))
     throw FileProblem("this is glTF " + quotedText(version) +
                       ", but only version 2 is supported; export the model as glTF 2.0.");
-  refuseExtensions(tree);
+  rejectExtensions(tree);
   warnOfMotion(gltf, tree);
   keepBuffersAndImages(gltf, tree);
   std::vector<tinygltf::Image> images = std::move(gltf.model.images);

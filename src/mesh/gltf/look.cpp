@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/picture.hpp"
 #include "mesh/messages.hpp"
+#include "mesh/picture.hpp"
 #include "mesh/uri.hpp"
 
 namespace warpjet {
@@ -65,7 +65,7 @@ void warnOfLook(Gltf& gltf, int material) {
   if (material == noPlace) return;
   const BaseColor paint = paintOf(gltf, material);
   if (paint.color != lookOf(gltf, material).baseColor)
-    gltf.warn("Base colours that lie outside 0 to 1 are clamped to it.");
+    gltf.warn("Base colours outside 0 to 1 are clamped.");
   if (paint.texture == noPlace) return;
   if (pictureOfTexture(gltf, paint.texture) == noPlace)
     gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");

@@ -112,7 +112,7 @@ std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, c
   }
   for (const Draw& draw : draws) {
     if (lookOf(gltf, draw.primitive->material).picture != picture)
-      gltf.warn("The parts have different base-colour textures; only the first is kept.");
+      gltf.warn("The parts have different base-colour textures; only the first one is used.");
   }
   Material material;
   material.baseColorTexture = pictureOf(gltf, picture, files);

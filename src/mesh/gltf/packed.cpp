@@ -223,11 +223,11 @@ void unpack(Gltf& gltf, std::size_t place, Pieces pieces) {
   const MeshoptView& view = gltf.extensions.meshoptViews.at(part.view);
   if (pieces.size() != 1 || pieces[0].size() != view.count * view.byteStride)
     failPacked("the compressed bufferView " + std::to_string(part.view),
-               "has another length than it says");
+               "does not have the declared length");
   gltf.unpackedViews[part.view] = std::move(pieces[0]);
 }
 
-void refusePacked(const Gltf& gltf) {
+void rejectPacked(const Gltf& gltf) {
   for (const PackedPlace& part : gltf.packed)
     if (!part.isUnpacked && !isOptional(gltf, part))
       throw FileProblem("the model is compressed by " + extensionOf(gltf, part) +

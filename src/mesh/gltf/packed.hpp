@@ -17,6 +17,6 @@ std::vector<PackedPart> findPacked(Gltf& gltf);
 void unpack(Gltf& gltf, std::size_t place, Pieces pieces);
 
 // Throws a FileProblem if a required part has not been unpacked.
-void refusePacked(const Gltf& gltf);
+void rejectPacked(const Gltf& gltf);
 
 }  // namespace warpjet

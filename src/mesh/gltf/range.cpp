@@ -20,7 +20,7 @@ void clampColors(Gltf& gltf, std::vector<float>& colors, std::size_t first) {
     colors[i] = std::clamp(part, 0.0f, 1.0f);
     isSeen = true;
   }
-  if (isSeen) gltf.warn("Colours of vertices that lie outside 0 to 1 are clamped to it.");
+  if (isSeen) gltf.warn("Colours of vertices outside 0 to 1 are clamped.");
 }
 
 bool makeUnit(std::vector<float>& vectors, std::size_t first, std::size_t stride) {

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "mesh/files.hpp"
+#include "mesh/messages.hpp"
 #include "mesh/obj/corners.hpp"
 #include "mesh/obj/paints.hpp"
 #include "mesh/obj/polygon.hpp"
 #include "mesh/obj/srgb.hpp"
-#include "mesh/messages.hpp"
 #include "mesh/surface/normals.hpp"
 #include "mesh/text/lines.hpp"
 
@@ -42,7 +42,7 @@ std::vector<float> linearColors(const std::vector<float>& colors,
       maxCount = 255;
     warnings.push_back(maxCount == 255
                            ? "The colours of the .obj are read as whole numbers from 0 to 255."
-                           : "Colours of the .obj that lie outside 0 to 1 are clamped to it.");
+                           : "Colours of the .obj outside 0 to 1 are clamped.");
   }
   std::vector<float> linear(colors.size() / 3 * 4, 1.0f);
   for (std::size_t i = 0; i < colors.size(); ++i)
@@ -98,9 +98,9 @@ struct Losses {
   bool positions = false, uvs = false, normals = false;
 
   void warn(std::vector<std::string>& warnings) const {
-    if (positions) warnings.push_back("Triangles at positions that are no numbers are left out.");
-    if (normals) warnings.push_back("Normals of the .obj that are no numbers are computed.");
-    if (uvs) warnings.push_back("Uvs of the .obj that are no numbers are 0.");
+    if (positions) warnings.push_back("Triangles with invalid positions are left out.");
+    if (normals) warnings.push_back("Invalid normals of the .obj are computed.");
+    if (uvs) warnings.push_back("Invalid uvs of the .obj are set to 0.");
   }
 };
 
@@ -211,8 +211,9 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
   if (hasFlatFaces) warnings.push_back("Faces of fewer than three corners are left out.");
   if (hasLongFaces)
     warnings.push_back("Faces of more than " + groupDigits(maxCutCorners) +
-                       " corners are taken for convex ones.");
-  if (!hasAll) warnings.push_back("Faces name uvs or normals that are not there; they go without.");
+                       " corners are treated as convex.");
+  if (!hasAll)
+    warnings.push_back("Faces refer to uvs or normals that do not exist; these are ignored.");
   losses.warn(warnings);
 
   checkSize(faces.size());

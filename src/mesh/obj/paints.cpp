@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
+#include "mesh/messages.hpp"
 #include "mesh/obj/srgb.hpp"
 #include "mesh/picture.hpp"
-#include "mesh/messages.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/text/lines.hpp"
 #include "mesh/uri.hpp"
@@ -107,7 +107,8 @@ std::optional<Material> Paints::material(const Files& files,
   const bool hasPicture = picture_ && !picture_->empty();
   if (!hasColors() && !hasPicture) return std::nullopt;
   if (hasPictures_)
-    warnings.push_back("The parts have different base-colour textures; only the first is kept.");
+    warnings.push_back(
+        "The parts have different base-colour textures; only the first one is used.");
   if (hasColors() && isEqual()) std::copy_n(colors_[0].begin(), 3, material.baseColor.begin());
   if (!hasPicture) return material;
   const auto* file = fileOf(*picture_, files);
@@ -125,12 +126,11 @@ void Paints::warn(std::vector<std::string>& warnings) const {
   if (names_.libraries.empty())
     warnings.push_back(leftOut + "it names no .mtl file (mtllib).");
   else if (!missing_.empty())
-    warnings.push_back(leftOut + quotedText(missing_) + " is not there.");
+    warnings.push_back(leftOut + quotedText(missing_) + " is missing.");
   else if (isUnknown_)
     warnings.push_back(
         "A material of the .obj is in none of its .mtl files; those faces have no colour.");
-  if (isClamped_)
-    warnings.push_back("Colours of the .mtl that lie outside 0 to 1 are clamped to it.");
+  if (isClamped_) warnings.push_back("Colours of the .mtl outside 0 to 1 are clamped.");
 }
 
 }  // namespace warpjet

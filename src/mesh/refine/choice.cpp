@@ -26,9 +26,9 @@ std::vector<std::uint32_t> Refiner::chooseEdges() {
 
 // If a sliver is split, its longest side is split. So triangles at the border of a fine region, or
 // between two nearly parallel edges, don't become ever thinner. (Bisecting the longest side never
-// makes the smallest angle less than half of what it was: Rosenberg and Stenger, "A lower bound on
-// the angles of triangles constructed by bisecting the longest side", 1975.) The consequences of a
-// choice are propagated from edge to edge.
+// reduces the smallest angle below half of its initial value: Rosenberg and Stenger, "A lower bound
+// on the angles of triangles constructed by bisecting the longest side", 1975.) The consequences of
+// a choice are propagated from edge to edge.
 void Refiner::keepShape(std::vector<bool>& chosen) const {
   struct Entailed {
     std::uint32_t edge, next;

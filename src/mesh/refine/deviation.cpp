@@ -152,16 +152,16 @@ class Measurement {
     if (distance <= rounding(p)) {
       raiseIfFinite(deviation.unresolved, distance);
     } else {
-      raiseIfFinite(deviation.most.distance, distance);
-      raiseIfFinite(deviation.surprise.distance, glm::distance(p, patch.curved(sample.where)));
+      raiseIfFinite(deviation.max.distance, distance);
+      raiseIfFinite(deviation.residual.distance, glm::distance(p, patch.curved(sample.where)));
     }
     if (!hasNormals()) return;
     const Patch normals = patchOf(piece, warped_.normals, middles_.normals);
     const glm::vec3 normal = at(moved.normals, i);
     const float angle = angleBetween(normal, normals.flat(sample.where));
-    if (angle > deviation.most.angle) deviation.where = sample.where;
-    raiseIfFinite(deviation.most.angle, angle);
-    raiseIfFinite(deviation.surprise.angle, angleBetween(normal, normals.curved(sample.where)));
+    if (angle > deviation.max.angle) deviation.where = sample.where;
+    raiseIfFinite(deviation.max.angle, angle);
+    raiseIfFinite(deviation.residual.angle, angleBetween(normal, normals.curved(sample.where)));
   }
 
   const Mesh& mesh_;
@@ -179,7 +179,7 @@ std::vector<Deviation> measure(const Mesh& mesh, const Moved& warped, Moved& mid
   return Measurement(mesh, warped, middles, warp).run(pieces);
 }
 
-void Off::raise(const Off& other) {
+void SurfaceError::raise(const SurfaceError& other) {
   distance = std::max(distance, other.distance);
   angle = std::max(angle, other.angle);
 }

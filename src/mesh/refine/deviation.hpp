@@ -29,17 +29,16 @@ struct Piece {
 };
 
 // Distances in model units and angles in radians.
-struct Off {
+struct SurfaceError {
   float distance = 0, angle = 0;
 
-  void raise(const Off& other);
+  void raise(const SurfaceError& other);
 };
 
 struct Deviation {
-  Off most;       // of warped samples and normals from those interpolated between warped corners
-  Off surprise;   // the same from a parabola through the midpoints: an estimate of what samples may
-                  // have missed
-  Weights where;  // the sample with the largest angle
+  SurfaceError max;  // of warped samples and normals from those interpolated between warped corners
+  SurfaceError residual;  // from a parabola through the midpoints: estimates what samples missed
+  Weights where;          // the sample with the largest angle
   float unresolved = 0;   // the largest distance within the rounding error of floats
   bool isDefined = true;  // true if all samples were finite
 };

@@ -42,9 +42,9 @@ void addIfFinite(double& sum, double term) {
   if (std::isfinite(term)) sum += term;
 }
 
-std::uint32_t sampleCount(double wanted, double fewest, double most) {
+std::uint32_t sampleCount(double wanted, double min, double max) {
   // The order of the comparison also catches NaN.
-  return static_cast<std::uint32_t>(wanted > fewest ? std::min(std::ceil(wanted), most) : fewest);
+  return static_cast<std::uint32_t>(wanted > min ? std::min(std::ceil(wanted), max) : min);
 }
 
 // The longest side of the bounding box.
@@ -79,9 +79,9 @@ Refined Refiner::run() && {
     warpNewVertices();
     surface_.divide(warped_.positions);
   }
-  Off worst;
+  SurfaceError worst;
   for (std::size_t i = 0; i < needs_.size(); ++i) {
-    if (surface_.edges()[i].uses > 0) worst.raise(needs_[i].off);
+    if (surface_.edges()[i].uses > 0) worst.raise(needs_[i].error);
   }
   for (const Triangle& triangle : surface_.triangles())
     worst.raise({triangle.distance, triangle.angle});
@@ -157,7 +157,7 @@ void Refiner::measureSides() {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Need& need = needs_[sides[pieces[i].sides[0]].edge];
     need.score = std::max(need.score, findings[i].score);
-    need.off.raise(findings[i].off);
+    need.error.raise(findings[i].error);
   }
 }
 
@@ -184,7 +184,7 @@ void Refiner::measureInsides() {
     const Triangle& triangle = surface_.triangles()[triangles[i]];
     Need& need = needs_[surface_.edgeNumber(triangle, triangle.longest)];
     need.score = std::max(need.score, findings[i].score);
-    surface_.setMeasured(triangles[i], findings[i].off.distance, findings[i].off.angle);
+    surface_.setMeasured(triangles[i], findings[i].error.distance, findings[i].error.angle);
   }
 }
 

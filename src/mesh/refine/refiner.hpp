@@ -19,7 +19,7 @@ class Refiner {
  private:
   struct Need {
     float score = 0;  // as a multiple of the tolerance
-    Off off;
+    SurfaceError error;
     bool canSplit = true;
 
     bool isWanted() const { return score > 1 && canSplit; }
@@ -36,7 +36,7 @@ class Refiner {
     float warpedLength;             // of the edge that would be split
   };
   struct Finding {
-    Off off;
+    SurfaceError error;
     float score = 0;
     bool isCreased = false;
   };
@@ -44,7 +44,7 @@ class Refiner {
   void findCreases(std::span<const Piece> pieces, std::span<const Scrutiny> scrutinies,
                    std::span<const Deviation> deviations, std::vector<Finding>& findings) const;
   void note(const Deviation& deviation);
-  float score(const Off& off, bool countsAngle) const;
+  float score(const SurfaceError& error, bool countsAngle) const;
   bool countsAngle(const Finding& finding, const Scrutiny& scrutiny) const;
 
   // See choice.cpp.

@@ -11,7 +11,7 @@ namespace warpjet {
 
 namespace {
 
-// The share of the surprise that the closer look may have missed, and the share of everything that
+// The share of the residual that the closer look may have missed, and the share of everything that
 // any look may miss: between samples of noise, the deviation is up to a twentieth larger.
 constexpr float doubtLeft = 0.1f, margin = 0.95f;
 
@@ -28,8 +28,8 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
   std::vector<bool> isInDoubt;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (findings[i].score > 1) continue;
-    const float surprise = score(deviations[i].surprise, countsAngle(findings[i], scrutinies[i]));
-    const bool mayBeMore = findings[i].score + 4 * surprise > 1;
+    const float residual = score(deviations[i].residual, countsAngle(findings[i], scrutinies[i]));
+    const bool mayBeMore = findings[i].score + 4 * residual > 1;
     const std::uint32_t samples =
         std::max(scrutinies[i].always, mayBeMore ? scrutinies[i].inDoubt : 0);
     if (samples <= pieces[i].samples) continue;
@@ -42,9 +42,9 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
   const auto again = measure(surface_.mesh(), warped_, middles_, closer, warp_);
   for (std::size_t i = 0; i < closer.size(); ++i) {
     Deviation& deviation = deviations[numbers[i]];
-    if (again[i].most.angle > deviation.most.angle) deviation.where = again[i].where;
-    deviation.most.raise(again[i].most);
-    deviation.surprise.raise(again[i].surprise);
+    if (again[i].max.angle > deviation.max.angle) deviation.where = again[i].where;
+    deviation.max.raise(again[i].max);
+    deviation.residual.raise(again[i].residual);
     deviation.unresolved = std::max(deviation.unresolved, again[i].unresolved);
     deviation.isDefined = deviation.isDefined && again[i].isDefined;
   }
@@ -52,7 +52,7 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
   for (std::size_t i = 0; i < closer.size(); ++i) {
     Finding& finding = findings[numbers[i]];
     if (isInDoubt[i])
-      finding.score += doubtLeft * score(deviations[numbers[i]].surprise,
+      finding.score += doubtLeft * score(deviations[numbers[i]].residual,
                                          countsAngle(finding, scrutinies[numbers[i]]));
   }
   for (const Deviation& deviation : deviations) note(deviation);
@@ -66,9 +66,9 @@ void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutin
   std::vector<Turn> turns;
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    findings[i].off = deviations[i].most;
+    findings[i].error = deviations[i].max;
     if (!countsAngle(findings[i], scrutinies[i]) || scrutinies[i].warpedLength > crease_ ||
-        findings[i].off.angle <= refinement_.angle)
+        findings[i].error.angle <= refinement_.angle)
       continue;
     turns.push_back({pieces[i].corners, deviations[i].where});
     numbers.push_back(i);
@@ -76,7 +76,7 @@ void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutin
   const auto hasJump = findJumps(surface_.mesh(), turns, refinement_.angle, warp_);
   for (std::size_t i = 0; i < turns.size(); ++i) findings[numbers[i]].isCreased = hasJump[i];
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    findings[i].score = score(findings[i].off, countsAngle(findings[i], scrutinies[i]));
+    findings[i].score = score(findings[i].error, countsAngle(findings[i], scrutinies[i]));
 }
 
 void Refiner::note(const Deviation& deviation) {
@@ -89,9 +89,9 @@ bool Refiner::countsAngle(const Finding& finding, const Scrutiny& scrutiny) cons
   return !finding.isCreased && scrutiny.warpedLength > shortest_;
 }
 
-float Refiner::score(const Off& off, bool countsAngle) const {
-  return std::max(off.distance / (margin * refinement_.tolerance),
-                  countsAngle ? off.angle / refinement_.angle : 0);
+float Refiner::score(const SurfaceError& error, bool countsAngle) const {
+  return std::max(error.distance / (margin * refinement_.tolerance),
+                  countsAngle ? error.angle / refinement_.angle : 0);
 }
 
 }  // namespace warpjet

@@ -18,7 +18,7 @@ std::string describeNumber(float number) {
 }  // namespace
 
 std::vector<std::string> shortfallOf(const Refined& refined, const Refinement& refinement) {
-  std::vector<std::string> sentences;
+  std::vector<std::string> messages;
   std::string left;
   if (!refined.reachedTolerance)
     left = "the warped surface is still up to " + describeNumber(refined.worst) +
@@ -28,16 +28,16 @@ std::vector<std::string> shortfallOf(const Refined& refined, const Refinement& r
             describeNumber(refined.worstAngle) + " radians off, above the angle of " +
             describeNumber(refinement.angle);
   if (!left.empty())
-    sentences.push_back(
+    messages.push_back(
         "With " + groupDigits(refined.mesh.triangleCount()) + " triangles " + left + "; " +
         (refined.isFull
              ? "raise maxTriangles, which is " + groupDigits(refinement.maxTriangles) + '.'
              : "more would not help, as the warp creases or tears the surface there, or float32 "
                "is not fine enough."));
   if (!refined.isDefined)
-    sentences.push_back(
+    messages.push_back(
         "At some points the warp gives no finite position; nothing was split for them.");
-  return sentences;
+  return messages;
 }
 
 }  // namespace warpjet

@@ -58,9 +58,8 @@ Mesh Facets::mesh(std::vector<std::string>& warnings) {
   if (mesh_.positions.empty())
     throw FileProblem(
         "there is nothing to draw: the .stl has no triangles; export it with its triangles.");
-  if (hasOddNormals_) warnings.push_back("Normals of the .stl that are no numbers are computed.");
-  if (hasOddPositions_)
-    warnings.push_back("Triangles at positions that are no numbers are left out.");
+  if (hasOddNormals_) warnings.push_back("Invalid normals of the .stl are computed.");
+  if (hasOddPositions_) warnings.push_back("Triangles with invalid positions are left out.");
   return std::move(mesh_);
 }
 

@@ -11,10 +11,10 @@ export class Names {
   // types
 
   sizeOf(type) {
-    const [, element, count] = /^(.*)\[(\d+)\]$/.exec(type) ?? []
-    if (element) return this.sizeOf(element) * Number(count)
     const layout = layoutOf(type)
     if (layout) return layout.columns * layout.rows
+    const [, element, count] = /^(.*)\[(\d+)\]$/.exec(type) ?? []
+    if (element) return this.sizeOf(element) * Number(count)
     return this.structures[type].reduce((sum, field) => sum + this.sizeOf(field.type), 0)
   }
 

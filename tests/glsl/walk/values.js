@@ -4,8 +4,15 @@ export const fail = (sentence) => {
   throw new SyntaxError(`the walk: ${sentence}`)
 }
 
-/** Returns { kind, columns, rows } of a type; `undefined` for structures and arrays. */
+const layouts = new Map()
+
+/** Returns { kind, columns, rows } of a type; `undefined` for structures and arrays. Memoized, since long loops ask for it often. */
 export function layoutOf(type) {
+  if (!layouts.has(type)) layouts.set(type, readLayout(type))
+  return layouts.get(type)
+}
+
+function readLayout(type) {
   const [, letter, size] = /^([iub]?)vec(\d)$/.exec(type) ?? []
   if (size) {
     const kind = { '': 'float', i: 'int', u: 'uint', b: 'bool' }[letter]
@@ -49,17 +56,24 @@ export const part = (type, of, at) => ({ type, of, at })
 export const numbersOf = ({ of, at }) => at.map((place) => of[place])
 
 /** Values that depend on the arguments vary; all others are known to a shader's compiler, and rounded to float32. */
-export const varying = new WeakSet()
-export const vary = (...values) => values.some(({ of }) => varying.has(of))
+export const vary = (...values) => values.some(({ of }) => of[varies])
+const varies = Symbol('varies')
+
+/** The indices of all numbers of a value, by their number. Memoized like layouts; nothing writes to them. */
+const allIndices = Array.from({ length: 17 }, (_, size) =>
+  Array.from({ length: size }, (_, i) => i),
+)
+const indicesOf = (numbers) => allIndices[numbers.length] ?? [...numbers.keys()]
+
 export function fresh(type, numbers, isVarying) {
   const of = isVarying || layoutOf(type)?.kind !== 'float' ? numbers : numbers.map(Math.fround)
-  if (isVarying) varying.add(of)
-  return part(type, of, [...of.keys()])
+  of[varies] = !!isVarying
+  return part(type, of, indicesOf(of))
 }
 export function write({ of, at }, numbers, isVarying) {
   at.forEach((place, i) => (of[place] = numbers[i]))
-  if (isVarying) varying.add(of)
-  else if (at.length === of.length) varying.delete(of)
+  if (isVarying) of[varies] = true
+  else if (at.length === of.length) of[varies] = false
 }
 
 /** A vector to the left of a matrix is a row, one to its right a column. */

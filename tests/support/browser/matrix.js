@@ -61,3 +61,6 @@ export const cross = (a, b) => [
   a[2] * b[0] - a[0] * b[2],
   a[0] * b[1] - a[1] * b[0],
 ]
+
+/** Returns the numbers of a matrix in column-major order, as WebGL takes them. */
+export const columnMajor = (rows) => [0, 1, 2, 3].flatMap((i) => rows.map((row) => row[i]))

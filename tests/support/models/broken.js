@@ -167,7 +167,7 @@ export const broken = {
   },
   'a binary STL that is cut off': {
     file: stl.slice(0, -10),
-    reason: /ends in the middle of its data \(it says 684 bytes, 674 came\)/,
+    reason: /ends in the middle of its data \(expected 684 bytes, got 674\)/,
   },
   'a binary STL without triangles': {
     file: new Uint8Array(84),
@@ -199,6 +199,6 @@ export const broken = {
   },
   'a PLY file': {
     file: encode('ply\nformat ascii 1.0\n'),
-    reason: /no .glb, .gltf, .obj or .stl file/,
+    reason: /not a .glb, .gltf, .obj or .stl file/,
   },
 }

@@ -173,7 +173,9 @@ function withAccessor() {
         base.onBeforeCompile(shader, renderer)
         redden(shader)
       },
-      set: (value) => (base.onBeforeCompile = value),
+      set: (value) => {
+        base.onBeforeCompile = value
+      },
     },
     customProgramCacheKey: { value: () => 'derived' },
   })

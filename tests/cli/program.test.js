@@ -1,0 +1,127 @@
+// `npx warpjet`, started like from a shell: usage, and how it exits.
+import assert from 'node:assert/strict'
+import { spawn } from 'node:child_process'
+import { existsSync, openSync } from 'node:fs'
+import { describe, test } from 'node:test'
+import { version } from 'warpjet'
+import { program, folder, write, usage, failsWithError, works } from '../support/cli-tests.js'
+
+describe('the program', () => {
+  test('--version and --help', async () => {
+    assert.equal((await works('--version')).stdout, `${version}\n`)
+    const { stdout } = await works('--help')
+    for (const command of ['emit', 'bake', 'info'])
+      assert.match(stdout, new RegExp(`npx warpjet ${command} `))
+    for (const command of ['emit', 'bake', 'info'])
+      assert.match((await works(command, '--help')).stdout, new RegExp(`^npx warpjet ${command} <`))
+    for (const option of ['--output', '--set', '--subdivide', '--max-triangles', '--quiet'])
+      assert.match((await works('bake', '-h')).stdout, new RegExp(option))
+  })
+
+  test('wrong usage exits with 2', async () => {
+    await usage([], /A command is missing\. `npx warpjet --help` shows how/)
+    await usage(['bend'], /no command "bend"/)
+    await usage(['toString'], /no command "toString"/)
+    await usage(['emit'], /emit needs a warp\.js or a file of GLSL\. `npx warpjet emit --help`/)
+    await usage(['emit', 'wave.js', 'named.js'], /nothing more, got "named\.js"/)
+    await usage(
+      ['emit', 'wave.js', '--target', 'hlsl'],
+      /emit: expected 'glsl300', 'glsl100' or 'wgsl' for --target, got the text "hlsl"/,
+    )
+    await usage(['emit', 'wave.js', '--speed', '2'], /emit: Unknown option '--speed'/)
+    await usage(['info'], /info needs a model/)
+    await usage(['bake', 'model.glb'], /bake needs a warp\.js/)
+    await usage(['bake', 'model.glb', 'wave.js'], /bake needs -o/)
+    await usage(
+      ['bake', 'model.glb', 'wave.js', '-o', 'out.obj'],
+      /bake: expected a \.glb file for -o, got "out\.obj"/,
+    )
+    await usage(
+      ['bake', 'model.glb', 'wave.js', '-o', './model.glb'],
+      /does not overwrite the model/,
+    )
+    for (const setting of ['millis', 'millis=', 'millis=x', '=1', 'mouse=1,'])
+      await usage(
+        ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--set', setting],
+        /bake: expected a name and numbers, as in --set millis=1200, for --set, got the text /,
+      )
+    for (const tolerance of ['0', 'x', '', 'Infinity'])
+      await usage(
+        ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--subdivide', tolerance],
+        /bake: expected a number above 0 for --subdivide, got /,
+      )
+    const bakeWithLimit = (most) => [...bakeArguments, '--subdivide', '1', '--max-triangles', most]
+    const bakeArguments = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
+    for (const most of ['1.5', String(2 ** 28 + 1), '1e20'])
+      await usage(
+        bakeWithLimit(most),
+        /bake: expected a whole number from 1 to 268,435,456 for --max-triangles, got /,
+      )
+    for (const most of ['0', '-1', 'x'])
+      await usage(
+        bakeWithLimit(most),
+        /expected a whole number from 1 to .* for --max-triangles, got |ambiguous/,
+      )
+    await usage([...bakeArguments, '--max-triangles', '9'], /--max-triangles needs --subdivide/)
+  })
+})
+
+describe('how it exits', () => {
+  /** Returns whether it exits by itself, soon. */
+  async function exitsBySelf(args, prepare = () => {}) {
+    const child = spawn(process.execPath, args, { cwd: folder, timeout: 20_000 })
+    let stderr = ''
+    child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
+    prepare(child)
+    const [code, signal] = await new Promise((resolve) =>
+      child.on('close', (...ends) => resolve(ends)),
+    )
+    assert.equal(signal, null)
+    return { code, stderr }
+  }
+
+  test('a reader may close its output', async () => {
+    const leave = ({ stdout }) => stdout.destroy()
+    assert.deepEqual(await exitsBySelf([program, 'emit', 'named.js'], leave), {
+      code: 0,
+      stderr: '',
+    })
+  })
+
+  test('it does not wait for a timer of warp.js', async () => {
+    write('timer.js', 'setInterval(() => {}, 1000)\nexport { bend } from "./named.js"')
+    const { code } = await exitsBySelf([program, 'emit', 'timer.js'], ({ stdout }) =>
+      stdout.resume(),
+    )
+    assert.equal(code, 0)
+  })
+
+  const full = '/dev/full'
+  test('a full disk gives one message', { skip: !existsSync(full) }, async () => {
+    const stdio = ['ignore', openSync(full, 'w'), 'pipe']
+    const child = spawn(process.execPath, [program, 'emit', 'named.js'], { cwd: folder, stdio })
+    let stderr = ''
+    child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
+    const code = await new Promise((resolve) => child.on('close', resolve))
+    assert.equal(stderr, 'warpjet: the output cannot be written: the disk is full.\n')
+    assert.equal(code, 1)
+  })
+
+  test('a warp.js that never resolves gives one message', async () => {
+    write('waits.js', 'await new Promise(() => {})\nexport { bend } from "./named.js"')
+    await failsWithError(
+      ['emit', 'waits.js'],
+      /waits\.js never finishes loading: its top-level await/,
+    )
+  })
+
+  test('an error clears the unfinished line', async () => {
+    const terminal = 'data:text/javascript,process.stderr.isTTY = true'
+    const { code, stderr } = await exitsBySelf([
+      ...['--import', terminal, program, 'bake', 'model.glb', 'named.js'],
+      ...['-o', 'o.glb', '--subdivide', '0.1', '--set', 'speed=1'],
+    ])
+    assert.equal(code, 1)
+    assert.match(stderr, /Subdividing: [^\n]*tried\r\x1b\[Kwarpjet: .*no uniform "speed"[^\n]*\n$/)
+  })
+})

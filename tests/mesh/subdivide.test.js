@@ -1,0 +1,158 @@
+// subdivide: levels, tolerance, limits, and messages about wrong options.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { compileWarp } from 'warpjet'
+import { bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
+import { readGlb, writeGlb } from '../support/glb.js'
+import { checkMemoryAfterEach, rise, twist } from '../support/mesh-tests.js'
+import { grid, sphere, triangle } from '../support/meshes.js'
+import { throwsWarpError } from '../support/warp-errors.js'
+
+checkMemoryAfterEach()
+
+describe('subdivide', () => {
+  // The file of the issue: 16,000 coincident triangles took 10 s, and more blocked the page.
+  test('a model whose nodes repeat one mesh in place', async () => {
+    const { json, chunks } = readGlb(exportGLB(triangle()))
+    json.nodes = Array.from({ length: 20_000 }, () => ({ mesh: 0 }))
+    json.scenes = [{ nodes: json.nodes.map((_, i) => i) }]
+    json.scene = 0
+    const mesh = await loadMesh(writeGlb(json, chunks[1].bytes))
+    assert.equal(mesh.positions.length, 9 * 20_000)
+    const start = process.cpuUsage()
+    const fine = subdivide(mesh, { levels: 1 })
+    const bent = subdivide(mesh, { warp: twist, tolerance: 0.1, angle: Infinity })
+    const { user, system } = process.cpuUsage(start)
+    assert.equal(fine.indices.length, 3 * 4 * 20_000)
+    assert.equal(bent.indices.length % (3 * 20_000), 0)
+    assert.ok(bent.indices.length > 3 * 20_000 && !bent.warnings)
+    assert.ok(user + system < 5e6, `${(user + system) / 1e6} s`)
+  })
+
+  test('each level splits a triangle into four', () => {
+    assert.equal(subdivide(triangle(), { levels: 0 }).indices.length, 3)
+    assert.equal(subdivide(triangle(), { levels: 3 }).indices.length, 3 * 64)
+  })
+
+  test('triangles that the warp bends are split until the tolerance is met, and no others', () => {
+    const bump = compileWarp(({ glsl, position }) =>
+      glsl.vec3(0, 0, position.x().mult(position.x()).mult(0.5)),
+    )
+    const plane = grid(2, 2)
+    const worst = (mesh) => {
+      // Along x the surface is z = x² / 2: between two vertices it deviates from the chord by the square of their distance / 8.
+      let most = 0
+      for (let i = 0; i < mesh.indices.length; i += 3) {
+        const xs = [...mesh.indices.subarray(i, i + 3)].map((v) => mesh.positions[3 * v])
+        most = Math.max(most, (Math.max(...xs) - Math.min(...xs)) ** 2 / 8)
+      }
+      return most
+    }
+    assert.equal(worst(plane), 1 / 8)
+    const fine = subdivide(plane, { warp: bump, tolerance: 0.01, angle: Infinity })
+    assert.ok(worst(fine) <= 0.01, `${worst(fine)}`)
+    assert.equal(fine.warnings, undefined)
+    assert.ok(fine.indices.length < 3 * 200)
+    const still = subdivide(plane, { warp: rise, uniforms: { millis: 3 }, tolerance: 0.01 })
+    assert.equal(still.indices.length, plane.indices.length)
+  })
+
+  test('maxTriangles is a limit, with a warning', () => {
+    const options = { warp: twist, tolerance: 1e-4, maxTriangles: 500 }
+    const mesh = subdivide(sphere(), options)
+    assert.ok(mesh.indices.length <= 3 * 500)
+    assert.equal(mesh.warnings.length, 1)
+    const uniform = subdivide(triangle(), { levels: 15, maxTriangles: 100 })
+    assert.equal(uniform.indices.length, 3 * 64)
+    assert.deepEqual(uniform.warnings, [
+      'Of 15 levels only 3 were made, with 64 triangles, for maxTriangles is 100.',
+    ])
+    assert.equal(subdivide(triangle(), { levels: 3, maxTriangles: 64 }).warnings, undefined)
+    assert.equal(subdivide({ positions: [] }, { levels: 15 }).warnings, undefined)
+  })
+
+  test('wrong options', () => {
+    const rejectsChange = (options, pattern) =>
+      throwsWarpError(() => subdivide(triangle(), options), pattern)
+    rejectsChange(undefined, /^subdivide: expected options such as .*, got undefined/)
+    rejectsChange(
+      {},
+      /^subdivide: expected a result of compileWarp for the option "warp", got undefined/,
+    )
+    rejectsChange(
+      { warp: twist },
+      /^subdivide: expected a number above 0 for the option "tolerance", got undefined/,
+    )
+    rejectsChange(
+      { warp: twist, tolerance: 0 },
+      /expected a number above 0 for the option "tolerance", got the number 0/,
+    )
+    rejectsChange(
+      { warp: twist, tolerance: 1, angle: -1 },
+      /expected a number above 0 for the option "angle", got the number -1/,
+    )
+    rejectsChange(
+      { levels: 1.5 },
+      /expected a whole number from 0 to 15 for the option "levels", got the number 1\.5/,
+    )
+    rejectsChange(
+      { levels: 1, maxTriangles: 0 },
+      /expected a whole number from 1 to 2\^28 for the option "maxTriangles", got the number 0/,
+    )
+    rejectsChange(
+      { levels: 1, maxTriangles: 2 ** 28 + 1 },
+      /from 1 to 2\^28 for the option "maxTriangles", got /,
+    )
+    rejectsChange(
+      { levels: 1, maxTriangle: 1 },
+      /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? There/,
+    )
+    rejectsChange(
+      { warp: twist, tolerance: 1, angel: 1 },
+      /^subdivide: there is no option "angel"; did you mean angle\? There/,
+    )
+    rejectsChange({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
+  })
+
+  test('results of warps made by hand are checked', () => {
+    const of = (evaluate, pattern) => {
+      for (const work of [
+        () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 }),
+        () => bakeWarp(triangle(), { evaluate }),
+      ])
+        throwsWarpError(work, pattern)
+    }
+    of(
+      () => undefined,
+      /expected the warp's evaluate to return \{ positions, normals \}, got undefined/,
+    )
+    of(() => ({}), /to return positions as an array of \d+ numbers, .*, got undefined/)
+    of(
+      ({ positions }) => ({ positions: [...positions, 0] }),
+      /to return positions as an array of \d+ numbers, .*, got an array of /,
+    )
+    of(
+      ({ positions }) => ({ positions, normals: new BigInt64Array(positions.length) }),
+      /expected the warp's evaluate to return a number as normals\[0\], got the bigint 0/,
+    )
+    of(
+      ({ positions }) => ({ positions: [...positions].map(String) }),
+      /expected the warp's evaluate to return a number as positions\[0\], got the text "0"/,
+    )
+    let calls = 0
+    const once = ({ positions, normals }) => (calls++ ? { positions } : { positions, normals })
+    throwsWarpError(
+      () => subdivide(sphere(), { warp: { evaluate: once }, tolerance: 0.01 }),
+      /^subdivide: expected the warp's evaluate to return normals either always or never/,
+    )
+  })
+
+  test('an error of the warp is rethrown unchanged', () => {
+    const warp = {
+      evaluate() {
+        throw new TypeError('mine')
+      },
+    }
+    assert.throws(() => subdivide(triangle(), { warp, tolerance: 1 }), /^TypeError: mine$/)
+  })
+})
