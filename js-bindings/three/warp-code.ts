@@ -49,7 +49,7 @@ export class WarpCode {
 
   /** `true` if the place of a vertex depends on its normal. */
   get movesByNormal() {
-    return this.textFor('position').attributes.some(({ name }) => name === 'normal')
+    return this.warp.reads('normal')
   }
 
   /** Declares what the statements read. The attributes position, normal and uv and the matrices are declared already. */

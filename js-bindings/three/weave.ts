@@ -1,10 +1,10 @@
 /**
- * Puts a warp into the vertex shaders of WebGLRenderer without moving any of their lines.
+ * Puts a warp into the vertex shaders of WebGLRenderer without moving any lines that are not three's own.
  *
  * Three.js finishes the normal before there is a position. So the warp goes where the position is finished, in front of
  * `mvPosition`, and transforms whatever normals there are by then. Where only three's own lines have made the normal, it warps
- * `objectNormal` and runs these lines once more; the compiler drops the first run. Where anyone else has changed a normal, it is
- * led back from view space to the object, warped, and led forth again.
+ * `objectNormal` and runs these lines there instead. Where anyone else has changed a normal, it is led back from view space to the
+ * object, warped, and led forth again.
  */
 import { shaderNames } from '../compile/hosts.js'
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
@@ -50,8 +50,10 @@ export function weave(vertexShader: string, warp: ThreeWarp, options: WeaveOptio
   const start = anchor.exec(parts.main)!.index
   const before = parts.main.slice(0, start)
   const isRest = warp.settings.space === 'rest'
-  const block = blockFor(code, isLit, isUnchanged(before))
-  const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block) : before)}
+  const isStock = isUnchanged(before)
+  const block = blockFor(code, isLit, isStock)
+  const kept = isStock ? withoutFirstRun(before) : before
+  const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block) : kept)}
 ${isRest ? once('WARPJET_POSITION_DONE', block) : block}
 ${isRest ? afterPose(warp) : ''}${parts.main.slice(start)}`
   const top = markVaryings(parts.top)
@@ -80,6 +82,12 @@ function withoutChunks(source: string): string {
   const chunks = [...names, 'displacementmap'].map((name) => chunkSource(`${name}_vertex`))
   return chunks.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), source)
 }
+
+/** Leaves out three's own lines from the normal of the object to that of the view, which run behind the warp. */
+const withoutFirstRun = (main: string) =>
+  main
+    .replace(chunkSource('defaultnormal_vertex'), 'vec3 transformedNormal = vec3( 0.0 );')
+    .replace(chunkSource('normal_vertex'), '')
 
 /** The statements that warp `transformed` and the normals. */
 function blockFor(code: WarpCode, isLit: boolean, isUnchanged: boolean): string {
