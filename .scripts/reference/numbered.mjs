@@ -11,7 +11,7 @@ const numbers = (entries) => `{${entries.map(([name, number]) => `${name}: ${num
 
 /** Returns the source of tables.ts, not yet formatted. */
 export const numberedText = (table) => {
-  const { languages, noises, filters, wraps, warpOperands, warpResults, turnedResults } = table
+  const { languages, noises, filters, wraps, warpOperands, warpResults, variantCount } = table
   return `${head}
 
 /** Maps a shading language → the name of its sources in \`glsl.fn\`. The first one is the default. */
@@ -24,8 +24,8 @@ export const noises = {${noises.map(({ name, use }) => `${name}: '${use}'`).join
 export const filters = ${list(filters)}
 export const wraps = ${list(wraps)}
 
-export const maxSeed = ${table.mostSeed}
-export const maxOctaves = ${table.mostOctaves}
+export const maxSeed = ${table.maxSeed}
+export const maxOctaves = ${table.maxOctaves}
 
 /** Returned in place of a handle: the session's \`problem()\` says why. */
 export const failed = ${table.failed}
@@ -35,14 +35,14 @@ export const needsPartials = ${table.needsPartials}
 /** The operands of a warp, after its offset. */
 export const warpOperands = ${list(warpOperands)}
 
-/** The results of a warp. The last ${turnedResults} are followed by variants that take into account how normal and uv vary over the surface. */
+/** The results of a warp. The last ${variantCount} are followed by variants that take into account how normal and uv vary over the surface. */
 export const warpResults = ${numbers(warpResults.map((name, i) => [name, i]))}
-export const variantCount = ${turnedResults}
+export const variantCount = ${variantCount}
 `
 }
 
 /** Returns the source of mesh-tables.ts, not yet formatted. */
-export const meshNumberedText = ({ meshArrays, mostTriangles, usualTriangles }) => {
+export const meshNumberedText = ({ meshArrays, triangleLimit, defaultTriangles }) => {
   const of = (wanted) =>
     meshArrays
       .filter(({ kind }) => kind === wanted)
@@ -54,8 +54,8 @@ export type FloatArray = ${of('float')}
 export type IndexArray = ${of('index')}
 export type ByteArray = ${of('byte')}
 
-export const triangleLimit = ${mostTriangles}
+export const triangleLimit = ${triangleLimit}
 /** The default of the option \`maxTriangles\`. */
-export const defaultTriangles = ${usualTriangles}
+export const defaultTriangles = ${defaultTriangles}
 `
 }

@@ -150,7 +150,7 @@ std::string meshArrays() {
 std::string warpResults() {
   std::vector<std::string_view> names(movedResults.begin(), movedResults.end());
   names.push_back(orientationResult);
-  names.insert(names.end(), turnedResults.begin(), turnedResults.end());
+  names.insert(names.end(), orientedResults.begin(), orientedResults.end());
   return array(names, text);
 }
 
@@ -174,15 +174,15 @@ int main() {
                        {"noises", array(noises, noise)},
                        {"filters", array(filterNames, text)},
                        {"wraps", array(wrapNames, text)},
-                       {"mostSeed", std::to_string(maxSeed)},
-                       {"mostOctaves", std::to_string(maxOctaves)},
+                       {"maxSeed", std::to_string(maxSeed)},
+                       {"maxOctaves", std::to_string(maxOctaves)},
                        {"failed", std::to_string(Builder::failed)},
                        {"needsPartials", std::to_string(Builder::needsPartials)},
                        {"warpOperands", array(warpOperands, text)},
                        {"warpResults", warpResults()},
-                       {"turnedResults", std::to_string(turnedResults.size())},
+                       {"variantCount", std::to_string(orientedResults.size())},
                        {"meshArrays", meshArrays()},
-                       {"mostTriangles", std::to_string(triangleLimit)},
-                       {"usualTriangles", std::to_string(defaultTriangles)}})
+                       {"triangleLimit", std::to_string(triangleLimit)},
+                       {"defaultTriangles", std::to_string(defaultTriangles)}})
             << '\n';
 }

@@ -25,19 +25,21 @@ function kindOf(letter) {
   return kinds[letter]
 }
 
-const namesIn = (file, pattern) =>
-  [...readFileSync(path(file), 'utf8').matchAll(pattern)].map(([, name]) => name)
+const namesIn = (files, pattern) =>
+  files.flatMap((file) =>
+    [...readFileSync(path(file), 'utf8').matchAll(pattern)].map(([, name]) => name),
+  )
 
 /** Throws if an operation lacks a row. The compiler finds that too, but cannot name the operation. */
 function checkRows() {
-  const declared = namesIn('src/ops/declarations.hpp', /^ {4}\w+\("(\w+)"/gm)
-  for (const [file, pattern] of [
-    ['src/ops/table.hpp', /\brow\(\s*"(\w+)"/g],
-    ['src/ops/documentation.hpp', /\bTitle\{"(\w+)"/g],
+  const declared = namesIn(['src/ops/declarations.hpp'], /^ {4}\w+\("(\w+)"/gm)
+  for (const [files, pattern] of [
+    [['src/ops/table.hpp', 'src/ops/int_rows.hpp'], /\brow\(\s*"(\w+)"/g],
+    [['src/ops/documentation.hpp'], /\bTitle\{"(\w+)"/g],
   ]) {
-    const present = namesIn(file, pattern)
+    const present = namesIn(files, pattern)
     const missing = declared.filter((name) => !present.includes(name))
-    if (missing.length) throw new Stop(`${file} lacks a row for ${missing.join(', ')}.`)
+    if (missing.length) throw new Stop(`${files[0]} lacks a row for ${missing.join(', ')}.`)
   }
 }
 

@@ -28,9 +28,9 @@ import type {
 
 /** Of numbers, vectors and matrices. */
 export interface AnyMethods<Self> {
-  /** The product with a number. */
+  /** The vector times a number. */
   scale(factor: Operand): Self
-  /** The exact partial derivative of each component by an input. */
+  /** The exact partial derivative of each component with respect to an input. */
   derivative(input: Scalar): Self
 }
 
@@ -46,9 +46,9 @@ export interface ComponentMethods<Self> extends AnyMethods<Self> {
   exp(): Self
   /** `x.exp2()`: 2 to the power of x. */
   exp2(): Self
-  /** The natural logarithm of a positive number. */
+  /** `x.log()`: The natural logarithm of x, which must be greater than 0. */
   log(): Self
-  /** The logarithm to base 2 of a positive number. */
+  /** `x.log2()`: The base-2 logarithm of x, which must be greater than 0. */
   log2(): Self
   /** The sine of an angle in radians. */
   sin(): Self
@@ -68,11 +68,11 @@ export interface ComponentMethods<Self> extends AnyMethods<Self> {
   tanh(): Self
   /** `x.asinh()`: The number whose hyperbolic sine is x. */
   asinh(): Self
-  /** `x.acosh()`: The number from 0 up whose hyperbolic cosine is x, which is at least 1. */
+  /** `x.acosh()`: The nonnegative number whose hyperbolic cosine is x, which is at least 1. */
   acosh(): Self
   /** `x.atanh()`: The number whose hyperbolic tangent is x, which is between -1 and 1. */
   atanh(): Self
-  /** `x.abs()`: x without its sign. */
+  /** `x.abs()`: The absolute value of x. */
   abs(): Self
   /** -1, 0 or 1. */
   sign(): Self
@@ -82,11 +82,11 @@ export interface ComponentMethods<Self> extends AnyMethods<Self> {
   ceil(): Self
   /** The nearest whole number; a half goes to the even one: round(0.5) is 0, round(1.5) 2. */
   round(): Self
-  /** `x.trunc()`: x without what follows its point. */
+  /** `x.trunc()`: x without its fractional part. */
   trunc(): Self
   /** `x.fract()`: x - floor(x) */
   fract(): Self
-  /** `x.not()`: Whether x is false. */
+  /** `x.not()`: True if x is false. */
   not(): Self
   /** `degrees.radians()`: An angle in degrees, as radians. */
   radians(): Self
@@ -100,42 +100,42 @@ export interface ScalarMethods extends ComponentMethods<Scalar> {
   add(...operands: Operand[]): Scalar
   /** The sum of two or more. */
   add<Value extends Expression>(...operands: (Value | Operand)[]): Value
-  /** `x.sub(y, …)`: x - y, and minus all that follow. */
+  /** `x.sub(y, …)`: x - y, minus all further operands. */
   sub(...operands: Operand[]): Scalar
-  /** `x.sub(y, …)`: x - y, and minus all that follow. */
+  /** `x.sub(y, …)`: x - y, minus all further operands. */
   sub<Value extends Expression>(...operands: (Value | Operand)[]): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...numbers: Operand[]): Scalar
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Left extends AnyMatrix>(
     matrix: Left,
     vector: VectorOf<ColumnsOf<Left>>,
   ): VectorOf<RowsOf<Left>>
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Right extends AnyMatrix>(
     vector: VectorOf<RowsOf<Right>>,
     matrix: Right,
   ): VectorOf<ColumnsOf<Right>>
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Left extends AnyMatrix, Columns extends Size>(
     left: Left,
     right: Shape<Columns, ColumnsOf<Left>>,
   ): MatrixOf<Columns, RowsOf<Left>>
-  /** `x.div(y, …)`: x / y, and divided by all that follow. */
+  /** `x.div(y, …)`: x / y, divided by all further operands. */
   div(...numbers: Operand[]): Scalar
-  /** `x.div(y, …)`: x / y, and divided by all that follow. */
+  /** `x.div(y, …)`: x / y, divided by all further operands. */
   div<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /**
    * `x.pow(exponent)`: x to the power of the exponent. A whole number from -16 to 16 makes a
@@ -161,25 +161,31 @@ export interface ScalarMethods extends ComponentMethods<Scalar> {
   mod(divisor: Operand): Scalar
   /** `x.mod(divisor)`: x - divisor * floor(x / divisor), which has the sign of the divisor. */
   mod<Value extends Scalar | Vector>(divisor: Value | Operand): Value
-  /** The least of two or more. */
+  /** The smallest of two or more. */
   min(...operands: Operand[]): Scalar
-  /** The least of two or more. */
+  /** The smallest of two or more. */
   min<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** The greatest of two or more. */
+  /** The largest of two or more. */
   max(...operands: Operand[]): Scalar
-  /** The greatest of two or more. */
+  /** The largest of two or more. */
   max<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** `x.clamp(low, high)`: x, but not below low nor above high. */
+  /** `x.clamp(low, high)`: x, limited to the range from low to high. */
   clamp(low: Operand, high: Operand): Scalar
-  /** `x.clamp(low, high)`: x, but not below low nor above high. */
+  /** `x.clamp(low, high)`: x, limited to the range from low to high. */
   clamp<Value extends Scalar | Vector>(low: Value | Operand, high: Value | Operand): Value
-  /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
+  /**
+   * `x.mix(y, amount)`: The blend from x, where the amount is 0, to y, where it is 1;
+   * extrapolates beyond.
+   */
   mix(y: Operand, amount: Operand): Scalar
-  /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
+  /**
+   * `x.mix(y, amount)`: The blend from x, where the amount is 0, to y, where it is 1;
+   * extrapolates beyond.
+   */
   mix<Value extends Expression>(y: Value | Operand, amount: Value | Operand): Value
-  /** `edge.step(x)`: 0 where x is below the edge, otherwise 1. */
+  /** `edge.step(x)`: 0 if x is below the edge, otherwise 1. */
   step(x: Operand): Scalar
-  /** `edge.step(x)`: 0 where x is below the edge, otherwise 1. */
+  /** `edge.step(x)`: 0 if x is below the edge, otherwise 1. */
   step<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** `x.lt(y)`: x < y */
   lt(y: Operand): Scalar
@@ -205,38 +211,44 @@ export interface ScalarMethods extends ComponentMethods<Scalar> {
   ne(y: Operand): Scalar
   /** `x.ne(y)`: x != y */
   ne<Value extends Scalar | Vector>(y: Value | Operand): Value
-  /** Whether all are true. */
+  /** True if all are true. */
   and(...operands: Operand[]): Scalar
-  /** Whether all are true. */
+  /** True if all are true. */
   and<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** Whether any is true. */
+  /** True if any is true. */
   or(...operands: Operand[]): Scalar
-  /** Whether any is true. */
+  /** True if any is true. */
   or<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** One of two values; a number other than 0 counts as true. */
+  /**
+   * `condition.ifElse(yes, no)`: `yes` if the condition is true, otherwise `no`; a nonzero
+   * number counts as true.
+   */
   ifElse(yes: Operand, no: Operand): Scalar
-  /** One of two values; a number other than 0 counts as true. */
+  /**
+   * `condition.ifElse(yes, no)`: `yes` if the condition is true, otherwise `no`; a nonzero
+   * number counts as true.
+   */
   ifElse<Value extends Expression>(yes: Value | Operand, no: Value | Operand): Value
   /**
-   * `low.smoothstep(high, x)`: From 0 where x is at `low`, smoothly to 1 where it is at `high`,
-   * another number.
+   * `low.smoothstep(high, x)`: A smooth step from 0 for x at `low` to 1 for x at `high`, which
+   * must differ.
    */
   smoothstep(high: Operand, x: Operand): Scalar
   /**
-   * `low.smoothstep(high, x)`: From 0 where x is at `low`, smoothly to 1 where it is at `high`,
-   * another number.
+   * `low.smoothstep(high, x)`: A smooth step from 0 for x at `low` to 1 for x at `high`, which
+   * must differ.
    */
   smoothstep<Value extends Scalar | Vector>(high: Value | Operand, x: Value | Operand): Value
   /**
-   * `angle.rotateX()`: The mat3 that turns by an angle in radians about the x axis,
-   * counterclockwise for an eye that the axis points to.
+   * `angle.rotateX()`: The mat3 that rotates by an angle in radians about the x axis,
+   * counterclockwise when the axis points at the viewer.
    */
   rotateX(): Mat3
-  /** The mat3 that turns about the y axis, as `rotateX` does. */
+  /** The mat3 that rotates about the y axis, like `rotateX`. */
   rotateY(): Mat3
-  /** The mat3 that turns about the z axis, as `rotateX` does. */
+  /** The mat3 that rotates about the z axis, like `rotateX`. */
   rotateZ(): Mat3
-  /** The exact derivatives of a number by each component of a vector of inputs. */
+  /** The exact derivatives of a number with respect to a vector of inputs. */
   gradient<Inputs extends Vector>(inputs: Inputs): Inputs
   /** Another name of `add`. */
   sum(...operands: Operand[]): Scalar
@@ -332,11 +344,11 @@ export interface ScalarMethods extends ComponentMethods<Scalar> {
 export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMethods<Self> {
   /** The sum of two or more. */
   add(...others: (Self | Operand)[]): Self
-  /** `x.sub(y, …)`: x - y, and minus all that follow. */
+  /** `x.sub(y, …)`: x - y, minus all further operands. */
   sub(...others: (Self | Operand)[]): Self
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (Self | SquareBeside<Self> | Operand)[]): Self
-  /** `x.div(y, …)`: x / y, and divided by all that follow. */
+  /** `x.div(y, …)`: x / y, divided by all further operands. */
   div(...others: (Self | Operand)[]): Self
   /**
    * `x.pow(exponent)`: x to the power of the exponent. A whole number from -16 to 16 makes a
@@ -350,18 +362,21 @@ export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMet
   atan(x?: Self | Operand): Self
   /** `x.mod(divisor)`: x - divisor * floor(x / divisor), which has the sign of the divisor. */
   mod(...given: [divisor: Self | Operand] | [x: Operand, y: Operand, ...zw: Operand[]]): Self
-  /** The least of two or more. */
+  /** The smallest of two or more. */
   min(...others: (Self | Operand)[]): Self
-  /** The greatest of two or more. */
+  /** The largest of two or more. */
   max(...others: (Self | Operand)[]): Self
-  /** `x.clamp(low, high)`: x, but not below low nor above high. */
+  /** `x.clamp(low, high)`: x, limited to the range from low to high. */
   clamp(low: Self | Operand, high: Self | Operand): Self
-  /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
+  /**
+   * `x.mix(y, amount)`: The blend from x, where the amount is 0, to y, where it is 1;
+   * extrapolates beyond.
+   */
   mix(
     ...given:
       [y: Self | Operand, amount: Self | Operand] | [x: Operand, y: Operand, ...others: Operand[]]
   ): Self
-  /** `edge.step(x)`: 0 where x is below the edge, otherwise 1. */
+  /** `edge.step(x)`: 0 if x is below the edge, otherwise 1. */
   step(x: Self | Operand): Self
   /** `x.lt(y)`: x < y */
   lt(y: Self | Operand): Self
@@ -375,37 +390,40 @@ export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMet
   eq(y: Self | Operand): Self
   /** `x.ne(y)`: x != y */
   ne(y: Self | Operand): Self
-  /** Whether all are true. */
+  /** True if all are true. */
   and(...others: (Self | Operand)[]): Self
-  /** Whether any is true. */
+  /** True if any is true. */
   or(...others: (Self | Operand)[]): Self
-  /** One of two values; a number other than 0 counts as true. */
+  /**
+   * `condition.ifElse(yes, no)`: `yes` if the condition is true, otherwise `no`; a nonzero
+   * number counts as true.
+   */
   ifElse(yes: Self | Operand, no: Self | Operand): Self
   /** The dot product. */
   dot(...given: [b: Self] | [x: Operand, y: Operand, ...zw: Operand[]]): Scalar
-  /** The length; its derivative at zero counts as zero. */
+  /** The length; its derivative at zero is defined as zero. */
   length(): Scalar
-  /** The distance of two points. */
+  /** The distance between two points. */
   dist(...given: [b: Self] | [x: Operand, y: Operand, ...zw: Operand[]]): Scalar
-  /** The distance of two points. */
+  /** The distance between two points. */
   distance(...given: [b: Self] | [x: Operand, y: Operand, ...zw: Operand[]]): Scalar
-  /** Length 1 in the same direction, or zero for zero. */
+  /** The unit vector in the same direction; zero for the zero vector. */
   normalize(): Self
-  /** A direction mirrored by the surface with that unit normal. */
+  /** The direction reflected by a surface with that unit normal. */
   reflect(normal: Self): Self
   /**
-   * A unit direction behind the surface with that unit normal, for a ratio of indices of
-   * refraction; zero where all light is reflected.
+   * The direction refracted by a surface with that unit normal, for a ratio of indices of
+   * refraction; zero in case of total internal reflection.
    */
   refract(normal: Self, eta: Operand): Self
   /**
-   * `normal.faceforward(incident, reference)`: The normal, turned round where `incident` goes
-   * along `reference`.
+   * `normal.faceforward(incident, reference)`: The normal, reversed if `incident` points along
+   * `reference`.
    */
   faceforward(incident: Self, reference: Self): Self
   /**
-   * `low.smoothstep(high, x)`: From 0 where x is at `low`, smoothly to 1 where it is at `high`,
-   * another number.
+   * `low.smoothstep(high, x)`: A smooth step from 0 for x at `low` to 1 for x at `high`, which
+   * must differ.
    */
   smoothstep(high: Self | Operand, x: Self | Operand): Self
   /**
@@ -436,11 +454,11 @@ export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMet
 export interface Vec3Methods {
   /** The cross product. */
   cross(...given: [b: Vec3] | [x: Operand, y: Operand, ...zw: Operand[]]): Vec3
-  /** `axis.rotate(angle)`: The mat3 that turns about any axis, as `rotateX` does. */
+  /** `axis.rotate(angle)`: The mat3 that rotates about any axis, like `rotateX`. */
   rotate(angle: Operand): Mat3
   /**
    * `offset.adjustNormal(normal, position)`: The unit normal after the warp of `position` by
-   * this offset; zero where there is none.
+   * this offset; zero where it has none.
    */
   adjustNormal(normal: Vec3, position: Vec3): Vec3
   /**
@@ -455,23 +473,29 @@ export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethod
   neg(): Self
   /** The sum of two or more. */
   add(...others: (Self | Operand)[]): Self
-  /** `x.sub(y, …)`: x - y, and minus all that follow. */
+  /** `x.sub(y, …)`: x - y, minus all further operands. */
   sub(...others: (Self | Operand)[]): Self
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (IfSquare<Self> | Operand)[]): Self
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (IfSquare<Self> | VectorOf<ColumnsOf<Self>> | Operand)[]): VectorOf<RowsOf<Self>>
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Columns extends Size>(
     matrix: Shape<Columns, ColumnsOf<Self>>,
   ): MatrixOf<Columns, RowsOf<Self>>
-  /** `x.div(y, …)`: x / y, and divided by all that follow. */
+  /** `x.div(y, …)`: x / y, divided by all further operands. */
   div(...divisors: Operand[]): Self
-  /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
+  /**
+   * `x.mix(y, amount)`: The blend from x, where the amount is 0, to y, where it is 1;
+   * extrapolates beyond.
+   */
   mix(y: Self | Operand, amount: Self | Operand): Self
-  /** One of two values; a number other than 0 counts as true. */
+  /**
+   * `condition.ifElse(yes, no)`: `yes` if the condition is true, otherwise `no`; a nonzero
+   * number counts as true.
+   */
   ifElse(yes: Self | Operand, no: Self | Operand): Self
-  /** Rows become columns. */
+  /** The transposed matrix. */
   transpose(): Transposed<Self>
   /** Another name of `add`. */
   sum(...others: (Self | Operand)[]): Self
@@ -519,44 +543,44 @@ export interface Functions {
   add(...operands: Operand[]): Scalar
   /** The sum of two or more. */
   add<Value extends Expression>(...operands: (Value | Operand)[]): Value
-  /** x - y, and minus all that follow. */
+  /** x - y, minus all further operands. */
   sub(...operands: Operand[]): Scalar
-  /** x - y, and minus all that follow. */
+  /** x - y, minus all further operands. */
   sub<Value extends Expression>(...operands: (Value | Operand)[]): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...numbers: Operand[]): Scalar
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Left extends AnyMatrix>(
     matrix: Left,
     vector: VectorOf<ColumnsOf<Left>>,
   ): VectorOf<RowsOf<Left>>
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Right extends AnyMatrix>(
     vector: VectorOf<RowsOf<Right>>,
     matrix: Right,
   ): VectorOf<ColumnsOf<Right>>
-  /** The product of two or more; with a matrix, that of linear algebra. */
+  /** The product of two or more; with a matrix, the matrix product. */
   mult<Left extends AnyMatrix, Columns extends Size>(
     left: Left,
     right: Shape<Columns, ColumnsOf<Left>>,
   ): MatrixOf<Columns, RowsOf<Left>>
-  /** x / y, and divided by all that follow. */
+  /** x / y, divided by all further operands. */
   div(...numbers: Operand[]): Scalar
-  /** x / y, and divided by all that follow. */
+  /** x / y, divided by all further operands. */
   div<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** x / y, and divided by all that follow. */
+  /** x / y, divided by all further operands. */
   div<Value extends AnyMatrix>(matrix: Value, ...divisors: Operand[]): Value
   /**
    * x to the power of the exponent. A whole number from -16 to 16 makes a product, right for
@@ -584,13 +608,13 @@ export interface Functions {
   exp2(x: Operand): Scalar
   /** 2 to the power of x. */
   exp2<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** The natural logarithm of a positive number. */
+  /** The natural logarithm of x, which must be greater than 0. */
   log(x: Operand): Scalar
-  /** The natural logarithm of a positive number. */
+  /** The natural logarithm of x, which must be greater than 0. */
   log<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** The logarithm to base 2 of a positive number. */
+  /** The base-2 logarithm of x, which must be greater than 0. */
   log2(x: Operand): Scalar
-  /** The logarithm to base 2 of a positive number. */
+  /** The base-2 logarithm of x, which must be greater than 0. */
   log2<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The sine of an angle in radians. */
   sin(x: Operand): Scalar
@@ -638,17 +662,17 @@ export interface Functions {
   asinh(x: Operand): Scalar
   /** The number whose hyperbolic sine is x. */
   asinh<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** The number from 0 up whose hyperbolic cosine is x, which is at least 1. */
+  /** The nonnegative number whose hyperbolic cosine is x, which is at least 1. */
   acosh(x: Operand): Scalar
-  /** The number from 0 up whose hyperbolic cosine is x, which is at least 1. */
+  /** The nonnegative number whose hyperbolic cosine is x, which is at least 1. */
   acosh<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The number whose hyperbolic tangent is x, which is between -1 and 1. */
   atanh(x: Operand): Scalar
   /** The number whose hyperbolic tangent is x, which is between -1 and 1. */
   atanh<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** x without its sign. */
+  /** The absolute value of x. */
   abs(x: Operand): Scalar
-  /** x without its sign. */
+  /** The absolute value of x. */
   abs<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** -1, 0 or 1. */
   sign(x: Operand): Scalar
@@ -666,9 +690,9 @@ export interface Functions {
   round(x: Operand): Scalar
   /** The nearest whole number; a half goes to the even one: round(0.5) is 0, round(1.5) 2. */
   round<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** x without what follows its point. */
+  /** x without its fractional part. */
   trunc(x: Operand): Scalar
-  /** x without what follows its point. */
+  /** x without its fractional part. */
   trunc<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** x - floor(x) */
   fract(x: Operand): Scalar
@@ -678,33 +702,33 @@ export interface Functions {
   mod(x: Operand, divisor: Operand): Scalar
   /** x - divisor * floor(x / divisor), which has the sign of the divisor. */
   mod<Value extends Scalar | Vector>(x: Value | Operand, divisor: Value | Operand): Value
-  /** The least of two or more. */
+  /** The smallest of two or more. */
   min(...operands: Operand[]): Scalar
-  /** The least of two or more. */
+  /** The smallest of two or more. */
   min<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** The greatest of two or more. */
+  /** The largest of two or more. */
   max(...operands: Operand[]): Scalar
-  /** The greatest of two or more. */
+  /** The largest of two or more. */
   max<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** x, but not below low nor above high. */
+  /** x, limited to the range from low to high. */
   clamp(x: Operand, low: Operand, high: Operand): Scalar
-  /** x, but not below low nor above high. */
+  /** x, limited to the range from low to high. */
   clamp<Value extends Scalar | Vector>(
     x: Value | Operand,
     low: Value | Operand,
     high: Value | Operand,
   ): Value
-  /** From x where the amount is 0 to y where it is 1, and beyond. */
+  /** The blend from x, where the amount is 0, to y, where it is 1; extrapolates beyond. */
   mix(x: Operand, y: Operand, amount: Operand): Scalar
-  /** From x where the amount is 0 to y where it is 1, and beyond. */
+  /** The blend from x, where the amount is 0, to y, where it is 1; extrapolates beyond. */
   mix<Value extends Expression>(
     x: Value | Operand,
     y: Value | Operand,
     amount: Value | Operand,
   ): Value
-  /** 0 where x is below the edge, otherwise 1. */
+  /** 0 if x is below the edge, otherwise 1. */
   step(edge: Operand, x: Operand): Scalar
-  /** 0 where x is below the edge, otherwise 1. */
+  /** 0 if x is below the edge, otherwise 1. */
   step<Value extends Scalar | Vector>(edge: Value | Operand, x: Value | Operand): Value
   /** x < y */
   lt(x: Operand, y: Operand): Scalar
@@ -730,21 +754,21 @@ export interface Functions {
   ne(x: Operand, y: Operand): Scalar
   /** x != y */
   ne<Value extends Scalar | Vector>(x: Value | Operand, y: Value | Operand): Value
-  /** Whether all are true. */
+  /** True if all are true. */
   and(...operands: Operand[]): Scalar
-  /** Whether all are true. */
+  /** True if all are true. */
   and<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** Whether any is true. */
+  /** True if any is true. */
   or(...operands: Operand[]): Scalar
-  /** Whether any is true. */
+  /** True if any is true. */
   or<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
-  /** Whether x is false. */
+  /** True if x is false. */
   not(x: Operand): Scalar
-  /** Whether x is false. */
+  /** True if x is false. */
   not<Value extends Scalar | Vector>(x: Value | Operand): Value
-  /** One of two values; a number other than 0 counts as true. */
+  /** `yes` if the condition is true, otherwise `no`; a nonzero number counts as true. */
   ifElse(condition: Operand, yes: Operand, no: Operand): Scalar
-  /** One of two values; a number other than 0 counts as true. */
+  /** `yes` if the condition is true, otherwise `no`; a nonzero number counts as true. */
   ifElse<Value extends Expression>(
     condition: Value | Operand,
     yes: Value | Operand,
@@ -754,28 +778,28 @@ export interface Functions {
   dot<Value extends Vector>(a: Value, b: Value): Scalar
   /** The cross product. */
   cross(a: Vec3, b: Vec3): Vec3
-  /** The length; its derivative at zero counts as zero. */
+  /** The length; its derivative at zero is defined as zero. */
   length(v: Vector): Scalar
-  /** The distance of two points. */
+  /** The distance between two points. */
   dist<Value extends Vector>(a: Value, b: Value): Scalar
-  /** The distance of two points. */
+  /** The distance between two points. */
   distance<Value extends Vector>(a: Value, b: Value): Scalar
-  /** Length 1 in the same direction, or zero for zero. */
+  /** The unit vector in the same direction; zero for the zero vector. */
   normalize<Value extends Vector>(v: Value): Value
-  /** The product with a number. */
+  /** The vector times a number. */
   scale<Value extends Expression>(v: Value, factor: Operand): Value
-  /** A direction mirrored by the surface with that unit normal. */
+  /** The direction reflected by a surface with that unit normal. */
   reflect<Value extends Vector>(incident: Value, normal: Value): Value
   /**
-   * A unit direction behind the surface with that unit normal, for a ratio of indices of
-   * refraction; zero where all light is reflected.
+   * The direction refracted by a surface with that unit normal, for a ratio of indices of
+   * refraction; zero in case of total internal reflection.
    */
   refract<Value extends Vector>(incident: Value, normal: Value, eta: Operand): Value
-  /** The normal, turned round where `incident` goes along `reference`. */
+  /** The normal, reversed if `incident` points along `reference`. */
   faceforward<Value extends Vector>(normal: Value, incident: Value, reference: Value): Value
-  /** From 0 where x is at `low`, smoothly to 1 where it is at `high`, another number. */
+  /** A smooth step from 0 for x at `low` to 1 for x at `high`, which must differ. */
   smoothstep(low: Operand, high: Operand, x: Operand): Scalar
-  /** From 0 where x is at `low`, smoothly to 1 where it is at `high`, another number. */
+  /** A smooth step from 0 for x at `low` to 1 for x at `high`, which must differ. */
   smoothstep<Value extends Scalar | Vector>(
     low: Value | Operand,
     high: Value | Operand,
@@ -789,26 +813,26 @@ export interface Functions {
   degrees(radians: Operand): Scalar
   /** An angle in radians, as degrees. */
   degrees<Value extends Scalar | Vector>(radians: Value | Operand): Value
-  /** Rows become columns. */
+  /** The transposed matrix. */
   transpose<Value extends AnyMatrix>(m: Value): Transposed<Value>
   /** The determinant. */
   determinant(m: Mat2 | Mat3 | Mat4): Scalar
   /** The inverse; infinite or NaN where the determinant is 0. */
   inverse<Value extends Mat2 | Mat3 | Mat4>(m: Value): Value
   /**
-   * The mat3 that turns by an angle in radians about the x axis, counterclockwise for an eye
-   * that the axis points to.
+   * The mat3 that rotates by an angle in radians about the x axis, counterclockwise when the
+   * axis points at the viewer.
    */
   rotateX(angle: Operand): Mat3
-  /** The mat3 that turns about the y axis, as `rotateX` does. */
+  /** The mat3 that rotates about the y axis, like `rotateX`. */
   rotateY(angle: Operand): Mat3
-  /** The mat3 that turns about the z axis, as `rotateX` does. */
+  /** The mat3 that rotates about the z axis, like `rotateX`. */
   rotateZ(angle: Operand): Mat3
-  /** The mat3 that turns about any axis, as `rotateX` does. */
+  /** The mat3 that rotates about any axis, like `rotateX`. */
   rotate(axis: Vec3, angle: Operand): Mat3
-  /** The exact partial derivative of each component by an input. */
+  /** The exact partial derivative of each component with respect to an input. */
   derivative<Value extends Expression>(value: Value, input: Scalar): Value
-  /** The exact derivatives of a number by each component of a vector of inputs. */
+  /** The exact derivatives of a number with respect to a vector of inputs. */
   gradient<Inputs extends Vector>(value: Operand, inputs: Inputs): Inputs
   /**
    * The exact derivatives of a vector: a matrix with a column for each component of a vector of
@@ -818,7 +842,7 @@ export interface Functions {
     value: Value,
     inputs: Inputs,
   ): Jacobian<Value, Inputs>
-  /** The unit normal after the warp of `position` by this offset; zero where there is none. */
+  /** The unit normal after the warp of `position` by this offset; zero where it has none. */
   adjustNormal(offset: Vec3, normal: Vec3, position: Vec3): Vec3
   /**
    * The unit tangent after the warp of `position` by this offset, at right angles to `normal`,
