@@ -5,28 +5,26 @@ import { WarpError, describe } from '../errors/errors.js'
 import type { Mesh, MeshInput } from '../mesh/mesh-arrays.js'
 
 /**
- * A geometry as `bakeWarp`, `subdivide`, `exportGLB` and the others of 'warpjet/mesh' take it; its arrays are the
- * geometry's own where they fit. Throws a `WarpError` for what is no geometry with positions.
+ * Converts a geometry to a mesh for `bakeWarp`, `subdivide`, `exportGLB` and the other functions of 'warpjet/mesh'. The mesh
+ * shares the geometry's arrays where their types fit. Throws a `WarpError` unless it is a geometry with positions.
  */
 export function fromBufferGeometry(geometry: BufferGeometry): Mesh {
   if (!geometry?.isBufferGeometry)
-    throw new WarpError(
-      `fromBufferGeometry: a BufferGeometry was expected, but ${describe(geometry)} came.`,
-    )
+    throw new WarpError(`fromBufferGeometry: expected a BufferGeometry, got ${describe(geometry)}.`)
   if (!geometry.attributes.position)
     throw new WarpError('fromBufferGeometry: the geometry has no attribute "position".')
   return arraysOf(geometry) as unknown as Mesh
 }
 
 /**
- * A mesh, such as `bakeWarp` and `loadMesh` give it, as a geometry. `like` is the geometry that it was made of: its groups
- * and those of its attributes that meshes do not have, such as `uv1`, are taken over as they are. Throws a `WarpError` if the
- * mesh has other vertices than that, as after `subdivide`.
+ * Converts a mesh, as `bakeWarp` and `loadMesh` return it, to a geometry. `like` is the geometry that the mesh was made from: its
+ * groups, and its attributes that meshes lack, such as `uv1`, are copied. Throws a `WarpError` if the number of vertices differs,
+ * as after `subdivide`.
  */
 export function toBufferGeometry(mesh: MeshInput, like?: BufferGeometry): BufferGeometry {
   if (typeof mesh !== 'object' || mesh === null || !mesh.positions)
     throw new WarpError(
-      `toBufferGeometry: a mesh such as { positions, normals, indices } was expected, but ${describe(mesh)} came.`,
+      `toBufferGeometry: expected a mesh such as { positions, normals, indices }, got ${describe(mesh)}.`,
     )
   const geometry = new BufferGeometry()
   for (const [name, [attribute, size]] of Object.entries(geometryAttributes)) {

@@ -1,6 +1,6 @@
-// What is worked out again only when numbers have changed that it depends on.
+// Caches a result until the numbers that it depends on change.
 
-/** Remembers what `work` gave for as long as `state` gives the same numbers. */
+/** Returns a function that calls `work` again only when `state` returns other numbers than before. */
 export function remembered<Result>(state: () => number[], work: () => Result): () => Result {
   let last: number[] | undefined
   let result: Result

@@ -1,4 +1,4 @@
-// The options of `warp` and `warpMaterial`, checked.
+// Reads the options of `warp` and `warpMaterial`.
 import type { UniformExpressions, Vec3, WarpInputs } from '../compile/hosts.js'
 import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -6,29 +6,29 @@ import { type KindsOf, object } from '../options/schema.js'
 import type { PlainOf, ThreeUniforms } from './uniforms.js'
 
 /**
- * What `position` is measured in. `'local'`: the units of the geometry, after morph targets and bones, before the matrix of
- * an instance and that of the object. `'rest'`: likewise, before morph targets and bones. `'world'`: the scene's units,
- * when all of these are done.
+ * The space of `position`. `'local'`: the units of the geometry, after morph targets and bones, before the matrices of the
+ * instance and the object. `'rest'`: the units of the geometry, before morph targets and bones. `'world'`: the units of the
+ * scene, after all of these.
  */
 export type WarpSpace = 'local' | 'rest' | 'world'
 
 export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
-  /** `'local'` unless given. */
+  /** @default 'local' */
   space?: WarpSpace
-  /** What the offset function reads as `uniforms`: a number, a list of numbers, a vector, colour, matrix or texture of
-   * three.js, or a function that gives one of them and is asked for each frame. */
+  /** The values that the offset function reads as `uniforms`: numbers, lists of numbers, vectors, colours, matrices or
+   * textures of three.js, or functions that return one of them, called once per frame. */
   uniforms?: Uniforms
-  /** `true`: the material itself is warped, on every mesh that has it, and not a clone of it. */
+  /** `true` warps the material on every mesh that uses it. */
   share?: boolean
-  /** `false`: normal and uv may count as constant over the surface, and nothing is said if they do. */
+  /** `false` accepts that normal and uv count as constant over the surface, without a note. */
   surfaceVariation?: false
 }
 
-/** What only p5 has. */
+/** The inputs that only p5 has. */
 type OfP5 =
   'mouse' | 'mouseX' | 'mouseY' | 'size' | 'width' | 'height' | 'pixelDensity' | 'instance'
 
-/** From a vertex to the offset that moves it; the mouse, the canvas and `instance` are p5's and not there. */
+/** Maps a vertex to the offset that moves it. The inputs of the mouse, the canvas and `instance` exist in p5 only. */
 export type ThreeOffset<Values = {}> = (
   inputs: Omit<WarpInputs, 'uniforms' | OfP5> & {
     uniforms: UniformExpressions<PlainOf<Values>>

@@ -59,7 +59,7 @@ export function fillOf(material: Material | Material[]): number[] {
   return [color?.r ?? 1, color?.g ?? 1, color?.b ?? 1, opacity]
 }
 
-/** As the shader has vertices in the world: see weave.ts. */
+/** Transforms vertices to world space as the shader does: see weave.ts. */
 function inWorld(vertices: Vertices, toWorld: Matrix4): Vertices {
   const covariant = new Matrix3().getNormalMatrix(toWorld)
   const { positions, normals, ...others } = vertices as unknown as Arrays

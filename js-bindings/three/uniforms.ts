@@ -17,17 +17,17 @@ export type ThreeUniform =
   | Matrix4
   | Texture
 
-/** By name a value, or a function that gives it. */
+/** Maps name → value, or a function that returns it. */
 export type ThreeUniforms = Readonly<Record<string, ThreeUniform | (() => ThreeUniform)>>
 
 type ValueOf<Given> = Given extends () => infer Value ? Value : Given
 
-/** What the offset function and the warp's user have of the option `uniforms`. */
+/** The types of the values of the option `uniforms`. */
 export type ValuesOf<Given> = { -readonly [Name in keyof Given]: Widened<ValueOf<Given[Name]>> }
 
 type Widened<Value> = Value extends number ? number : Value extends boolean ? boolean : Value
 
-/** By what an offset function has for them, the values as lists of numbers and images. */
+/** The values as the offset function receives them: numbers, lists of numbers and images. */
 export type PlainOf<Values> = { readonly [Name in keyof Values]: Plain<Values[Name]> }
 
 type Plain<Value> = Value extends Vector2
@@ -48,15 +48,15 @@ interface Numbers<Count> extends ArrayLike<number> {
   readonly length: Count & number
 }
 
-/** As in three.js: `warped.uniforms.amount.value = 2`. A vector may be changed in place. */
+/** Handles as three.js has them: `warped.uniforms.amount.value = 2`. A vector may be changed in place. */
 export type UniformHandles<Values> = {
   readonly [Name in keyof Values]: UniformHandle<Values[Name]>
 }
 
 export interface UniformHandle<Value> {
-  /** What it is now. */
+  /** The present value. */
   get value(): Value
-  /** A value of the same type, or a function that gives it. */
+  /** Sets a value of the same type, or a function that returns it. */
   set value(value: Value | (() => Value))
 }
 
@@ -90,7 +90,7 @@ export function handlesOf(method: string, uniforms: HostWarp['uniforms']) {
   return withoutUnknown(method, uniforms, handles)
 }
 
-/** A name that is none says so, where JavaScript would say that it cannot set a property of undefined. */
+/** Throws a `WarpError` for an unknown name; JavaScript would say that it cannot set a property of undefined. */
 const withoutUnknown = (
   method: string,
   uniforms: HostWarp['uniforms'],
@@ -99,7 +99,7 @@ const withoutUnknown = (
   new Proxy(Object.freeze(handles), {
     get(target, name) {
       if (typeof name === 'symbol' || Object.hasOwn(target, name)) return Reflect.get(target, name)
-      // What promises, React and JSON look for.
+      // Promises, React and JSON look these up.
       if (['then', 'toJSON', '$$typeof', 'constructor', 'toString', 'valueOf'].includes(name))
         return Reflect.get(target, name)
       throw uniforms.unknown(name)

@@ -1,4 +1,4 @@
-// How normals and uvs vary over a geometry, for offsets that depend on them: kept with it, as attributes.
+// Computes how normals and uvs vary over a geometry, and stores the result in attributes.
 import { type BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three'
 import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
@@ -6,16 +6,16 @@ import { describeOfThree } from './describe.js'
 import { fromBufferGeometry } from './geometry.js'
 
 /**
- * Finds out how normal and uv vary over a geometry, and adds that to it as attributes, so that offsets that depend on them,
- * such as along the normal, turn the light exactly: `await addSurfaceVariation(geometry)`, once, before it is warped. Loads
- * 'warpjet/mesh'. Throws a `WarpError` for what is no geometry of triangles with positions. Gives the geometry.
+ * Computes how normal and uv vary over a geometry and adds the result as attributes, so that offsets that depend on them,
+ * such as one along the normal, get exact normals: `await addSurfaceVariation(geometry)`, once, before it is warped. Loads
+ * 'warpjet/mesh'. Returns the geometry. Throws a `WarpError` unless it consists of triangles with positions.
  */
 export async function addSurfaceVariation<Geometry extends BufferGeometry>(
   geometry: Geometry,
 ): Promise<Geometry> {
   if (!geometry?.isBufferGeometry)
     throw new WarpError(
-      `addSurfaceVariation: a BufferGeometry was expected, such as mesh.geometry, but ${describeOfThree(geometry)} came.`,
+      `addSurfaceVariation: expected a BufferGeometry, such as mesh.geometry, got ${describeOfThree(geometry)}.`,
     )
   const mesh = fromBufferGeometry(geometry)
   const { surfaceVariation } = await import('../mesh/surface-variation.js')

@@ -197,7 +197,7 @@ warpjetViewNormal = transformedNormal;
 }`
 
 /**
- * Where a warp collapses the surface, its normal is zero, of which three.js would make NaN. Such a vertex is lit as if it faced
+ * A warp that collapses the surface makes its normal zero, and three.js would normalize that to NaN. Such a vertex is lit as if it faced
  * the eye, with so little weight that its neighbors decide wherever they have a normal. Branches that differ from vertex to
  * vertex would make the whole frame 3% slower on SwiftShader.
  */

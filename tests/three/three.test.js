@@ -38,7 +38,7 @@ const rayFrom = (random, target, spread) => {
   return new THREE.Raycaster(from, to.sub(from).normalize())
 }
 
-/** What three.js hits on a plain mesh that has the vertices where the warp must put them, moved in double. */
+/** Makes a plain mesh whose vertices are where the warp must put them, moved in double precision. */
 function reference(mesh, place, instance = new THREE.Matrix4()) {
   const geometry = mesh.geometry.toNonIndexed()
   const { position } = geometry.attributes
@@ -333,7 +333,7 @@ function batched() {
   return mesh
 }
 
-/** Which instances of a batch three.js draws for a camera. */
+/** Lists the instances of a batch that three.js draws for a camera. */
 function drawnOf(mesh, camera) {
   mesh.onBeforeRender({}, undefined, camera, mesh.geometry, mesh.material)
   return [...mesh._indirectTexture.image.data.slice(0, mesh._multiDrawCount)]

@@ -1,4 +1,4 @@
-// What tests ask of a page with WebGPURenderer, on both its backends, and 'warpjet/three/webgpu'.
+// A page with WebGPURenderer, on both its backends, and 'warpjet/three/webgpu': the functions that tests call in it.
 import * as THREE from 'three/webgpu'
 import { WebGLRenderer } from 'three'
 import { warp } from 'warpjet/three'
@@ -24,7 +24,7 @@ const sabotages = {
   },
 }
 
-/** How many pixels differ between the warp and the motion → { differing, moved, afterwards }. */
+/** Counts the pixels that differ between the warp and the motion → { differing, moved, afterwards }. */
 async function compare(name, { backend, light = 'directional', space, sabotage, map = 'PCF' }) {
   const renderer = await rendererFor(backend)
   const make = scenes.shapes[name]

@@ -1,4 +1,4 @@
-// What tests ask of a page with three.js and 'warpjet/three'.
+// A page with three.js and 'warpjet/three': the functions that tests call in it.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { settledHeap } from './heap.js'
@@ -64,7 +64,7 @@ function sabotagedRenderer(sabotage) {
   return made
 }
 
-/** How many pixels differ between the warp and the motion → { differing, moved, covered }. */
+/** Counts the pixels that differ between the warp and the motion → { differing, moved, covered }. */
 export function compare(
   name,
   { light = 'directional', space, sabotage, map = 'PCF', options = {} },

@@ -1,4 +1,4 @@
-// A wave whose normals are known: what MeshNormalMaterial shows of it, and what it should.
+// A wave whose normals are known, for comparison with the colors that MeshNormalMaterial shows.
 import * as THREE from 'three'
 
 const size = 64
