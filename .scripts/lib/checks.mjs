@@ -85,7 +85,7 @@ function testFiles(kind) {
 
 // Tests wait for their pages: on two cores, two processes are idle for a sixth of the time, three are not.
 const browsersAtOnce = availableParallelism() + 1
-/** Files that take 40 s of a core or more, or wait for long. */
+/** Files that take 40 s of a core or more, or wait for long; those that wait are among those that compute. */
 const longest = [
   ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
   'tests/p5/webgpu-examples',

@@ -28,7 +28,8 @@ struct Body {
 
 class Library {
  public:
-  // A library of the same functions with empty caches.
+  // A library of the same functions with empty caches: what is derived in it does not reach this
+  // one.
   Library withEmptyCaches() const;
 
   void add(const Definition& definition);

@@ -13,7 +13,7 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines.close())
 
-/** The error of a sine on a GPU, which each step passes to the next. */
+/** The tolerance of values: a sine on a GPU is off by 2e-4, and each step passes its error to the next. */
 const waves = 2e-3
 /** The shift of each input that measures how errors grow: results are no more accurate than their change. */
 const step = 2e-3

@@ -41,7 +41,7 @@ function optionsAround(state, from) {
   return options?.size ? options : undefined
 }
 
-/** Completes methods after a point, options in a function's braces, and inputs and functions elsewhere. */
+/** Completes methods after a point, options in a function's braces, and inputs and functions elsewhere. Components of vectors need no completion. */
 function complete(context) {
   const { state, pos } = context
   const member = context.matchBefore(/[\w$)\]]\.\w*$/)
