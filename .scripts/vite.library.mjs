@@ -10,7 +10,7 @@ const { name, version, license } = JSON.parse(readFileSync(path('package.json'),
 // Users bring their own p5, three, react and decoders. The command line runs only in Node.
 const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylonjs\//, /^node:/]
 
-const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
+const banner = `/*! ${name} ${version} | ${license} licence, third-party notices in NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
 /** `output` has options of Rolldown, `lib` those of Vite. */
 const settings = (lib, output, others) => ({
@@ -44,7 +44,7 @@ const withoutWasmInMaps = {
 
 /**
  * The files that hold what several entries need, so that each entry brings what it uses and no more. A module goes to the
- * first that names it or something that needs it.
+ * first file whose pattern matches it or a module that imports it.
  */
 const sharedFiles = [
   {
@@ -103,7 +103,7 @@ const minified = {
   comments: false,
 }
 
-/** One file. `wasm` names the wasm modules in it: gzip packs the file better, by 1 KB, where they come first. */
+/** One file. `wasm` names the wasm modules in it: the gzipped file is 1 KB smaller if they come first. */
 const single = (entry, fileName, format, { wasm = [], conditions = [], ...others } = {}) =>
   settings({ entry, name, formats: [format], fileName: () => fileName }, minified, {
     ...others,
@@ -118,7 +118,7 @@ const withFirst = (entry, wasm) => ({
     id === entry && wasm.length
       ? {
           code: `${wasm.map((each) => `import './generated/${each}-wasm.js'; `).join('')}${code}`,
-          // The first line alone moves.
+          // Only the first line shifts.
           map: null,
         }
       : null,

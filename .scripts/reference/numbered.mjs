@@ -1,8 +1,8 @@
-// Writes js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: the C++ enumerations, in the order of their numbers, and the
+// Writes js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: the C++ enumerations, ordered by value, and the
 // limits.
 
 const head =
-  '// Written by `npm run reference` from the C++: its enumerations, in the order of their numbers, and its limits.'
+  '// Written by `npm run reference` from the C++: its enumerations, ordered by value, and its limits.'
 
 const list = (names) => `[${names.map((name) => `'${name}'`).join(', ')}] as const`
 
@@ -17,7 +17,7 @@ export const numberedText = (table) => {
 /** Maps a shading language → the name of its sources in \`glsl.fn\`. The first one is the default. */
 export const languages = {${languages.map(({ name, source }) => `${name}: '${source}'`).join(', ')}} as const
 
-/** Maps a noise → the kind of its options. Other noises are composed from bases, and a fractal has octaves. */
+/** Maps a noise → the kind of its options: 'made' and 'fractal' noises are composed from a 'base'; fractals have octaves. */
 export const noises = {${noises.map(({ name, use }) => `${name}: '${use}'`).join(', ')}} as const
 
 /** Options of \`glsl.texture\`. */

@@ -22,7 +22,7 @@ function group(heading, operations) {
     ['method', (operation) => code(methodForm(operation))],
     ['what it is', ({ meaning }) => meaning],
   ]
-  if (!operations.every(isByComponent)) columns.push(['takes → gives', types])
+  if (!operations.every(isByComponent)) columns.push(['operands → result', types])
   if (operations.some(({ missingIn }) => missingIn.length))
     columns.push(['lowered in', ({ missingIn }) => languages(missingIn)])
   return `## ${heading}\n\n${table(columns, operations)}\n${notes[heading] ?? ''}`
@@ -66,7 +66,7 @@ Matrices also have \`neg\`, \`add\`, \`sub\`, \`mix\`, \`mult\`, and \`div\` by 
 `,
   Derivatives: `
 An input is a variable of the shader, such as \`millis\`, \`position.x()\` or \`glsl.param('speed')\`, not a computed value.
-Derivatives may be derived again: \`height.derivative(millis).derivative(millis)\` is an acceleration.
+Derivatives can be differentiated again: \`height.derivative(millis).derivative(millis)\` is an acceleration.
 `,
 }
 

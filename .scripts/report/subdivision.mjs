@@ -1,4 +1,4 @@
-// Measures how many triangles `subdivide` needs for an error on the gallery's warps, adaptively and uniformly.
+// Measures how many triangles `subdivide` needs to reach a given error on the gallery's warps, adaptively and uniformly.
 import { compileWarp } from '../../dist/warpjet.js'
 import { subdivide } from '../../dist/mesh.js'
 import { box, icosahedron, plane } from '../../tests/support/coarse-meshes.js'
@@ -9,11 +9,11 @@ import { say } from '../lib/terminal.mjs'
 import { markdownTable } from '../reference/parts.mjs'
 
 const levels = [1, 2, 3, 4, 5, 6]
-/** The main table has the first level with this error, as a share of the length of the mesh. */
+/** The main table shows the first level whose error is at most this fraction of the mesh's length. */
 const near = 0.005
 /** The number of tolerances that are tried per halving, from large to small. */
 const triesAHalving = 4
-/** On a cube of 180 units that noise moves by up to 20. */
+/** Tolerances for a cube of 180 units that noise moves by up to 20. */
 const tolerances = [1, 0.5, 0.25]
 /** Samples along the mesh. */
 const samples = 64

@@ -1,5 +1,5 @@
 // The three levels of domain warping as the relief of a sphere: f(p), f(p + fbm(p)) and
-// f(p + fbm(p + fbm(p))). Every vertex moves along its normal by f, and the light follows
+// f(p + fbm(p + fbm(p))). Every vertex moves along its normal by f, and the lighting uses
 // the exact normals of the result, through all three levels.
 // After Inigo Quilez, Domain warping, 2002.
 let plain, warped, twice

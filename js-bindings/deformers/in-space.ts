@@ -31,7 +31,7 @@ interface Space {
  * even if M mirrors, and the offset is transformed back by the inverse of the linear part of M. So the units, axes and
  * origin of the warp are those of the space that M maps to. As for `chain`, you cannot differentiate by that position.
  *
- * Throws a `WarpError` if an argument is not a matrix or a function, for constants whose linear part has determinant 0 and,
+ * Throws a `WarpError` if an argument is not a matrix or a function, if the linear part of a constant matrix has determinant 0 and,
  * when the warp is made, if it does not return a vec3. If a computed matrix has determinant 0, points do not move.
  */
 export function inSpace<Uniforms extends UniformValues = {}>(

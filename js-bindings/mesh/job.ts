@@ -30,9 +30,9 @@ export class Job {
     private readonly bound: MeshModule,
   ) {}
 
-  /** Copies numbers into the module, `size` per vertex. NaN and infinity are allowed, other values throw. */
+  /** Copies numbers into the module, `size` per vertex. Throws for values that are not numbers; NaN and infinity are allowed. */
   setFloats(name: FloatArray, numbers: ArrayLike<number>, size = 3) {
-    // Checks for memory before it reads the numbers.
+    // Allocates the memory first, so that an oversized array fails before its numbers are read.
     this.expect(this.mesh.resizeFloats(name, numbers))
     const wrong = firstWrong(numbers, anyNumber)
     if (wrong >= 0)
@@ -83,7 +83,7 @@ export class Job {
     return color.length ? [...color] : undefined
   }
 
-  /** Runs an action in C++ and returns its texts. Throws a `WarpError` if it fails. */
+  /** Runs an action in C++ and returns its strings. Throws a `WarpError` if it fails. */
   act(action: Action): string[] {
     return this.expect(this.mesh[action]())
   }
@@ -147,7 +147,7 @@ export class Job {
   }
 }
 
-/** Runs `work` with a job, and deletes the job in any case. */
+/** Runs `work` with a job, which is always deleted afterwards. */
 export function withJob<Result>(place: Place, work: (job: Job) => Result): Result {
   try {
     return meshes.use(

@@ -60,7 +60,7 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
     inputs: warpCode.text.uniforms,
     varies: readsVariation(warpCode.text),
     shaderFor,
-    /** Returns `undefined` if the warp reads inputs that lines lack, so that they cannot follow the fill. */
+    /** Returns `undefined` if the warp reads inputs that lines lack: then they cannot follow the fill. */
     strokeShaders: lazily((): StrokeShaders | undefined => {
       const text = warp.text(target, ['position', 'jacobian'], { names })
       if (!isOfLines(text)) return undefined

@@ -1,9 +1,9 @@
-// Written by `npm run reference` from the C++: its enumerations, in the order of their numbers, and its limits.
+// Written by `npm run reference` from the C++: its enumerations, ordered by value, and its limits.
 
 /** Maps a shading language → the name of its sources in `glsl.fn`. The first one is the default. */
 export const languages = { glsl300: 'glsl', glsl100: 'glsl', wgsl: 'wgsl' } as const
 
-/** Maps a noise → the kind of its options. Other noises are composed from bases, and a fractal has octaves. */
+/** Maps a noise → the kind of its options: 'made' and 'fractal' noises are composed from a 'base'; fractals have octaves. */
 export const noises = {
   noise: 'base',
   simplex: 'base',

@@ -1,4 +1,4 @@
-// Every operation with a public name, by number: the rows of the table, aliases, compositions, and
+// All operations with a public name, indexed by number: table rows, aliases, compositions, and
 // the constructors and parts of vectors and matrices.
 #pragma once
 
@@ -42,7 +42,7 @@ struct Alias {
   std::string_view name, of;
 };
 
-// Names of glsl-autodiff.
+// The names that glsl-autodiff uses.
 inline constexpr std::array aliases{
     Alias{"sum", "add"},      Alias{"prod", "mult"},  Alias{"vecSum", "add"},
     Alias{"vecProd", "mult"}, Alias{"vecMix", "mix"}, Alias{"vecClamp", "clamp"},

@@ -1,4 +1,4 @@
-// THE identities, one per row. A row gives the pattern to replace, its replacement, how exactly the
+// All identities, one per row: the pattern to replace, its replacement, how closely the
 // replacement keeps the value, and a condition.
 //
 // x, y, z, t and c stand for any node; v for anything but a constant; a, b and n for constants.
@@ -6,9 +6,9 @@
 // product matches in either order, unless both orders have a row; its constant comes last. If
 // several rows match, the first one wins.
 //
-// Reasons why a row may keep less than the bits:
+// Reasons why a row may preserve the value less than bit for bit:
 //   ifNumber: otherwise every structural zero of a Jacobian would remain because of the NaN of an
-//   infinite x * 0, and a derivative of moved - position because of that of x - x. value: shaders
+//   infinite x * 0, and x - x in the derivative of moved - position likewise. value: shaders
 //   don't guarantee the sign of a zero. rounding: fewer operations and a result closer to the exact
 //   one, as for a chain of constant factors, or for an offset that rotates about a point, which
 //   subtracts the point and adds it again. An intermediate result may overflow or underflow in one
@@ -86,7 +86,7 @@ inline constexpr std::array identities{
     Identity{(x - a) - b, x + (-a - b), rounding, isNormalOrZero(-a - b)},
     Identity{x - a, x + -a, bits, a < 0},
 
-    // products; those with a conditional come first, so that no other row moves the infinity of the branch not taken next to its zero
+    // products; those with a conditional come first, so that no other row multiplies the infinity of the branch not taken by 0
     Identity{x * 0, 0, ifNumber(value)},
     Identity{x * 1, x, bits},
     Identity{x * -1, -x, bits},

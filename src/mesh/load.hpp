@@ -14,7 +14,7 @@
 
 namespace warpjet {
 
-// `problem` is a message that starts with "loadMesh: ", and is present exactly if `mesh` isn't.
+// `problem` is a message that starts with "loadMesh: ", empty exactly when `mesh` is present.
 // `warnings` are messages about omitted data.
 struct Loaded {
   std::optional<Mesh> mesh;
@@ -57,7 +57,7 @@ class ModelFile {
 Loaded loadMesh(Bytes bytes, const Files& files = {});
 
 // The URIs of the files that loadMesh expects in `files`: buffers, without which a model can't be
-// loaded, and images of base colors and .mtl files, which it warns about. The images of an .mtl
+// loaded, and base color images and .mtl files, without which it warns. The images of an .mtl
 // file are included once it is in `files` itself. Empty if the bytes can't be read at all.
 std::vector<std::string> externalFiles(Bytes bytes, const Files& files = {});
 

@@ -51,7 +51,7 @@ vec3 offset(vec3 position, float millis) {
     assert.match(stdout, /offset = vec3f\(0\.0f, height \* sin\(position\.x\), 0\.0f\);/)
   })
 
-  test('bake too, with any of its functions', async () => {
+  test('bake accepts it too, with any function of the file', async () => {
     const args = ['--function', 'up', '--returns', 'position', '-o', 'up.glb']
     const { code, stderr } = await warpjet('bake', 'model.glb', 'waves.glsl', ...args)
     assert.equal(code, 0, stderr)
@@ -73,7 +73,7 @@ vec3 offset(vec3 position, float millis) {
     assert.match(missing.stderr, /reads height; add --set height=/)
   })
 
-  test('bake moves positions by the uniforms of --set, of every type', async () => {
+  test('bake reads uniforms of every type from --set', async () => {
     const settings = ['height=0.25', 'way=1,2,3', 'many=-3', 'bits=5', 'isOn=1', 'turn=0,1,-1,0']
     const others = ['heights[1]=0.5', 'waves[0].length=2', 'millis=2000']
     const all = [...settings, ...others]
@@ -123,7 +123,7 @@ vec3 offset(vec3 position, float millis) {
     assert.match(stdout, /^vec4 mapGradient\(vec3 p\) \{/)
   })
 
-  test('derive prints the result of differentiate, with each of its options, or writes it', async () => {
+  test('derive prints or writes the result of differentiate, with each of its options', async () => {
     const source = readFileSync(join(folder, 'spiral.glsl'), 'utf8')
     const expected = differentiate(source, {
       function: 'spiral',
@@ -157,7 +157,7 @@ vec3 offset(vec3 position, float millis) {
     )
   })
 
-  test('mistakes in it are reported with the line', async () => {
+  test('errors in the GLSL are reported with their line', async () => {
     const { code, stderr } = await warpjet('emit', 'bad.frag')
     assert.equal(code, 1)
     assert.match(stderr, /line 2, column 10: "q" is not declared/)

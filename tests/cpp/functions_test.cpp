@@ -1,5 +1,5 @@
 // Our own functions: numbering, derivatives, code and inlining of their results. The function here
-// is x² y + s, whose derivatives are known by hand.
+// is x² y + s, whose derivatives are easy to compute by hand.
 #include "emit/functions.hpp"
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@
 namespace warpjet {
 namespace {
 
-TEST(MultiIndices, ComeByOrderAndThenByTheirVariables) {
+TEST(MultiIndices, AreSortedByOrderAndThenByVariables) {
   const MultiIndices indices(2, 2);  // f, fx, fy, fxx, fxy, fyy
   ASSERT_EQ(indices.count(), 6);
   EXPECT_EQ(indices.origin(4), 1);
   EXPECT_EQ(indices.lastVariable(4), 1);
 }
 
-TEST(MultiIndices, DoNotDependOnTheOrderOfDerivation) {
+TEST(MultiIndices, DoNotDependOnTheOrderOfDifferentiation) {
   MultiIndices indices(3, 1);
   const int x = indices.derivative(0, 0), y = indices.derivative(0, 1),
             z = indices.derivative(0, 2);
@@ -28,7 +28,7 @@ TEST(MultiIndices, DoNotDependOnTheOrderOfDerivation) {
             indices.derivative(indices.derivative(y, 2), 0));
 }
 
-TEST(MultiIndices, KnowHowManyThereAre) {
+TEST(MultiIndices, CountsAndOrdersAreConsistent) {
   for (int variables = 0; variables <= 4; ++variables) {
     for (int order = 0; order <= 3; ++order) {
       const int count = MultiIndices(variables, order).count();
@@ -72,7 +72,7 @@ class FunctionsTest : public testing::Test {
   }
 };
 
-TEST_F(FunctionsTest, ACallIsTheBodyWithTheArguments) { EXPECT_EQ(value(called), 36 * 5 + 5); }
+TEST_F(FunctionsTest, InliningSubstitutesTheArguments) { EXPECT_EQ(value(called), 36 * 5 + 5); }
 
 TEST_F(FunctionsTest, DerivativesFollowTheChainRule) {
   // 9 x² y + s with s = y, but parameters have no derivative.
@@ -83,7 +83,7 @@ TEST_F(FunctionsTest, DerivativesFollowTheChainRule) {
   EXPECT_EQ(value(derivative(derivative(derivative(called, x), y), x)), 18);
 }
 
-TEST_F(FunctionsTest, AllResultsOfACallAreOneStatement) {
+TEST_F(FunctionsTest, AllResultsOfACallShareOneStatement) {
   const Output outputs[] = {result("a", called), result("b", derivative(called, x))};
   EXPECT_EQ(emit(graph, glsl300, outputs).code,
             "float a, b;\n"
@@ -94,7 +94,7 @@ TEST_F(FunctionsTest, AllResultsOfACallAreOneStatement) {
             "}\n");
 }
 
-TEST_F(FunctionsTest, TheTextOfAFunctionIsInEveryLanguage) {
+TEST_F(FunctionsTest, AFunctionIsEmittedInEveryLanguage) {
   const Output outputs[] = {result("a", called)};
   EXPECT_EQ(declarations(glsl300, outputs),
             "float warpjetSquare(float x, float y, float seed) {\n"
@@ -130,7 +130,7 @@ TEST_F(FunctionsTest, ManyResultsAreAStruct) {
       wgslText.starts_with("struct warpjetSquareHessianResults { part0: vec4f, part1: vec4f, }\n"));
 }
 
-TEST_F(FunctionsTest, AFunctionStandsBelowThoseThatItCalls) {
+TEST_F(FunctionsTest, AFunctionIsDeclaredAfterThoseItCalls) {
   const Definition twice{{"warpjetTwice", 1, 1, 1},
                          [](Library& inner, std::uint32_t, const Numbers& a) {
                            return Numbers{inner.call(square, {a[0], a[0], a[0]})[0] * 2.0};
@@ -146,7 +146,7 @@ TEST_F(FunctionsTest, AFunctionStandsBelowThoseThatItCalls) {
   EXPECT_EQ(value(derivative(doubled, x)), 2 * 3 * 4) << "2 x³ + 2 s, where s is a parameter";
 }
 
-TEST_F(FunctionsTest, AResultThatIsAskedForTwiceIsReadTwice) {
+TEST_F(FunctionsTest, AResultThatIsUsedTwiceIsComputedOnce) {
   const Output outputs[] = {result("a", called * called)};
   EXPECT_EQ(emit(graph, glsl300, outputs).code,
             "float a;\n"

@@ -197,7 +197,7 @@ double waveAt(double x, double y, double steep) {
   return s * std::sin(x + s) + std::cos(s - y);
 }
 
-TEST(GlslDefine, WhatIsCalledOftenIsDefinedOnce) {
+TEST(GlslDefine, AFunctionCalledOftenIsDefinedOnce) {
   const Listing listing =
       listed(wave +
                  "float f(float x, float y) { return wave(x, y, 0.5) + wave(y, x * x, 0.5) * "
@@ -212,7 +212,7 @@ TEST(GlslDefine, WhatIsCalledOftenIsDefinedOnce) {
   EXPECT_NEAR(run.results.at(0), expected, 1e-12);
 }
 
-TEST(GlslDefine, DerivativesAreByWhatVariesAndThatComesFirst) {
+TEST(GlslDefine, VaryingArgumentsComeFirstAndAreDifferentiated) {
   // The first argument is the same constant in all calls.
   const std::string text =
       "float turned(float steep, float x, float y) { float s = sin(x * 1.5 + y) "
@@ -229,7 +229,7 @@ TEST(GlslDefine, DerivativesAreByWhatVariesAndThatComesFirst) {
               waveAt(0.4, 1.1, 0.25) + waveAt(1.1, 0.4, 0.25) + waveAt(0.44, 1.1, 0.25), 1e-12);
 }
 
-TEST(GlslDefine, AUniformThatItReadsIsHandedOver) {
+TEST(GlslDefine, AUniformThatAFunctionReadsBecomesAnArgument) {
   std::string text = "uniform float steep;\n" + wave;
   text.replace(text.find(", float steep"), 13, "");
   const Listing listing =
@@ -241,7 +241,7 @@ TEST(GlslDefine, AUniformThatItReadsIsHandedOver) {
               1e-6);
 }
 
-TEST(GlslDefine, WhatIsCalledOnceIsEntered) {
+TEST(GlslDefine, AFunctionCalledOnceIsInlined) {
   const Ran run(listed(wave + "float f(float x) { return wave(x, 1.0, 0.5); }", 1), {0.2});
   EXPECT_EQ(run.defined + run.called, 0);
   EXPECT_NEAR(run.results.at(0), waveAt(0.2, 1, 0.5), 1e-12);
@@ -285,7 +285,7 @@ std::string looping(const std::string& head, const std::string& first = "") {
 
 const auto never = [](double, int) { return false; };
 
-TEST(GlslFold, ALongLoopIsOne) {
+TEST(GlslFold, ALongLoopBecomesAFold) {
   const Listing listing = listed(looping("for (int i = 0; i < 12; i++)"), 0);
   const Ran run(listing, {0.7});
   EXPECT_EQ(run.folds, 1);
@@ -293,7 +293,7 @@ TEST(GlslFold, ALongLoopIsOne) {
   EXPECT_NEAR(run.results.at(0), looped(0.7, 12, never), 1e-12);
 }
 
-TEST(GlslFold, CountersFollowFromTheStep) {
+TEST(GlslFold, CountersAreComputedFromTheStep) {
   const Listing listing =
       listed(looping("for (int i = 9; i > -12; i -= 3)", "s += float(i) * q * 0.125;"), 0);
   const Ran run(listing, {0.7});
@@ -308,7 +308,7 @@ TEST(GlslFold, CountersFollowFromTheStep) {
   EXPECT_NEAR(run.results.at(0), s + q, 1e-12);
 }
 
-TEST(GlslFold, BreakIsAState) {
+TEST(GlslFold, BreakBecomesAStateVariable) {
   const Listing listing =
       listed(looping("for (int i = 0; i < 20; i++)", "if (q < 0.625) break; "), 0);
   for (const double x : {0.1, 0.7, 1.9, 5.0}) {
@@ -319,14 +319,14 @@ TEST(GlslFold, BreakIsAState) {
   }
 }
 
-TEST(GlslFold, ALoopOfTheShaderAloneRunsToItsBound) {
+TEST(GlslFold, ALoopWithADynamicConditionRunsToMaxIterations) {
   const Listing listing = listed(looping("while (q > 0.625)"), 0, 15);
   const Ran run(listing, {3.0});
   EXPECT_EQ(run.steps, 15u);
   EXPECT_NEAR(run.results.at(0), looped(3, 15, [](double q, int) { return q <= 0.625; }), 1e-12);
 }
 
-TEST(GlslFold, LoopsStandInEachOther) {
+TEST(GlslFold, LoopsCanBeNested) {
   const std::string text =
       "float f(float x) { float s = 0.0; for (int i = 0; i < 9; i++) { float t = s * 0.5; "
       "for (int j = 0; j < 20; j++) { t += sin(t * 1.5 + x * float(j)) * cos(t - float(i)) * 0.25; "
@@ -342,11 +342,11 @@ TEST(GlslFold, LoopsStandInEachOther) {
   EXPECT_EQ(run.folds, 1 + 9);
 }
 
-TEST(GlslFold, AShortLoopIsWrittenOut) {
+TEST(GlslFold, AShortLoopIsUnrolled) {
   EXPECT_EQ(Ran(listed(looping("for (int i = 0; i < 2; i++)"), 0), {0.7}).folds, 0);
 }
 
-TEST(GlslListing, WholeNumbersFromOutsideComeInHalves) {
+TEST(GlslListing, IntUniformsAreReadInHalves) {
   const Listing listing =
       listed("uniform int n; float f(float x) { return float(n % 1000) + x; }", 0);
   int halves = 0;

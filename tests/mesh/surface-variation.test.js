@@ -1,4 +1,4 @@
-// Warps that depend on normal and uv: their normals, given the gradients of these over the surface.
+// Normals of warps that depend on normal and uv, computed from the gradients of normal and uv over the surface.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { describe, test } from 'node:test'
@@ -11,7 +11,7 @@ import { movedNormal, surfaceMesh, surfaces } from '../support/surfaces.js'
 
 const { sin, cos, PI } = Math
 
-/** As an offset function, and in double. */
+/** Each warp as an offset function, and as a reference in double precision. */
 const warps = {
   'bumps along the normal': {
     warp: ({ position, normal }) => {
@@ -83,15 +83,15 @@ for (const [name, surface] of Object.entries(surfaces))
     )
     for (const [title, { warp, offset, skips }] of Object.entries(warps)) {
       if (skips === name) continue
-      test(`${title}: within 0.01° by formula, within 0.5° by its triangles`, () => {
+      test(`${title}: normals within 0.01° with exact gradients, within 0.5° with computed ones`, () => {
         const expected = uvs.map(([u, v]) => movedNormal(surface, offset, u, v))
         const compiled = compileWarp(warp, { surfaceVariation: true })
         const errorsOf = (variation) =>
           errors(compiled.evaluate({ ...mesh, ...variation }).normals, expected)
         const known = Math.max(...errorsOf(exact))
         const computed = Math.max(...errorsOf(surfaceVariation(mesh)))
-        assert.ok(known < 0.01, `${known}° off by formula`)
-        assert.ok(computed < 0.5, `${computed}° off by its triangles`)
+        assert.ok(known < 0.01, `${known}° off with exact gradients`)
+        assert.ok(computed < 0.5, `${computed}° off with gradients computed from the triangles`)
         const zeros = Object.fromEntries(
           Object.entries(exact).map(([key, numbers]) => [key, numbers.map(() => 0)]),
         )
@@ -99,7 +99,7 @@ for (const [name, surface] of Object.entries(surfaces))
         // An inflated sphere is a sphere, so its normals stay the same, and so do those of every parallel surface.
         if (title !== 'inflated') assert.ok(without > 1.5, `${without}° off without it`)
         const baked = errors(bakeWarp(mesh, compiled).normals, expected)
-        assert.ok(Math.max(...baked) === computed, 'baking finds it out by itself')
+        assert.ok(Math.max(...baked) === computed, 'bakeWarp computes the gradients itself')
       })
     }
   })
@@ -132,7 +132,7 @@ test('tangents are transformed too', () => {
   })
 })
 
-// The Stanford bunny of npm, smoothed by Loop's subdivision: the meshes of 7,350 and 29,394 vertices are the first vertices of
+// The Stanford bunny from npm, smoothed by Loop subdivision: the meshes of 7,350 and 29,394 vertices use the first vertices of
 // one of 117,570, which represents the smooth bunny. Its warped vertices are the reference, with the normals of the surrounding
 // triangles. Where these fold over, as in the creases of the neck, the warped surface has no useful normal.
 describe('the bunny', () => {
@@ -164,7 +164,7 @@ describe('the bunny', () => {
     )
 
     for (const level of [1, 2])
-      test(`${title}, ${levels[level].points.length} vertices: a third of the error without gradients`, () => {
+      test(`${title}, ${levels[level].points.length} vertices: at most a third of the error that omitting gradients causes`, () => {
         const count = levels[level].points.length
         const mesh = {
           positions: points.slice(0, count).flat(),
@@ -226,7 +226,7 @@ describe('compileWarp', () => {
     assert.deepEqual(attributes(bumpy, { surfaceVariation: true, normals: false }), [])
   })
 
-  test("reads them by the shader's names, in every language", () => {
+  test('reads the gradients by custom names in every language', () => {
     const names = { normalXGradient: 'aByX', normalZGradient: 'vertex.byZ' }
     for (const target of ['glsl300', 'glsl100', 'wgsl']) {
       const { code } = compileWarp(bumpy, { target, names, surfaceVariation: true })
@@ -235,7 +235,7 @@ describe('compileWarp', () => {
     }
   })
 
-  test('generates the same code as before without the option', () => {
+  test('generates no gradient code without the option', () => {
     const { code } = compileWarp(bumpy, { surfaceVariation: false })
     assert.doesNotMatch(code, /Gradient|_warpjet/)
   })
@@ -299,7 +299,7 @@ describe('on the CPU', () => {
   const warp = compileWarp(({ normal }) => normal.mult(-0.5), { surfaceVariation: true })
   const variation = { normalYGradient: [0, 1, 0], normalZGradient: [0, 0, 2.5] }
 
-  test('one vertex accepts them too', () => {
+  test('evaluateAt accepts gradients too', () => {
     const bent = compileWarp(({ normal, position }) => normal.mult(position.y()), {
       surfaceVariation: true,
     })
@@ -313,8 +313,8 @@ describe('on the CPU', () => {
     )
   })
 
-  test('foldover reports where the sides of the surface are swapped', () => {
-    // Inwards by 0.5: past the centre of curvature 1/2.5, but not past 1/1.
+  test('foldover reports where the surface is turned inside out', () => {
+    // Moves inwards by 0.5: past the centre of curvature at distance 1/2.5, but not past the others.
     const mesh = { positions: [0, 0, 0, 0, 0, 0], normals: [1, 0, 0, 1, 0, 0] }
     const normalYGradients = [0, 1, 0, 0, 1, 0]
     const normalZGradients = [0, 0, 2.5, 0, 0, 1.5]

@@ -62,7 +62,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}, subdivide: by the warp, and messages about mistakes`, async () => {
+  test(`p5 ${version}, subdivide follows the warp and rejects invalid arguments`, async () => {
     const { page, messages } = await runSketch(
       browsers.WEBGL,
       server,
@@ -114,13 +114,13 @@ for (const [version, p5] of p5InThisRun)
       'warpBox("a")': /^warpBox: width: expected a number, got the text "a"/,
     })) {
       const said = await page.evaluate(
-        `(async () => { try { await ${code}; return 'nothing was said' } catch (error) { return error.message } })()`,
+        `(async () => { try { await ${code}; return 'no error' } catch (error) { return error.message } })()`,
       )
       assert.match(said, sentence)
     }
     await page.evaluate('redraw()')
     const seen = litPixels(await readPixels(page)).length
-    assert.ok(seen > 2000, `${seen} pixels of what was subdivided`)
+    assert.ok(seen > 2000, `${seen} pixels of the subdivided shape`)
     await leavePage(page)
     assert.deepEqual(messages, [])
   })

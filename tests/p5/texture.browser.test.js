@@ -27,7 +27,7 @@ const image = randomImage(7, 5, 4)
 // p5 stores images with premultiplied alpha.
 image.data = image.data.map((byte, i) => (i % 4 === 3 ? 255 : byte))
 
-/** The image as each of p5's classes that hold pixels. */
+/** Creates the image in each of p5's pixel containers. */
 const sources = {
   image: `warps.image = createImage(${image.width}, ${image.height})
     fillPixels(warps.image)`,
@@ -70,7 +70,7 @@ const onCanvas = (u) => (size - side) / 2 + side * u
 function assertColor(picture, [u, v], wanted, tolerance, what) {
   const color = colorAt(picture, onCanvas(u), onCanvas(v))
   const error = Math.max(...wanted.map((x, i) => Math.abs(color[i] - x)))
-  assert.ok(error <= tolerance, `${what} at ${[u, v]}: ${color} for ${wanted}`)
+  assert.ok(error <= tolerance, `${what} at ${[u, v]}: expected ${wanted}, got ${color}`)
 }
 
 for (const [version, p5] of p5InThisRun) {
@@ -107,7 +107,7 @@ for (const [version, p5] of p5InThisRun) {
           }
       })
 
-    test('an image is a uniform like others: a value, a function, or overridden in a call', async () => {
+    test('an image uniform can be a value or a function, and can be overridden in a call', async () => {
       const offset = `({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bspline' }).r()
         .mult(uniforms.amount))`
@@ -135,7 +135,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(flat, byName, 30) > 5000, 'the image shows')
     })
 
-    test('an image wraps by textureWrap(), and is filtered by its filter', async () => {
+    test('by default, an image uses the wrap mode of textureWrap() and its own filter', async () => {
       const offset = (options) => `({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().mult(2.6)${options}).r().mult(${height}))`
       const made = (name, options) =>
@@ -163,7 +163,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(pictures.mirror, pictures.repeat, 30) > 3000)
     })
 
-    test('in WebGL 1 the warp gets the size of an image by a uniform', async () => {
+    test('in WebGL 1 the warp reads the size of an image from a uniform', async () => {
       const displaced = `warps.displace = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bicubic' }).r()
         .mult(${height})), { type: 'normal', uniforms: { heights: () => warps.image } })`
@@ -180,7 +180,7 @@ for (const [version, p5] of p5InThisRun) {
     })
 
     // plane(160, 160) is a plane of 1 by 1 that is scaled in two directions, but not in the third.
-    test('a displaced plane has the same light, whichever way it got its size', async () => {
+    test('a displaced plane is lit the same whether plane() or scale() sets its size', async () => {
       const warp = (amount) => `createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bspline' }).r()
         .mult(${amount})), { uniforms: { heights: warps.image } })`
@@ -247,7 +247,7 @@ void main() {
       }
     })
 
-    test('reports mistakes with an image by a WarpError', async () => {
+    test('throws a WarpError for a value that is not an image', async () => {
       const cases = {
         'createWarp(warp)': /reads "heights", .* "uniform highp sampler2D heights;"/,
         'distort({ heights: 5 })':

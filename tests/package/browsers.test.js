@@ -22,7 +22,7 @@ async function draws(url) {
   const { page, messages } = await openPage(browser, url)
   await page
     .waitForFunction(() => document.title.startsWith('drawn'), { timeout: 20_000 })
-    .catch(() => messages.push(`the title is "${page.url()}" without a drawing`))
+    .catch(() => messages.push(`nothing was drawn at ${page.url()}`))
   assert.deepEqual(messages, [])
   assert.equal(await page.title(), 'drawn 1,0,0')
   await page.close()
@@ -112,7 +112,7 @@ test('esbuild', async () => {
   await draws(pageOf('out/esbuild/sketch.js'))
 })
 
-/** Rollup and rolldown have the same options here; both warn about doubtful code, such as an import without effect. */
+/** Rollup and rolldown have the same options here; both warn about suspicious code, such as an import without effect. */
 async function roll(bundler, dir, plugins) {
   const warnings = []
   const onwarn = ({ message }) => warnings.push(message)
@@ -138,7 +138,7 @@ for (const browser of [false, true])
 
 test('rolldown', () => roll(rolldown, 'out/rolldown', [p5InOneFile]))
 
-// package.json makes Parcel read `exports`, which it ignores by default, and use p5 in one file, of which it would lose a part.
+// package.json makes Parcel read `exports`, which it ignores by default, and p5's single-file build, as it would drop part of others.
 test('Parcel', async () => {
   const { output, status } = runIn(process.execPath, [
     'node_modules/parcel/lib/bin.js',

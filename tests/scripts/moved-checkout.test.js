@@ -1,4 +1,4 @@
-// A checkout that was copied or moved with its .build: what is built there are its own sources, not those of the folder before.
+// A checkout that was copied or moved together with its .build builds its own sources, not those of the previous folder.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } from 'node:fs'
@@ -37,7 +37,7 @@ function say(name) {
   writeFileSync(join(folder, name, 'say.cpp'), text)
 }
 
-/** Builds the checkout as its scripts do → what its program says. */
+/** Builds the checkout as its scripts do, and returns its program's output. */
 function built(name) {
   const code = "import { cmakeBuild } from './.scripts/lib/cmake.mjs'; await cmakeBuild('native')"
   const cwd = join(folder, name)
@@ -45,7 +45,7 @@ function built(name) {
   return execFileSync(join(cwd, '.build/native/say'), { encoding: 'utf8' }).trim()
 }
 
-test('a checkout that was copied with what it has built builds its own sources', () => {
+test('a checkout that was copied together with its .build builds its own sources', () => {
   assert.equal(built('first'), 'first')
   cpSync(join(folder, 'first'), join(folder, 'copied'), { recursive: true })
   say('copied')
@@ -53,7 +53,7 @@ test('a checkout that was copied with what it has built builds its own sources',
   assert.equal(built('first'), 'first')
 })
 
-test('one that was moved does, too', () => {
+test('a moved checkout also builds its own sources', () => {
   renameSync(join(folder, 'first'), join(folder, 'moved'))
   say('moved')
   assert.equal(built('moved'), 'moved')

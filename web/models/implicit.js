@@ -31,7 +31,7 @@ export function roundCone(a, b, ra, rb) {
   }
 }
 
-/** Minimum of two distances, rounded where they differ by less than k (cubic, so twice smooth). */
+/** Minimum of two distances, rounded where they differ by less than k (cubic, so C² continuous). */
 export function smoothMin(a, b, k) {
   const h = Math.max(k - Math.abs(a - b), 0) / k
   return Math.min(a, b) - (h * h * h * k) / 6

@@ -60,7 +60,7 @@ test('lists and counts the lines that a sketch prints, and clears them with the 
   await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
 })
 
-test('rotates the shape by the pointer if the sketch allows that', async () => {
+test('rotates the shape with the pointer if the sketch allows that', async () => {
   const bent = still('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
   await write(page, bent.replace('warp()\n', 'orbitControl(); lights(); warp()\n'))
   const before = await canvasPixels(page)
@@ -75,7 +75,7 @@ test('rotates the shape by the pointer if the sketch allows that', async () => {
   assert.ok(await isTurned())
 })
 
-test('keeps the sketch and its slider over a reload', async () => {
+test('keeps the sketch and its slider across a reload', async () => {
   const uniforms = "{ far: 0.5, up: [0, 0.2], tint: color('#ff8040') }"
   const offset = 'glsl.vec3(uniforms.far.sub(uniforms.tint.x()).div(4), uniforms.up.y(), 0)'
   const far = still('#80ff00', offset, `, { uniforms: ${uniforms} }`)
@@ -195,7 +195,7 @@ test('a file of any name can be dropped, used as a model, and saved', async () =
   }
 })
 
-test('saves a sketch that names a file which it writes, and has a comparison that looks like a tag', async () => {
+test('saves a sketch that writes a file itself and contains a comparison that looks like a tag', async () => {
   const words =
     'const scripts = [1, 2, 3]; let a = 0; while (a<scripts.length) a++; document.title = `${a}`'
   await write(
@@ -218,7 +218,7 @@ test('a double click selects a number, which typing replaces', async () => {
   assert.equal(await text(page), still('#ff8040', 'glsl.vec3(-0.5, 0, 0)'))
 })
 
-test('the menu closes by Escape, which restores the focus, and by a click elsewhere', async () => {
+test('the menu closes on Escape, which restores the focus, and on a click elsewhere', async () => {
   const item = page.getByRole('button', { name: 'Picture (PNG)' })
   const summary = page.getByText('Save', { exact: true })
   await summary.click()
@@ -263,4 +263,4 @@ test('reports that there is no picture to save if nothing was drawn', async () =
   await other.page.close()
 })
 
-test('has printed nothing itself', () => assert.deepEqual(messages, []))
+test('the playground itself has logged nothing', () => assert.deepEqual(messages, []))

@@ -6,7 +6,7 @@ import { WarpError } from '../../errors/errors.js'
 import { version } from '../../generated/version.js'
 import { filesAreClosed } from '../../mesh/sources.js'
 
-/** The hash of mesh.min.js in this build, for the attribute `integrity`. Defined by .scripts/vite.library.mjs. */
+/** The hash of mesh.min.js in this build, for the `integrity` attribute. Defined by .scripts/vite.library.mjs. */
 declare const meshIntegrity: string
 
 // Only available while the script itself runs. A script inline in the page or in a bundle has no address.
@@ -15,8 +15,8 @@ const script =
 const address = script?.src ?? ''
 
 /**
- * True if the file next to this script is ours. It is not if the address is an alias of the script, such as a bare
- * `https://cdn.jsdelivr.net/npm/warpjet`, next to which are other packages, nor if several files were combined.
+ * True if the file next to this script is ours. False if several files were combined, or for an alias such as
+ * `https://cdn.jsdelivr.net/npm/warpjet`, whose siblings are other packages.
  */
 const isNamed = /^[^,?#]*\/p5\.warpjet\.min\.js([?#]|$)/.test(address)
 
@@ -33,7 +33,7 @@ export async function importMesh(method: string): Promise<typeof import('./with-
       ? filesAreClosed
       : isNamed
         ? "copy it there, from the package's folder dist"
-        : 'check the connection, or copy it and this script, under their own names, from the package to a folder of yours'
+        : 'check the connection, or copy it and this script from the package to your own folder, without renaming them'
     throw new WarpError(`${method}: cannot load ${href}; ${why}.`)
   }
 }

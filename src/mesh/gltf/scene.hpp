@@ -8,7 +8,7 @@
 
 namespace warpjet {
 
-// `skin` is its index, or -1: then the node places the mesh.
+// `skin` is the index of the skin, or -1 if the node's transform places the mesh.
 struct Placed {
   int mesh;
   int skin;

@@ -1,4 +1,4 @@
-// Parses decimal numbers of text files.
+// Parses decimal numbers in text files.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 namespace warpjet {
 
 // A decimal number such as -1.5e3, or nullopt. Accurate to one unit in the last place: up to 19
-// digits are read, and powers of ten are multiplied in double. Too large numbers are infinite.
+// digits are read, and powers of ten are multiplied in double. Overflow gives infinity.
 std::optional<float> parsedFloat(std::string_view text);
 
 // True for spellings of NaN or infinity: "nan", "-nan(ind)", "1.#QNAN", "inf".

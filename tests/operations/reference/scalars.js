@@ -1,7 +1,7 @@
 // Operations on one number, and on vectors by component, from GLSL's definitions. A row has
 // - `name`, `shapes`: lists of the operands' shapes (1 to 4 for numbers and vectors, 'mat2' to
 //   'mat4');
-// - `domains`, one per operand, the last one for all that follow; `adjust` makes the operands of a
+// - `domains`, one per operand; the last one applies to all further operands; `adjust` makes the operands of a
 //   point compatible;
 // - `reference`, which is independent of the compiler: maps lists of numbers to a list, matrices in
 //   column-major order;

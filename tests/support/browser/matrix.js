@@ -19,7 +19,7 @@ export const scaling = (x, y, z) => [
   [0, 0, 0, 1],
 ]
 
-/** Rotates by `angle` in radians from axis `from` towards axis `to`, 0 for x to 2 for z: about z is 0, 1; x is 1, 2; y is 2, 0. */
+/** Rotates by `angle` radians from axis `from` towards axis `to` (0 = x, 1 = y, 2 = z); 0, 1 rotates about z. */
 export function rotation(angle, from, to) {
   const matrix = translation(0, 0, 0)
   matrix[from][from] = matrix[to][to] = Math.cos(angle)

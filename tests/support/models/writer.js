@@ -1,4 +1,4 @@
-// Writes glTF files for the tests by the specification (glTF 2.0), without any of the library.
+// Writes glTF files for the tests according to the glTF 2.0 specification, without using the library.
 import { writeGlb } from '../glb.js'
 
 export const componentTypes = new Map([

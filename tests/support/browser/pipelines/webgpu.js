@@ -1,4 +1,4 @@
-// A compute shader of WebGPU. Runs in the page, which must be from localhost: about:blank has no WebGPU.
+// A WebGPU compute shader. Runs in the page, which must be from localhost: about:blank has no WebGPU.
 import { declareInputs, outputVectors, totalSize } from './text.js'
 
 const group = 64
@@ -31,7 +31,7 @@ ${writes.join('\n')}
 
 export async function open() {
   const adapter = await navigator.gpu?.requestAdapter()
-  if (!adapter) throw new Error('There is no WebGPU here.')
+  if (!adapter) throw new Error('WebGPU is not available.')
   const device = await adapter.requestDevice()
   return (program, points) => run(device, program, points)
 }
