@@ -10,9 +10,9 @@
       window.frameCount++
     })
 
-  /** Matches the block of a warp in a complete vertex shader of three.js. */
+  /** Matches the statements of a warp, up to the new position, in a complete vertex shader of three.js. */
   const block =
-    /\{\n(?:#ifdef USE_TANGENT\n)?(?:(?!\n\{\n)[\s\S])*?transformed = warpjetPosition;|\{\nmat4 warpjetToWorld[\s\S]*?transformed = \( inverse/
+    /\{\nvec3 warpjetStart = transformed;[\s\S]*?\btransformed = (?:warpjetPosition;|\( inverse)/
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
     const [code] = block.exec(text.slice(text.indexOf('void main'))) ?? []
