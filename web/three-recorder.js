@@ -12,7 +12,7 @@
 
   /** Matches the statements of a warp, up to the new position, in a complete vertex shader of three.js. */
   const block =
-    /\{\nvec3 warpjetStart = transformed;[\s\S]*?\btransformed = (?:warpjetPosition;|\( inverse)/
+    /\{\nvec3 warpjetStart = transformed;[\s\S]*?\btransformed = (?:warpjetPosition;|\( inverse[^;]*;)/
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
     const [code] = block.exec(text.slice(text.indexOf('void main'))) ?? []
