@@ -166,6 +166,7 @@ export function callable(name: string, expression: Expression): Expression {
   // `length` and `name` would hide methods of expressions.
   Reflect.deleteProperty(component!, 'length')
   Reflect.deleteProperty(component!, 'name')
-  Object.setPrototypeOf(component, Expression.prototype)
-  return Object.assign(component!, expression) as unknown as Expression
+  // Assigned before the prototype is set, whose chain a proxy ends: an assignment of a new property would ask it.
+  Object.assign(component!, expression)
+  return Object.setPrototypeOf(component, Expression.prototype) as Expression
 }
