@@ -33,7 +33,7 @@ export interface WarpedPoint {
 
 export interface InverseOptions
   extends Partial<Record<'normal' | 'uv' | 'color', ArrayLike<number>>>, EvaluationOptions {
-  /** Where the search starts, best the position that was found for the point a moment ago. Default: the point itself. */
+  /** The start of the search, best the position that was found for the point a moment ago. Default: the point itself. */
   near?: ArrayLike<number> | undefined
 }
 

@@ -3,7 +3,7 @@ import type { BatchedMesh, Box3, InstancedMesh, Mesh, Object3D } from 'three'
 import { batchProperties } from './batch.js'
 import { extentOf, isInstancedMesh2 } from './extent.js'
 import type { Warpable } from './pose.js'
-import { answering, asProperties, replaceProperties, wrapMethod } from './properties.js'
+import { computedProperty, asProperties, replaceProperties, wrapMethod } from './properties.js'
 import { type Raycast, raycastOf } from './rays.js'
 import { isWarped, register, unregister } from './registry.js'
 import { carryByNodes, prepareRenderer } from './renderers.js'
@@ -44,8 +44,8 @@ export function warpPart(
     }),
     replaceProperties(object, {
       // They are computed when they are read, so that uniforms may be set at any time.
-      boundingSphere: answering(around),
-      boundingBox: answering(() => extent().box),
+      boundingSphere: computedProperty(around),
+      boundingBox: computedProperty(() => extent().box),
       ...asProperties({ computeBoundingSphere() {}, computeBoundingBox() {} }),
       ...((object as BatchedMesh).isBatchedMesh &&
         asProperties(batchProperties(warp, object as BatchedMesh))),

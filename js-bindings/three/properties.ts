@@ -49,8 +49,8 @@ export function wrapMethod<Wrapped extends Method>(
   }
 }
 
-/** A property that answers by itself. Three.js writes into it, too, what it would be without a warp. */
-export const answering = <Value>(value: () => Value): PropertyDescriptor => ({
+/** A property computed when it is read. It ignores assignments: three.js writes the value without a warp into it. */
+export const computedProperty = <Value>(value: () => Value): PropertyDescriptor => ({
   get: value,
   set: () => {},
 })

@@ -56,7 +56,7 @@ const fail = (sentence) => {
   throw new SyntaxError(`the interpreter: ${sentence}`)
 }
 
-/** How a statement ends, unless the next one follows. */
+/** The ways in which a statement ends, other than reaching the next one. */
 const ends = { break: { by: 'break' }, continue: { by: 'continue' } }
 
 /** Returns the functions of the source by name, each on numbers and arrays of numbers. */

@@ -135,8 +135,8 @@ function defineSwizzle(name: PropertyKey): boolean {
 }
 
 /**
- * The end of the prototype chain. There are 1,050 swizzles, of which a warp reads a few: each longer one is defined when
- * it is first looked up, which takes 3 ms from the first warp of a page.
+ * The end of the prototype chain. There are 1,050 swizzles, of which a warp reads a few: those of several letters are defined
+ * when they are first looked up, so that the first warp of a page does not define them all.
  */
 const lazySwizzles: ProxyHandler<object> = {
   get: (target, name, receiver) =>

@@ -209,7 +209,7 @@ function gBuffer(scene, index) {
   }
 }
 
-/** What ambient occlusion reads. */
+/** Adds ambient occlusion, which reads the prepass. */
 function prepass(scene, type) {
   new SSAO2RenderingPipeline('occlusion', scene, 1, [scene.activeCamera])
   const renderer = scene.prePassRenderer
