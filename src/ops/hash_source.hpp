@@ -31,6 +31,8 @@ highp float warpjetHash(highp float h, highp float i) {
   return f32(n * n % 4091u * n % 4091u);
 }
 )"};
-static_assert(std::ranges::none_of(hashHelpers, &std::string_view::empty), "one per language");
+static_assert(std::none_of(hashHelpers.begin(), hashHelpers.end(),
+                           [](std::string_view source) { return source.empty(); }),
+              "each language needs one");
 
 }  // namespace warpjet::ops
