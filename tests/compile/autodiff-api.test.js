@@ -22,7 +22,7 @@ function assertClose(actual, expected, tolerance, message) {
   }
 }
 
-test('the interpreter of the statements rejects invalid GLSL', () => {
+test('the interpreter in support/run-glsl.js rejects invalid GLSL', () => {
   const code = 'float y; bool b = x > 1.0; { y = b ? -x : p.yx.x * 2.0; } // done'
   assert.deepEqual(runGlsl(code, { x: 3, p: [5, 7] }), { x: 3, p: [5, 7], b: true, y: -3 })
   for (const [text, message] of [
@@ -49,8 +49,8 @@ const positive = anywhere.map((point) => point.map((x) => abs(x) + 0.1))
 const grid = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z])))
 
 const none = () => [0, 0, 0]
-const isLeast = (x, ...others) => (x < min(...others) ? 1 : 0)
-const isMost = (x, ...others) => (x > max(...others) ? 1 : 0)
+const isSmallest = (x, ...others) => (x < min(...others) ? 1 : 0)
+const isLargest = (x, ...others) => (x > max(...others) ? 1 : 0)
 
 const arithmetic = [
   [[(ad) => ad.val(2.5), (ad) => ad.sqrt(6.25)], () => 2.5, none],
@@ -104,33 +104,33 @@ const functions = [
   [
     [(ad, x, y) => x.clamp(y.min(0), 1), (ad, x, y) => ad.clamp(x, y.min(0), 1)],
     (x, y) => clamp(x, min(y, 0), 1),
-    (x, y) => [isMost(x, min(y, 0)) * isLeast(x, 1), isLeast(x, y) * isLeast(y, 0), 0],
+    (x, y) => [isLargest(x, min(y, 0)) * isSmallest(x, 1), isSmallest(x, y) * isSmallest(y, 0), 0],
   ],
   [
     [(ad, x) => x.clamp(-0.5, 0.5), (ad, x) => ad.clamp(x, -0.5, 0.5)],
     (x) => clamp(x, -0.5, 0.5),
-    (x) => [isLeast(abs(x), 0.5), 0, 0],
+    (x) => [isSmallest(abs(x), 0.5), 0, 0],
   ],
   [[(ad, x) => ad.min(x), (ad, x) => ad.max(x)], (x) => x, () => [1, 0, 0]],
   [
     [(ad, x, y) => x.min(y), (ad, x, y) => ad.min(x, y)],
     (x, y) => min(x, y),
-    (x, y) => [isLeast(x, y), isLeast(y, x), 0],
+    (x, y) => [isSmallest(x, y), isSmallest(y, x), 0],
   ],
   [
     [(ad, x, y, z) => x.min(y, 0.5, z), (ad, x, y, z) => ad.min(0.5, x, y, z)],
     (x, y, z) => min(x, y, 0.5, z),
-    (x, y, z) => [isLeast(x, y, 0.5, z), isLeast(y, x, 0.5, z), isLeast(z, x, y, 0.5)],
+    (x, y, z) => [isSmallest(x, y, 0.5, z), isSmallest(y, x, 0.5, z), isSmallest(z, x, y, 0.5)],
   ],
   [
     [(ad, x, y) => x.max(y), (ad, x, y) => ad.max(x, y)],
     (x, y) => max(x, y),
-    (x, y) => [isMost(x, y), isMost(y, x), 0],
+    (x, y) => [isLargest(x, y), isLargest(y, x), 0],
   ],
   [
     [(ad, x, y, z) => x.max(y, -0.5, z), (ad, x, y, z) => ad.max(-0.5, x, y, z)],
     (x, y, z) => max(x, y, -0.5, z),
-    (x, y, z) => [isMost(x, y, -0.5, z), isMost(y, x, -0.5, z), isMost(z, x, y, -0.5)],
+    (x, y, z) => [isLargest(x, y, -0.5, z), isLargest(y, x, -0.5, z), isLargest(z, x, y, -0.5)],
   ],
   [
     [(ad, x, y, z) => x.gt(0).ifElse(y, z), (ad, x, y, z) => ad.ifElse(x.gt(0), y, z)],
@@ -363,7 +363,7 @@ describe('inputs and outputs:', () => {
     )
   })
 
-  test('each kind of parameter is a variable of the shader, of each size', () => {
+  test('each param method reads a shader variable of its size', () => {
     const code = gen((ad) => {
       ad.param('speed').mult(2).output('a')
       ad.vec2Param('uv').mult(ad.vec2(2, 3)).output('b')
@@ -389,7 +389,7 @@ describe('inputs and outputs:', () => {
     assert.deepEqual([product, slope], [15, 5])
   })
 
-  test('a vector has a derivative by a number, and a number by a component', () => {
+  test('a vector can be differentiated by a number, and a number by a component', () => {
     const code = gen((ad) => {
       const [p, time] = [ad.vec3Param('p'), ad.param('time')]
       p.scale(time).outputDeriv('velocity', time)
@@ -400,7 +400,7 @@ describe('inputs and outputs:', () => {
     assert.deepEqual([velocity, column, byY], [[2, 3, 5], [1, 5, 0], 6])
   })
 
-  test('JavaScript’s loops and functions act as macros', () => {
+  test('JavaScript’s loops and functions are unrolled and inlined', () => {
     const code = gen((ad) => {
       const double = (node) => node.mult(2)
       let x = ad.param('x')

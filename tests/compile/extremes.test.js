@@ -29,7 +29,7 @@ describe('a finite offset has a finite and correct normal:', () => {
   })
 })
 
-test('foldover finds the side even if the derivative of the offset is hard to compute', () => {
+test('foldover finds the correct side even if intermediate derivatives overflow', () => {
   const turned = compileWarp(({ glsl, position }) => {
     const x = position.x()
     return glsl.vec3(glsl.val(1).div(x.neg().exp().add(1)).sub(x.mult(2)), 0, 0)

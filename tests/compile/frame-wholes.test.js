@@ -56,7 +56,7 @@ test('constants beyond 2^24 are exact beside frame constants', () => {
     }
 })
 
-test('also in loops and in functions with many calls', () => {
+test('frame constants are exact in loops and in functions with many calls', () => {
   const calls = Array.from({ length: 30 }, (_, i) => `mixed(p.x + ${i}.0)`).join(' + ')
   const rounds = 'h = (h ^ (h >> 16u)) * 747796405u; h = (h ^ (h >> 15u)) * 2891336453u;'.repeat(4)
   const offset = offsetOf(
@@ -133,7 +133,7 @@ test('frame constants are numbers that float32 represents exactly, in every lang
     }
 })
 
-test('as many as there is room for; the others remain in the code', () => {
+test('frame constants that exceed the limit remain in the code', () => {
   const terms = Array.from(
     { length: 100 },
     (_, i) => `float((floatBitsToUint(millis * ${i + 1}.0) ^ uint(p.x)) & 15u)`,
@@ -145,7 +145,7 @@ test('as many as there is room for; the others remain in the code', () => {
     assert.equal(movedBy(offset, options, { millis: 7.1875 })[1], sum(7.1875))
 })
 
-test('in three.js: in the shader, in its uniforms, and for raycasting', () => {
+test('three.js uses the exact values in the shader, in its uniforms, and for raycasting', () => {
   const offset = offsetOf(
     `${pcgText}\nvec3 offset(vec3 p) { uint h = pcg(floatBitsToUint(seed)) + uint(p.z); return ${halvesText}; }`,
     'uniform float millis, seed;\n',

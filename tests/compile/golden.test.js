@@ -7,7 +7,7 @@ const texts = goldenTexts()
 const kept = keptTexts()
 
 describe('shader code', () => {
-  test('has one golden file each', () => {
+  test('has one golden file per warp', () => {
     const message = 'Renew the files with `npm run golden`.'
     assert.deepEqual(Object.keys(kept).sort(), Object.keys(texts).sort(), message)
   })

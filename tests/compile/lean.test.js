@@ -37,7 +37,7 @@ test('300 stacked sines, 1,500 operations, are at most 40,000 characters', () =>
 })
 
 for (const workload of workloads)
-  test(`${workload.name}: not much longer than by hand`, () => {
+  test(`${workload.name}: the code is not much longer than code written by hand`, () => {
     const length = (name) => {
       const { declarations = '', body } = methods
         .find((method) => method.name === name)
@@ -92,7 +92,7 @@ test('a matrix that rotates several points has one variable in each body that re
   }
 })
 
-test('vectors are counted', () => {
+test('stats count vector operations', () => {
   const { stats, code } = compileWarp(nestedSines(8, 'xyz'))
   assert.equal(stats.vectors, code.match(/^ *vec\d t\d+ =/gm).length)
   assert.equal(stats.temporaries, code.match(/^ *(vec\d|float|bool) t\d+ =/gm).length)
@@ -104,7 +104,7 @@ test('code for positions only has no derivatives', () => {
   assert.doesNotMatch(code, /normal/i)
 })
 
-test('the wobble has at most 9 sines and 6 cosines', () => {
+test('the wobble warp has at most 9 sines and 6 cosines', () => {
   const { code } = warps.find(({ name }) => name === 'wobble').compile()
   assert.ok(calls(code, 'sin') <= 9, `${calls(code, 'sin')} sines`)
   assert.ok(calls(code, 'cos') <= 6, `${calls(code, 'cos')} cosines`)
@@ -132,7 +132,7 @@ const nestedWarps =
   }
 
 for (const [axes, chains] of Object.entries({ xxx: 1, xxy: 2, xyz: 3 }))
-  test(`sines nested 24 deep, ${chains} different chains: 24 sines and 24 cosines for each`, () => {
+  test(`${chains} different chains of 24 nested sines have 24 sines and 24 cosines each`, () => {
     const { code } = compileWarp(nestedSines(24, axes))
     assert.deepEqual([components(code, 'sin'), components(code, 'cos')], [24 * chains, 24 * chains])
   })

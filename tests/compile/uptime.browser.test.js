@@ -33,7 +33,7 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
       assert.ok(step < 0.001, `a frame's way is ${step} off`)
     })
 
-  test('without them it is not accurate', async () => {
+  test('float32 is not accurate after a week without them', async () => {
     const { then, step } = await afterAWeek(
       gpu,
       warps.find(({ name }) => name === 'sine-sphere'),

@@ -74,7 +74,7 @@ const operands = {
 }
 const withoutOperands = ['neg', 'inversesqrt', 'length', 'normalize', 'fract', 'noise']
 
-test('other names are the same operation, as methods and as functions', () => {
+test('aliases are the same operation, as methods and as functions', () => {
   for (const [alias, name] of Object.entries(sameAs)) {
     const others = withoutOperands.includes(name) ? [] : (operands[name] ?? [2])
     const isOfVectors = ['length', 'normalize'].includes(name)

@@ -24,4 +24,4 @@ for (const [call, expected, ...range] of [
   })
 
 for (const call of ['x.sin()', 'x.exp()', 'x.pow(3)', 'glsl.smoothstep(-1, 1, x)', 'x.tanh()'])
-  test(`${call} has none`, () => assert.deepEqual(kinksOf(call), []))
+  test(`${call} has no kinks`, () => assert.deepEqual(kinksOf(call), []))

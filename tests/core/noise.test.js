@@ -225,7 +225,7 @@ describe('the code of a noise', () => {
     for (const target of targets) assert.doesNotMatch(text(target), /\bsin\b|43758/)
   })
 
-  test('has gain and lacunarity as expressions, with their derivatives', () => {
+  test('accepts expressions as gain and lacunarity, and differentiates by them', () => {
     const { evaluate } = compile((glsl) => {
       const x = glsl.param('x')
       const n = x.fbm({ gain: x.mult(0.1), lacunarity: x.add(1) })
@@ -279,7 +279,7 @@ describe('a warp of noise on the CPU', () => {
   })
 })
 
-describe('errors', () => {
+describe('noise throws for wrong arguments:', () => {
   const refusals = [
     [
       (glsl, p) => p.noise({ sed: 1 }),

@@ -12,7 +12,7 @@ const near = (got, expected, tolerance, message) =>
     message ?? `${got} for ${expected}`,
   )
 
-describe('values', () => {
+describe('glsl.repeat returns values', () => {
   test('of a number, with the number of the step', () => {
     const { evaluate } = compile((glsl) => ({
       sum: glsl.repeat(5, 0, (sum, i) => sum.add(i.mult(glsl.param('x')))),
@@ -34,7 +34,7 @@ describe('values', () => {
     near(z[1], y, 1e-12)
   })
 
-  test('of a record, whose parts are read and written together', () => {
+  test('of a record, whose parts change together', () => {
     const { evaluate } = compile((glsl) => {
       const { a, b } = glsl.repeat(10, { a: 0, b: 1 }, ({ a, b }) => ({ b: a.add(b), a: b }))
       return { fibonacci: a.add(b.mult(1000)), same: glsl.repeat(4, { a }, ({ a }) => ({ a })).a }
@@ -42,14 +42,14 @@ describe('values', () => {
     assert.deepEqual(evaluate({}), { fibonacci: 55 + 89 * 1000, same: 55 })
   })
 
-  test('of no steps are the start', () => {
+  test('equal to the start if there are no steps', () => {
     const { evaluate } = compile((glsl) => ({
       x: glsl.repeat(0, 7, (x) => x.mult(glsl.param('y'))),
     }))
     assert.deepEqual(evaluate({ y: 3 }), { x: 7 })
   })
 
-  test('and derivatives of 200 random loops', () => {
+  test('and derivatives that equal those of 200 random JavaScript loops', () => {
     const compared = { value: 0, slope: 0, second: 0 }
     for (let seed = 0; seed < 200; seed++) {
       const fold = randomFoldCase(seed)
@@ -245,7 +245,7 @@ describe('rejects', () => {
     )
   })
 
-  test('and continues after an error that the user catches', () => {
+  test('and works again after an error that the user catches', () => {
     const { evaluate } = compile((glsl) => {
       assert.throws(
         () =>
@@ -268,7 +268,7 @@ test('an expression of a body that does not depend on the state can be different
   near(evaluate({ x: 0.4 }).r, Math.cos(0.4) + 2 * Math.cos(0.8), 1e-12)
 })
 
-test('a function of the host in a body keeps its own derivatives', () => {
+test('the body can call a function of the host, whose derivatives are used', () => {
   const { code, declarations } = compile((glsl) => {
     const x = glsl.param('x')
     const bump = glsl.fn({

@@ -94,7 +94,7 @@ for (const target of targets)
           })
         })
 
-    test('the texel itself: nearest, and GLSL source with texelFetch and textureSize', async () => {
+    test('the filter nearest returns the texel itself, and so does GLSL source with texelFetch and textureSize', async () => {
       const text = `uniform sampler2D heights;
         vec4 fetched(vec2 uv) {
           ivec2 size = textureSize(heights, 0);
@@ -126,7 +126,7 @@ for (const target of targets)
       })
     })
 
-    test('GLSL source with texture, and with an image as an argument: value, gradient, second derivatives', async () => {
+    test('GLSL source with texture() has the right value, gradient and second derivatives, also if the image is an argument', async () => {
       const text = `#version 300 es
         uniform sampler2D heights;
         float heightOf(sampler2D image, vec2 at) { return texture(image, at).r; }
@@ -149,7 +149,7 @@ for (const target of targets)
       })
     })
 
-    test('GLSL 1.00 source with texture2D, differentiated to code of its own', async () => {
+    test('GLSL 1.00 source with texture2D can be differentiated to GLSL 1.00', async () => {
       const text = `#version 100
         uniform sampler2D heights;
         float height(vec2 uv) { return texture2D(heights, uv).r; }`
@@ -219,7 +219,7 @@ for (const target of targets)
       }
     })
 
-    test('several images, filters and wraps together', async () => {
+    test('several images, filters and wrap modes can be combined', async () => {
       const images = { a: image, B: randomImage(4, 8, 2), b: randomImage(1, 1, 3) }
       const results = await run(
         target,

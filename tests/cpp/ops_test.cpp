@@ -44,7 +44,7 @@ void expectValue(const Case& expected) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(Ops, ValuesAreThoseOfGlsl) {
+TEST(Ops, ValuesMatchGlsl) {
   const double e = 2.718281828459045, pi = 3.141592653589793, root2 = 1.4142135623730951;
   const std::vector<Case> cases{
       {"neg", {2}, -2},
@@ -197,7 +197,7 @@ TEST(Ops, ValuesAreThoseOfGlsl) {
   for (const Declaration& row : declarations) EXPECT_TRUE(checked.contains(row.name)) << row.name;
 }
 
-TEST(Ops, ValuesAtInfinityAreThoseOfIeee754) {
+TEST(Ops, ValuesAtInfinityMatchIeee754) {
   for (const Case& expected : std::vector<Case>{{"div", {1, 0}, infinity},
                                                 {"div", {0, 0}, NAN},
                                                 {"log", {0}, -infinity},

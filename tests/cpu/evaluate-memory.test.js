@@ -78,7 +78,7 @@ describe('evaluate into arrays of the caller allocates nothing, whatever the num
     })
 })
 
-test('the object of the caller is returned, unless it holds other arrays', () => {
+test('evaluate returns the object of the caller, unless it contains other arrays', () => {
   const warp = compileWarp(wave)
   const mesh = arrays(5)
   const uniforms = { millis: 5 }
@@ -94,7 +94,7 @@ test('the object of the caller is returned, unless it holds other arrays', () =>
   assert.deepEqual(warp.evaluate(mesh, { uniforms, out: more }), out)
 })
 
-test("a uniform's function and a getter may evaluate the same warp", () => {
+test('the function of a uniform, or a getter, may evaluate the same warp', () => {
   const mesh = arrays(7)
   const other = arrays(9)
   let isNested = false
@@ -143,7 +143,7 @@ test('the call after one that throws is correct', () => {
   assert.deepEqual(warp.evaluate(mesh, { out }), expected)
 })
 
-test('new numbers in the same arrays are used, and arrays that have grown', () => {
+test('evaluate reads new numbers in the same arrays, and accepts arrays that have grown', () => {
   const warp = compileWarp(wave)
   const uniforms = { millis: 5 }
   const buffer = new ArrayBuffer(12 * 9000, { maxByteLength: 12 * 10_000 })

@@ -47,7 +47,7 @@ const vertices = Array.from({ length: 40 }, () => ({
 }))
 const step = 0.02
 
-/** In double: maps a vertex and uniforms to the offset, the columns of its Jacobian, and the warped normal. */
+/** Evaluates in double precision: maps a vertex and uniforms to the offset, the columns of its Jacobian, and the warped normal. */
 function inDouble(warp) {
   return compile((glsl) => {
     const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
@@ -109,7 +109,7 @@ describe('chain', () => {
     agree(chain(waved[0], twisted[0], bent[0]), after(after(waved[1], twisted[1]), bent[1]))
   })
 
-  test('of one warp is that warp, and chains can be nested', () => {
+  test('equals the warp if there is only one, and can be nested', () => {
     agree(chain(twisted[0]), twisted[1])
     const expected = after(waved[1], after(twisted[1], bent[1]))
     agree(chain(waved[0], chain(twisted[0], bent[0])), expected)
@@ -200,7 +200,7 @@ describe('chain', () => {
     assert.ok(eight - four < 2.2 * (four - two), `${two} ${four} ${eight}`)
   })
 
-  test('has a message that a moved position cannot be differentiated by', () => {
+  test('throws for a derivative by a moved position', () => {
     const slope = ({ glsl, position }) => glsl.derivative(position.yzx(), position.x())
     assert.equal(typeof compileWarp(slope).code, 'string')
     assert.equal(typeof compileWarp(chain(slope, twisted[0])).code, 'string')
@@ -232,7 +232,7 @@ describe('blend', () => {
     return a.map((x, i) => x + (b[i] - x) * t)
   }
 
-  test('goes from one warp to the other', () => {
+  test('interpolates from one warp to the other', () => {
     agree(
       blend(twisted[0], bent[0]),
       between(() => 0.5),
@@ -246,7 +246,7 @@ describe('blend', () => {
     )
   })
 
-  test('by an amount that varies over the shape', () => {
+  test('accepts an amount that varies over the shape', () => {
     const amount = ({ position }) => position.x().mult(0.02).sin()
     agree(
       blend(twisted[0], bent[0], amount),
@@ -259,7 +259,7 @@ describe('blend', () => {
   })
 })
 
-test('mask weakens a warp, and accounts for the slope of its weight', () => {
+test('mask multiplies a warp by a weight, and accounts for the derivative of the weight', () => {
   agree(mask(twisted[0], 0.25), (p, inputs) => times(twisted[1](p, inputs), 0.25))
   agree(
     mask(twisted[0], ({ glsl }) => glsl.param('w')),
@@ -340,7 +340,7 @@ describe('inSpace', () => {
       )
     })
 
-    test(`transforms normals into it and back: ${name}`, () => {
+    test(`transforms normals into the space and back: ${name}`, () => {
       const flat = columnMajor(matrix)
       agree(inSpace(flat, inflate({ amount: 8 })), inside(matrix, oracles.inflate({ amount: 8 })))
       // A normal points outwards, and an offset along it has an outward component, also under a mirror.
@@ -391,7 +391,7 @@ describe('inSpace', () => {
   })
 })
 
-test('deformers and compositions make one graph, in all three languages', () => {
+test('deformers and compositions compile to one piece of code in all three languages', () => {
   const all = chain(
     blend(taper(), stretch({ keepVolume: true }), 0.4),
     mask(add(bulge(), shear()), ({ position }) => position.y().mult(0.01).sin()),

@@ -47,7 +47,7 @@ after(async () => {
 })
 
 for (const version of ['p5', 'p5-v1']) {
-  test(`Vite and ${version}`, async () => {
+  test(`a Vite bundle draws a warp on ${version}`, async () => {
     mkdirSync(`${root}${project}`, { recursive: true })
     writeFileSync(`${root}${project}/${version}.js`, sketch)
     await build({

@@ -118,7 +118,7 @@ test('links and pictures of shipped pages work wherever they are shown', () => {
   assert.deepEqual(wrong, [])
 })
 
-test('npm shows the repository and the issue tracker', () => {
+test('package.json names the repository and the issue tracker for npm', () => {
   const { repository, homepage, bugs } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   const source = 'https://github.com/warpjet/warpjet'
   assert.deepEqual(repository, { type: 'git', url: `git+${source}.git` })

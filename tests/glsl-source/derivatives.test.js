@@ -28,7 +28,7 @@ const isPromised = Number.isFinite
 const compared = { slopes: 0, kinks: 0 }
 
 for (const { name, text } of corpus)
-  test(`${name}: values, and derivatives by x, y and z`, () => {
+  test(`${name}: values and derivatives by x, y and z are correct`, () => {
     const compiled = compile((glsl) => {
       const p = glsl.vec3Param('p')
       const value = glsl.source(text, { function: 'corpus' })(p)

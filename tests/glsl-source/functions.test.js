@@ -77,7 +77,7 @@ test('a function that is called three times is in the code once, under its own n
   }
 })
 
-test('its values and normals equal those by differences', () => {
+test('such a function has the right values, and normals that equal those by differences', () => {
   const moved = ([x, y, z]) => [
     x + bump(x, y, 3, 0.4),
     y + bump(y * 2, z * 2, 3, 0.4),
@@ -95,7 +95,7 @@ test('a function that is called once, short, or constant is inlined', () => {
   assert.equal(declared('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
 })
 
-test('functions that call functions, and out parameters', () => {
+test('functions may call functions and have out parameters', () => {
   const source = `${bumps}
   void both(vec2 q, out float high, inout vec2 way) {
     high = bump(q, 2.0) + bump(q.yx + 0.5, 2.0);
@@ -156,7 +156,7 @@ test('two functions with the same name and code in two warps share a name', () =
   assert.notEqual(nameIn(thrice), nameIn(thrice.replace('0.25', '0.26')))
 })
 
-test('differentiate keeps functions too', () => {
+test('differentiate preserves functions, too', () => {
   const text = differentiate(
     `${bumps}\nfloat map(vec3 p) { return p.y - bump(p.xz, 2.0) - bump(p.zx * 2.0, 2.0); }`,
   )
@@ -214,7 +214,7 @@ test('counters have the right values in the loop, for any step', () => {
   }
 })
 
-test('side effects of the condition that ends a loop happen', () => {
+test('the condition of a loop keeps its side effects', () => {
   const source = loop('int i = 5; while (i-- > -2)', wave).replace(
     'vec3(0.0, s,',
     'vec3(0.0, s + float(i),',
@@ -236,7 +236,7 @@ test('side effects of the condition that ends a loop happen', () => {
   follows(stops, stopped)
 })
 
-test('break, continue and return', () => {
+test('break, continue and return work in a loop', () => {
   const far = 'if (q.x > 2.5) break;'
   const source = loop('for (int i = 0; i < 12; i++)', `${far} ${wave}`)
   assert.ok(hasLoop(source))
@@ -275,7 +275,7 @@ test('a loop whose end depends on the shader stays a loop too', () => {
   )
 })
 
-test('the number of iterations is right, also as an int that is read after the loop', () => {
+test('the number of iterations is right, also if it is read as an int after the loop', () => {
   const source = `vec3 offset(vec3 p) { vec3 q = p; int n = 0;
     for (int i = 0; i < 20; i++) { if (dot(q, q) > 9.0) break; q = q.yzx * 1.2 + sin(q) * cos(q.zxy) * 0.3 + 0.1; n++; }
     return vec3(float(n), 0.0, 0.0); }`
@@ -299,7 +299,7 @@ test("loops over bits are unrolled, since a loop's state is a float", () => {
   assert.ok(!hasLoop(source))
 })
 
-test('nested loops, where the inner loop reads the outer counter', () => {
+test('an inner loop can read the counter of the outer loop', () => {
   const body =
     'vec2 c = vec2(float(i), float(j)); s += exp(-dot(p.xz - c, p.xz - c)) * sin(p.y + c.x);'
   const source = loop('for (int i = -2; i <= 2; i++) for (int j = -2; j <= 2; j++)', body)

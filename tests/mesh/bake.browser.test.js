@@ -84,7 +84,7 @@ for (const [i, warp] of cases.entries()) {
   })
 }
 
-test('tangents', async () => {
+test('tangents equal those on the screen', async () => {
   // The tangent is passed in by the color attribute, and out by the position.
   const warp = compileWarp(
     ({ glsl, position }) =>

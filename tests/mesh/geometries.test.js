@@ -87,7 +87,7 @@ describe('subdivide', () => {
     }
   })
 
-  test('between vertices with different bones, both bones move the new vertex', () => {
+  test('a new vertex between vertices with different bones is moved by both bones', () => {
     const strip = new THREE.PlaneGeometry(1, 1)
     strip.setAttribute(
       'skinIndex',
@@ -113,7 +113,7 @@ describe('subdivide', () => {
     assert.deepEqual(weights(0, -0.5), { 7: 0.5, 2: 0.25, 3: 0.25 })
   })
 
-  test('for a warp, only where it bends', () => {
+  test('splits triangles only where the warp bends them', () => {
     const bump = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, position.dot(position).mult(-20).exp()),
     )

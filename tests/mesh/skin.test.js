@@ -47,7 +47,7 @@ function skinnedModel() {
   return writeGlb(json, bytes)
 }
 
-test('a skinned model is in the pose of its joints', async () => {
+test('a skinned model is loaded in the pose of its joints', async () => {
   const bytes = skinnedModel()
   const { issues } = await validator.validateBytes(bytes)
   assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages))

@@ -9,7 +9,7 @@ import { built, callOffset } from '../support/operator-tests.js'
 describe('functions, methods and classes:', () => {
   const expected = compileWarp(({ position }) => position.mult(2)).code
 
-  test('methods of objects and classes, static methods, and fields', () => {
+  test('methods of objects and classes, static methods, and fields are translated', () => {
     class Waves {
       static wave({ position }) {
         return position * 2
@@ -46,7 +46,7 @@ describe('functions, methods and classes:', () => {
       assert.equal(compileWarp(operators(offset)).code, expected)
   })
 
-  test('this of a method is the object of the call', () => {
+  test('this in a method is the object on which it is called', () => {
     const object = {
       factor: 2,
       wave({ position }) {
@@ -107,7 +107,7 @@ describe('functions, methods and classes:', () => {
       )
   })
 
-  test('a function with new.target', () => {
+  test('a function with new.target has a message', () => {
     const offset = function ({ position }) {
       return position * (new.target ? 1 : 2)
     }
@@ -129,7 +129,7 @@ describe('functions, methods and classes:', () => {
     assert.equal(operators(plain), plain)
   })
 
-  test('invalid scopes, and invalid names of variables', () => {
+  test('invalid scopes and invalid variable names are rejected', () => {
     const offset = ({ position }) => position * 2
     assert.throws(
       () => operators(offset, null),
@@ -195,7 +195,7 @@ describe('helper functions:', () => {
       assert.equal(built(module), expected)
     })
 
-  test('a helper that reads a variable set by the offset function', () => {
+  test('a helper can read a variable that the offset function sets', () => {
     ;(0, eval)(`globalThis.warpjetPoint = undefined
     globalThis.lift = function () { return warpjetPoint.x * 2 }`)
     assert.equal(
@@ -208,7 +208,7 @@ describe('helper functions:', () => {
     )
   })
 
-  test('a helper of another library', () => {
+  test('a helper of another library gets a message', () => {
     assert.equal(
       compileWarp(operators(({ position }) => MathUtils.lerp(position, 2, 0.25) * 1, { MathUtils }))
         .code,

@@ -169,7 +169,7 @@ const pairs = {
   ],
 }
 
-describe('means the same for expressions as for numbers:', () => {
+describe('JavaScript has the same meaning for expressions as for numbers:', () => {
   for (const [name, [written, twin]] of Object.entries(pairs))
     test(name, () => {
       const expected = callOffset(twin)
@@ -179,7 +179,7 @@ describe('means the same for expressions as for numbers:', () => {
     })
 })
 
-test('p5 uses degrees after angleMode(DEGREES)', () => {
+test('functions of p5 use degrees after angleMode(DEGREES)', () => {
   const inDegrees = (f) => ((x) => f((x * Math.PI) / 180)).bind(null)
   const degrees = (f) => ((...x) => (f(...x) * 180) / Math.PI).bind(null)
   const scope = {
@@ -201,7 +201,7 @@ test('p5 uses degrees after angleMode(DEGREES)', () => {
   assert.equal(compileWarp(operators(written, scope)).code, expected)
 })
 
-test("a sketch in instance mode calls p5's functions by its p", () => {
+test("a sketch in instance mode can call p5's functions as methods of its p", () => {
   class P5 {
     createCanvas() {}
     angleMode() {}
@@ -224,7 +224,7 @@ test("a sketch in instance mode calls p5's functions by its p", () => {
   assert.equal(built(code, { p }), expected)
 })
 
-test('static functions of p5.Vector', () => {
+test('static functions of p5.Vector work with expressions', () => {
   class Vector {
     static random3D() {}
     static fromAngle() {}

@@ -105,7 +105,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         assert.deepEqual(warped[0].slice(count), plain[0].slice(count), 'after resetShader()')
     })
 
-    test('a built warp looks as on the GPU, with its uniforms, under lights', async () => {
+    test('a warp in buildGeometry() looks as on the GPU, with its uniforms and under lights', async () => {
       const shapes = {
         'in its own space': ['warps.wave()', 'sphere(60, 40, 30)'],
         'by normal and uv': ['warps.bumps({ height: 0.12 })', 'ellipsoid(60, 50, 40, 60, 40)'],
@@ -146,7 +146,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       }
     })
 
-    test('warps that a geometry cannot have are rejected', async () => {
+    test('warps that buildGeometry() does not support are rejected', async () => {
       const buildWith = async (warp) => {
         const { result } = await run(`
           const warp = ${warp}

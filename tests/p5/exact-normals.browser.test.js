@@ -25,7 +25,7 @@ const scene = (shading) =>
 const wave = `createWarp(({ glsl, position }) =>
   glsl.vec3(position.y().mult(4).sin().mult(0.25), position.z().mult(3).cos().mult(0.125), 0))`
 
-test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source: each looks like the same warp by hand', async () => {
+test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source each look like the same warp by createWarp', async () => {
   const images = await drawScenes(browser, server, scripts, {
     setup: `
       warps.byHand = ${wave}
@@ -96,7 +96,7 @@ test('an integer uniform keeps all its bits, and p5 declares it as an integer', 
   assert.ok(differingPixels(images.whole, images.byHand, 2) < 20)
 })
 
-test("p5.strands in world and camera space, written as in p5's reference, looks the same by createWarp", async () => {
+test("p5.strands in world and camera space, written as in p5's reference, looks like the same warp by createWarp", async () => {
   const shiftScene = (isStrands) =>
     isStrands
       ? `exactNormals(baseMaterialShader().modify(() => {
@@ -142,7 +142,7 @@ test("p5.strands in world and camera space, written as in p5's reference, looks 
   }
 })
 
-test("p5.strands written as in p5's reference and tutorials looks the same by createWarp", async () => {
+test("p5.strands written as in p5's reference and tutorials looks like the same warp by createWarp", async () => {
   const strands = (base, moves) => `exactNormals(${base}().modify(() => { ${moves} }))`
   // Each case as a strands sketch and as a warp.
   const sketches = {
@@ -227,7 +227,7 @@ test("p5.strands written as in p5's reference and tutorials looks the same by cr
   }
 })
 
-test('p5 1.11: hooks in local and view space look the same by createWarp', async () => {
+test('p5 1.11: hooks in local and view space look like the same warp by createWarp', async () => {
   const old = [p5Versions['1.11'], ...scripts.slice(1)]
   const images = await drawScenes(browser, server, old, {
     setup: `

@@ -261,7 +261,7 @@ function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
 const geometries = new Map()
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  describe(`p5 ${version} by ${renderer} lights`, () => {
+  describe(`p5 ${version}, ${renderer}, lights`, () => {
     const shapes = shapesOn(version, renderer)
     for (const [what, offset] of Object.entries(offsets))
       test(`${what} within half a degree, on each shape`, async () => {
@@ -304,7 +304,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: gradients of its own shapes are those of the formula`, async () => {
+  test(`p5 ${version}: the gradients of p5's own shapes equal those of the formula`, async () => {
     const shapes = shapesOn(version, 'WEBGL')
     if (!geometries.has(version)) geometries.set(version, await geometriesOf(p5, shapes))
     for (const [name, { sides, isBuilt }] of shapes) {
@@ -360,7 +360,7 @@ const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
   .join('; ')
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: at poles and apexes, where a flag by uv has no true normal, it is lit by a unit normal`, async () => {
+  test(`p5 ${version}: a warp by uv has unit normals at poles and apexes, where the surface has no true normal`, async () => {
     const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
     const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
       Object.entries(ends).map(([name, [shape, side]]) => [
@@ -385,7 +385,7 @@ for (const [version, p5] of p5InThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: gradients of another shape are computed once, and cached`, async () => {
+  test(`p5 ${version}: the gradients of other shapes are computed once and cached`, async () => {
     const { page, messages } = await runSketch(
       browsers.WEBGL,
       server,

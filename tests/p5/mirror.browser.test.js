@@ -47,11 +47,11 @@ const pairs = {
 const materials = { lit, normals: 'normalMaterial()' }
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  describe(`p5 ${version} by ${renderer}`, () => {
+  describe(`p5 ${version}, ${renderer}`, () => {
     for (const [material, code] of Object.entries(materials)) {
       // p5 has no normalMaterial() on WebGPU.
       if (renderer === 'WEBGPU' && material === 'normals') continue
-      test(`${material}: looks as by matrices, in each space and with a uniform`, async () => {
+      test(`${material}: a mirroring warp looks like p5's matrices, in each space and with a uniform`, async () => {
         const scenes = Object.entries(pairs).flatMap(([name, [warped, moved]]) => [
           [name, `${code}; ${warped}`],
           [`${name}, by matrices`, `${code}; ${moved}`],
@@ -78,7 +78,7 @@ const hooks = {
 }
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: exactNormals of a hook that mirrors`, async () => {
+  test(`p5 ${version}: exactNormals of a hook that mirrors point outwards`, async () => {
     const drawFlipped = (flip) =>
       `shader(warps.hook); warps.hook.setUniform('flip', ${flip}); ${cone}`
     const images = await drawScenes(

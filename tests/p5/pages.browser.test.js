@@ -92,7 +92,7 @@ const redsOf = (name) => `(() => {
   return [50, 70].map((x) => context.getImageData(x, 50, 1, 1).data[0])
 })()`
 
-test('several canvases, remove() and a new sketch, a resized canvas', async () => {
+test('works on several canvases, after remove() and a new sketch, and on a resized canvas', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,
@@ -117,7 +117,7 @@ test('several canvases, remove() and a new sketch, a resized canvas', async () =
 })
 
 if (isRun('rare pages of p5'))
-  test('two versions of p5 on one page, each followed by the script', async () => {
+  test('works with two versions of p5 on one page, each followed by the script', async () => {
     const script = (src) => `<script src="${src}"></script>`
     const { page, messages } = await openPage(
       browser,
@@ -141,7 +141,7 @@ if (isRun('rare pages of p5'))
   })
 
 if (isRun('rare pages of p5'))
-  test('a new warp in each frame, as in live coding, leaks nothing', async () => {
+  test('leaks no memory if each frame makes a new warp, as in live coding', async () => {
     const { page } = await runSketch(
       browser,
       server,

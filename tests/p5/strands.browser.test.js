@@ -169,7 +169,7 @@ const sketches = {
 }
 
 for (const [renderer, scripts] of hosts)
-  test(`each way of writing p5.strands, ${renderer}: looks like the same warp by createWarp, and unlike the sketch without exactNormals`, async () => {
+  test(`${renderer}: p5.strands in each way of writing looks like the same warp by createWarp, and unlike the sketch without exactNormals`, async () => {
     const entries = Object.entries(sketches).filter(
       ([, { isGLSL, isWGSL }]) => !(renderer === 'WEBGL' ? isWGSL : isGLSL),
     )
@@ -203,7 +203,7 @@ for (const [renderer, scripts] of hosts)
     assert.deepEqual(problems, [])
   })
 
-test('noise() of p5.strands: looks like the same sketch with normals by differences', async () => {
+test('noise() of p5.strands looks like the same sketch with normals by finite differences', async () => {
   // For p + e f(p) with the gradient g of f, normals become (1 + g·e) n - g (e·n).
   const sketch = (normal) => `baseMaterialShader().modify(() => {
     getObjectInputs((inputs) => {

@@ -106,7 +106,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
   const draw = (options) =>
     drawScenes(browsers[renderer], server, [...scripts, addon], { renderer, ...options })
 
-  describe(`strokes on p5 ${version} by ${renderer}`, () => {
+  describe(`strokes on p5 ${version}, ${renderer},`, () => {
     test("follow a warp in the same way as p5's transforms, in each space", async () => {
       const setup = `
         word = ${JSON.stringify(word)}

@@ -32,7 +32,7 @@ function violations(severities = ['error', 'warn']) {
   return found.filter(({ severity }) => severities.includes(severity)).map(({ name }) => name)
 }
 
-test('the package violates none', () => assert.deepEqual(violations(['error']), []))
+test('js-bindings violates no rule', () => assert.deepEqual(violations(['error']), []))
 
 for (const [rule, file, line] of [
   ['no-circular-files', 'errors/describe.ts', "import type {} from './errors.js'"],

@@ -29,11 +29,11 @@ function problems(change) {
 const withModule = (refusal) =>
   `WebAssembly.Module = class { constructor(bytes) { ${refusal}; return new Module(bytes) } }`
 
-test('starts without changes', () => {
+test('WebAssembly starts in an unchanged environment', () => {
   assert.deepEqual(problems(''), ['works', 'works'])
 })
 
-test('a Content-Security-Policy: the message says what to add, whatever the browser’s own message', () => {
+test('under a Content-Security-Policy the message says what to add, whatever the browser’s own message is', () => {
   for (const refusal of [
     "throw new WebAssembly.CompileError('call to WebAssembly.Module() blocked by CSP')",
     "throw new EvalError('Refused to create a WebAssembly object')",
@@ -42,14 +42,14 @@ test('a Content-Security-Policy: the message says what to add, whatever the brow
       assert.match(problem, /^WarpError: .*'wasm-unsafe-eval' to its script-src/)
 })
 
-test('a browser that compiles no large module synchronously: the message names the version', () => {
+test('in a browser that compiles no large module synchronously, the message names the required version', () => {
   const refusal =
     "if (bytes.length > 4096) throw new RangeError('WebAssembly.Compile is disallowed on the main thread, if the buffer size is larger than 4KB.')"
   for (const problem of problems(withModule(refusal)))
     assert.match(problem, /^WarpError: .*update it \(Chrome and Edge do since version 114\)/)
 })
 
-test('no WebAssembly: the message says that it is needed', () => {
+test('without WebAssembly, the message says that it is required', () => {
   for (const problem of problems('delete globalThis.WebAssembly'))
     assert.match(problem, /^WarpError: warpjet needs WebAssembly, which this browser lacks/)
 })

@@ -132,7 +132,7 @@ describe('the page for your own model', () => {
     assert.ok(share > 0.03 && share < 0.5, `${(100 * share).toFixed(1)}% are green`)
   })
 
-  test('warps it, with other amounts, times and axes, too', async () => {
+  test('warps the model with different amounts, times and axes', async () => {
     await page.getByText('Waves', { exact: true }).click()
     const waves = await picture(page)
     assert.ok(green(waves) > 0.03)
@@ -306,7 +306,7 @@ describe('the page for your own model', () => {
     await page.getByRole('button', { name: 'Pause' }).press('Enter')
   })
 
-  test('has printed nothing', () => assert.deepEqual(messages, []))
+  test('logs nothing', () => assert.deepEqual(messages, []))
 })
 
 test('fits a phone, on which a finger rotates the model', async () => {

@@ -146,11 +146,11 @@ describe('the gallery of npm start', () => {
       await page.waitForFunction((y) => scrollY > y + 20, before, patience)
     })
 
-    test('has printed nothing', () => assert.deepEqual(messages, []))
+    test('logs nothing', () => assert.deepEqual(messages, []))
   })
 
   if (isRun('the gallery built, and on a phone'))
-    test('fits a phone, and so does each example', async () => {
+    test('fits a phone screen, and so does each example', async () => {
       const context = await browser.newContext(phone)
       await lower(context, url, { before: still })
       const { page, messages } = await openPage(context, url)

@@ -79,7 +79,7 @@ test('finds points inside out: all of a mirrored sphere, half of one folded over
   assert.equal(folded.violet, folded.all / 2)
 })
 
-test('finds normals wrong that ignore how the surface turns', async () => {
+test('reports normals that ignore the rotation of the surface as wrong', async () => {
   const along = 'normal.mult(normal.y().mult(9).sin().mult(0.2))'
   const sketch = (more) =>
     still('#ff0000', along, more).replace('position, uniforms', 'normal, position, uniforms')
@@ -101,4 +101,4 @@ test('explains how to check a warp whose uniform is set only when the sketch dra
   assert.match(await page.locator('#panel .check').textContent(), /“far”.*uniforms: \{ far: 1 \}/)
 })
 
-test('has printed nothing', () => assert.deepEqual(messages, []))
+test('logs nothing', () => assert.deepEqual(messages, []))

@@ -263,4 +263,4 @@ test('reports that there is no picture to save if nothing was drawn', async () =
   await other.page.close()
 })
 
-test('the playground itself has logged nothing', () => assert.deepEqual(messages, []))
+test('the playground logs nothing itself', () => assert.deepEqual(messages, []))

@@ -19,7 +19,7 @@ const list = () => page.locator('.cm-tooltip-autocomplete')
 const options = () => list().locator('.cm-completionLabel').allTextContents()
 
 /** Types text after the first `given` in the sketch. */
-async function typeBehind(given, typed) {
+async function typeAfter(given, typed) {
   await write(page, still('#ff0000', `glsl.vec3(${given}, 0, 0)`))
   const place = await page.evaluate((given) => {
     const { view } = document.querySelector('.cm-content').cmTile
@@ -52,7 +52,7 @@ async function meaningOf(word) {
 }
 
 test('offers the operations after a point, with their signatures and meanings', async () => {
-  await typeBehind('position', '.fb')
+  await typeAfter('position', '.fb')
   assert.equal((await options())[0], 'fbm')
   await page.locator('.cm-completionInfo').waitFor()
   assert.match(await page.locator('.cm-completionInfo').textContent(), /p\.fbm\(.*Noise of/)
@@ -60,16 +60,16 @@ test('offers the operations after a point, with their signatures and meanings', 
   await page.waitForTimeout(150)
   await page.keyboard.press('Enter')
   assert.match(await text(page), /\(position\.fbm, 0, 0\)/)
-  await typeBehind('position', '.')
+  await typeAfter('position', '.')
   const all = await options()
   for (const name of ['sin', 'mult', 'length', 'rotate', 'mix'])
     assert.ok(all.includes(name), `${name} of ${all.length}`)
 })
 
 test('offers the inputs and the deformers', async () => {
-  await typeBehind('0', ' + mil')
+  await typeAfter('0', ' + mil')
   assert.deepEqual((await options()).slice(0, 1), ['millis'])
-  await typeBehind('warpjet', '.tw')
+  await typeAfter('warpjet', '.tw')
   assert.equal((await options())[0], 'twist')
 })
 
@@ -120,7 +120,7 @@ test('offers every input and, in a function’s braces, every option, each with 
   for (const [name, meaning] of Object.entries(options)) assert.match(meaning, /\w+ \w+/, name)
 })
 
-test('offers in three.js only the inputs and functions of three.js', async () => {
+test('offers only the inputs and functions of three.js in a three.js sketch', async () => {
   await page.getByLabel('Runs in').selectOption('three')
   await settled(page)
   const sketch = await text(page)
@@ -159,4 +159,4 @@ test('shows the formula and the derivative of the operation under the pointer', 
   await settled(page)
 })
 
-test('has printed nothing', () => assert.deepEqual(messages, []))
+test('logs nothing', () => assert.deepEqual(messages, []))

@@ -141,8 +141,8 @@ test('shows the code of a three.js warp in each language, marked both ways, its 
   const { nodes, operations, temporaries } = stats
   assert.deepEqual(row.slice(0, 4), ['warp', ...[nodes, operations, temporaries].map(String)])
   await open('Checks')
-  const [most, , insideOut] = await figures()
-  assert.ok(parseFloat(most) < 0.5, most)
+  const [worst, , insideOut] = await figures()
+  assert.ok(parseFloat(worst) < 0.5, worst)
   assert.match(insideOut, /^0 of 4,608 points$/)
   await open('GLSL 3.00')
 })
@@ -154,11 +154,11 @@ const middle = async () => {
 }
 
 /** Waits until the middle has that colour, since the picture follows its slider with a delay. */
-async function becomes(wanted, most = 0) {
+async function becomes(wanted, tolerance = 0) {
   let color
   for (let i = 0; i < 100; i++) {
     color = await middle()
-    if (color.every((part, k) => Math.abs(part - wanted[k]) <= most)) return
+    if (color.every((part, k) => Math.abs(part - wanted[k]) <= tolerance)) return
     await page.waitForTimeout(100)
   }
   assert.deepEqual(color, wanted)
@@ -238,4 +238,4 @@ test('downloads a page with three.js, its addons and warpjet that opens from a d
   assert.equal(difference(before, picture), 0)
 })
 
-test('has printed nothing', () => assert.deepEqual(messages, []))
+test('logs nothing', () => assert.deepEqual(messages, []))

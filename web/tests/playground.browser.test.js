@@ -148,7 +148,7 @@ describe('the playground', () => {
     await other.page.close()
   })
 
-  test('drags a number in the text, in one step of the history', async () => {
+  test('changes a number by dragging it, as one step of the undo history', async () => {
     await write(page, still('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
     const before = await canvasPixels(page)
     await dragNumber(page, '0.10', 160)
@@ -176,7 +176,7 @@ describe('the playground', () => {
     assert.ok(difference(before, await canvasPixels(page)) > 0.05)
   })
 
-  test('pauses, and follows the time bar', async () => {
+  test('pauses, and shows the time selected on the time bar', async () => {
     await write(
       page,
       still('#ffffff')
@@ -304,13 +304,13 @@ ${still('#40ff40')
     assert.match(html, /Upload beside this page: bunny\.obj/)
   })
 
-  test('films four seconds', async () => {
+  test('records a video of four seconds', async () => {
     const bytes = await bytesOf(await saved(page, 'Film of four'))
     assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3)
     assert.ok(bytes.includes('webm') && bytes.length > 500)
   })
 
-  test('saves the warped shape, upright and at its place', async () => {
+  test('saves the warped shape in its upright orientation and position', async () => {
     await write(page, still('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
     const mesh = await loadMesh(await bytesOf(await saved(page, 'Warped shape')))
     const { positions, normals } = mesh
@@ -419,7 +419,7 @@ ${still('#40ff40')
     assert.equal(await text(page), before)
   })
 
-  test('has printed nothing itself', () => assert.deepEqual(messages, []))
+  test('logs nothing itself', () => assert.deepEqual(messages, []))
 })
 
 test('fits a phone, and opens an example of the gallery', async () => {

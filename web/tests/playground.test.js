@@ -273,14 +273,14 @@ describe('the check of normals', () => {
         .mult(0.1),
     )
 
-  test('finds normals of a warp correct, also along the normal and by uv', () => {
+  test('accepts the normals of a warp, also if its offset depends on the normal and on uv', () => {
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const errors = normalErrors(evaluate(spherePoints(1)))
     assert.equal(errors.length, across * down)
     assert.ok(largest(errors) < 1e-3, `${largest(errors)}`)
   })
 
-  test('finds wrong normals wrong', () => {
+  test('reports wrong normals as wrong', () => {
     const points = spherePoints(1)
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const { positions } = evaluate(points)
@@ -289,7 +289,7 @@ describe('the check of normals', () => {
   })
 })
 
-test('an archive has the sums and sizes that unpackers look for', () => {
+test('an archive has the checksums and sizes that unpackers require', () => {
   const bytes = Buffer.concat(zip({ 'a.txt': '123456789', 'ä.bin': new Uint8Array([0, 255]) }))
   // The checksum of these nine digits is the test value in every description of CRC-32.
   assert.equal(bytes.readUInt32LE(14), 0xcbf43926)

@@ -71,7 +71,7 @@ for (const section of sections) {
       const places = Array.from({ length: 9 }, (_, i) => low + ((high - low) * (i + 0.37)) / 9)
       const plain = plainOf(call)
 
-      test('the plot', () => {
+      test('the plot matches the formula', () => {
         const program = compile((glsl) => {
           const x = glsl.param('x')
           const value = callOf(call)(glsl, x)
@@ -84,7 +84,7 @@ for (const section of sections) {
         }
       })
 
-      test('the line', () => {
+      test('the line below it moves a ball by the formula', () => {
         const ys = places.map((x) => (2 * (x - low)) / (high - low) - 1)
         const { positions } = warpOf(section).evaluate({ positions: ys.flatMap((y) => [0, y, 0]) })
         for (const [i, x] of places.entries()) {

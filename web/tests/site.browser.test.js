@@ -178,7 +178,7 @@ test('every page has a policy that blocks foreign and injected scripts', () => {
   }
 })
 
-test('the pages keep their budgets', () => checkSite(folder))
+test('the pages are within their size budgets', () => checkSite(folder))
 
 describe('the first page', () => {
   let context, page, messages
@@ -265,7 +265,7 @@ describe('the first page', () => {
       assert.match(await first.getAttribute('href'), answer)
     })
 
-  test('has printed nothing', () => assert.deepEqual(messages, []))
+  test('logs nothing', () => assert.deepEqual(messages, []))
 })
 
 test('the list beside a page of the docs shows the current page, and the page starts at its top', async () => {

@@ -16,7 +16,7 @@ export function rough() {
   }
 }
 
-/** The reflections of three.js's materials are smoothed by 256 samples per pixel, which takes seconds. */
+/** Reduces the 256 samples per pixel by which three.js smooths the reflections of materials, which take seconds. */
 export function fewSamples() {
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
@@ -26,17 +26,17 @@ export function fewSamples() {
 }
 
 /**
- * Without a GPU frames take most time. A page gets its first `most` frames as fast as it can, so that its picture appears, and
+ * Without a GPU frames take most time. A page gets its first `count` frames as fast as it can, so that its picture appears, and
  * then one every 400 milliseconds.
  */
-export function fewFrames(most = 3) {
+export function fewFrames(count = 3) {
   // The page draws only in frames, and otherwise only asks whether there is WebGL.
   if (location.pathname.includes('/playground/')) return
   const { requestAnimationFrame, cancelAnimationFrame } = window
   const { getContext } = HTMLCanvasElement.prototype
   let free = Infinity
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    if (kind.startsWith('webgl')) free = Math.min(free, most)
+    if (kind.startsWith('webgl')) free = Math.min(free, count)
     return getContext.call(this, kind, options)
   }
   window.requestAnimationFrame = (draw) =>
@@ -48,8 +48,8 @@ export function fewFrames(most = 3) {
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)
 }
 
-/** Limits p5's shapes to `most` by `most` rectangles; for a page, which has p5's `methods`. */
-export function coarsenShapes(methods, most) {
+/** Limits p5's shapes to `max` by `max` rectangles; for a page, which has p5's `methods`. */
+export function coarsenShapes(methods, max) {
   // Maps a shape to the index of its first detail argument.
   const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
   for (const [name, first] of Object.entries(shapes)) {
@@ -58,7 +58,7 @@ export function coarsenShapes(methods, most) {
       const isDetail = (size, i) => i >= first && typeof size === 'number'
       return shape.apply(
         this,
-        sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, most) : size)),
+        sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, max) : size)),
       )
     }
   }
