@@ -21,7 +21,7 @@ describe('warpjetFrame0, … keep float32 accurate for a week:', () => {
   for (const warp of shown)
     test(warp.name, async () => {
       const { start, then, step } = await afterAWeek(gpu, warp, { perFrame: true })
-      // As accurate as at the start: the worst vertex is another one, whose rounding errors are up to 1.8 and 2.5 times as large.
+      // About as accurate as at the start: now another vertex is the worst, whose errors are up to 1.8 and 2.5 times as large.
       const [positions, angles] = [then.position / start.position, then.angle / start.angle]
       assert.ok(!(positions > 2), `positions are ${positions} times as far off as at the start`)
       assert.ok(!(angles > 3), `normals are ${angles} times as far off as at the start`)

@@ -167,14 +167,14 @@ test('arrays of the caller are not retained', async () => {
       (array) => new WeakRef(array),
     )
   }
-  const kept = given()
+  const references = given()
   for (let i = 0; i < 5; i++) {
     await setTimeout(1)
     collect()
   }
   assert.deepEqual(
-    kept.map((each) => each.deref()?.length),
-    kept.map(() => undefined),
+    references.map((each) => each.deref()?.length),
+    references.map(() => undefined),
   )
   assert.ok(warp.evaluate(arrays(3), { uniforms: { millis: 5 } }))
 })

@@ -56,7 +56,7 @@ after(async () => {
 })
 
 const cases = warps
-  .filter(({ kept }) => kept)
+  .filter(({ isGolden }) => isGolden)
   .map((warp) => ({ ...warp, compiled: warp.compile('glsl300') }))
   .filter(({ compiled }) => compiled.evaluate)
   // Picks some warps per model: neighbours in the list are similar.

@@ -4,7 +4,7 @@ import { describe, test } from 'node:test'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
 import { MathUtils } from 'three'
-import { built, callOffset } from '../support/operator-tests.js'
+import { runTranslated, callOffset } from '../support/operator-tests.js'
 
 describe('functions, methods and classes:', () => {
   const expected = compileWarp(({ position }) => position.mult(2)).code
@@ -192,7 +192,7 @@ describe('helper functions:', () => {
       const expected = callOffset(twin)
       assert.equal(compileWarp(operators((0, eval)(`(${written})`))).code, expected)
       const module = `${script.replaceAll(/globalThis\.(\w+) = function/g, 'const $1 = function').replaceAll('globalThis.', 'const ')}\nout.push(createWarp(${written}))`
-      assert.equal(built(module), expected)
+      assert.equal(runTranslated(module), expected)
     })
 
   test('a helper can read a variable that the offset function sets', () => {
@@ -238,7 +238,7 @@ describe('helper functions:', () => {
   test('a build reports that it does not translate functions of other modules', () => {
     assert.throws(
       () =>
-        built('out.push(createWarp(({ position }) => [imported(position.x), 0, 0]))', {
+        runTranslated('out.push(createWarp(({ position }) => [imported(position.x), 0, 0]))', {
           imported: (d) => d * 2,
         }),
       /^WarpError: createWarp: an operator .* that warpjet\/operators\/plugin has not translated.* move the function into that module/,
@@ -256,7 +256,7 @@ function makeWave(height) {
   return createWarp(({ position }) => position.mult(height) * 1)
 }
 out.push(createWarp(offset), makeWave(5), height(3))`
-    const [byName, shadowed, number] = built(code)
+    const [byName, shadowed, number] = runTranslated(code)
     assert.equal(
       byName,
       compileWarp(({ glsl, position }) => glsl.vec3(position.x.mult(2).add(1), 1, 0)).code,

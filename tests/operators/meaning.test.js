@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
-import { built, bothOf, callOffset } from '../support/operator-tests.js'
+import { runTranslated, compileBoth, callOffset } from '../support/operator-tests.js'
 
 const pairs = {
   'a shorthand parameter with a default': [
@@ -173,7 +173,7 @@ describe('JavaScript has the same meaning for expressions as for numbers:', () =
   for (const [name, [written, twin]] of Object.entries(pairs))
     test(name, () => {
       const expected = callOffset(twin)
-      const [inPage, byBuild] = bothOf(written)
+      const [inPage, byBuild] = compileBoth(written)
       assert.equal(inPage, expected)
       assert.equal(byBuild, expected)
     })
@@ -221,7 +221,7 @@ test("a sketch in instance mode can call p5's functions as methods of its p", ()
   ).code
   const offset = ({ position }) => [p.sin(position.y * 4), p.map(position.x, 0, 1, 0, 2), p.sin(0)]
   assert.equal(compileWarp(operators(offset, { p })).code, expected)
-  assert.equal(built(code, { p }), expected)
+  assert.equal(runTranslated(code, { p }), expected)
 })
 
 test('static functions of p5.Vector work with expressions', () => {

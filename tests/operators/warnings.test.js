@@ -6,7 +6,7 @@ import { operators } from '../../dist/operators.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { warp } from '../../dist/three.js'
 import { BoxGeometry, Mesh } from 'three'
-import { built, uniforms } from '../support/operator-tests.js'
+import { runTranslated, uniforms } from '../support/operator-tests.js'
 
 test('compileWarp, compile and compositions translate operators automatically', () => {
   assert.equal(
@@ -55,7 +55,7 @@ test('a variable whose value is read only once causes a warning with its name an
     globalThis.mouseX = 20
     globalThis.warpjetLevel = 0.5
     compileWarp(operators((0, eval)('({ position }) => position * (mouseX + warpjetLevel)')))
-    built(
+    runTranslated(
       `let level = 2\nfunction draw() { level = 3 }\nout.push(createWarp(({ position }) => position * (level + p.frameCount + keyCode)))`,
       { p: { frameCount: 1 }, keyCode: 1 },
     )

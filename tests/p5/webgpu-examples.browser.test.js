@@ -8,7 +8,7 @@ import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
 import { pngOf } from '../support/png.js'
 import { path } from '../support/browser/bench.js'
-import { replaceResponses, ask, coarseShapes, cookie } from '../support/browser/examples.js'
+import { replaceResponses, addCookie, coarseShapes, cookie } from '../support/browser/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
 
@@ -37,7 +37,7 @@ after(async () => {
 
 async function openFor(host) {
   const context = await browser.newContext({ viewport: { width: 640, height: 480 } })
-  await ask(context, url, 'host', host)
+  await addCookie(context, url, 'host', host)
   return openPage(context, `${url}recorder.js`)
 }
 

@@ -12,12 +12,12 @@ function problems(change) {
     const { Module } = WebAssembly
     ${change}
     const problem = ({ name, message }) => name + ': ' + message
-    const tried = async (work) => work().then(() => 'works', problem)
+    const outcome = async (work) => work().then(() => 'works', problem)
     const { compileWarp } = await import('${root}dist/warpjet.js')
     const { loadMesh } = await import('${root}dist/mesh.js')
     console.log(JSON.stringify([
-      await tried(async () => compileWarp(({ glsl }) => glsl.vec3(0, 0, 0)).evaluateAt([0, 0, 0])),
-      await tried(() => loadMesh(new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n'))),
+      await outcome(async () => compileWarp(({ glsl }) => glsl.vec3(0, 0, 0)).evaluateAt([0, 0, 0])),
+      await outcome(() => loadMesh(new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n'))),
     ]))`
   const output = execFileSync(process.execPath, ['--input-type=module', '--eval', code], {
     encoding: 'utf8',

@@ -25,11 +25,11 @@ const work = `async function work(dist) {
 const done = 'string,0,0,0,3,0,0,0,3,0,3,3,3'
 
 /** Source of a module that writes the result of \`promise\` into the title of a page. */
-const titled = (promise) =>
+const writeToTitle = (promise) =>
   `${promise}.then((text) => (document.title = text), (error) => (document.title = String(error)))`
 
 const files = {
-  'page.js': `${work}\n${titled("work('/dist')")}`,
+  'page.js': `${work}\n${writeToTitle("work('/dist')")}`,
   'worker.js': `${work}\nwork(location.origin + '/dist').then(postMessage, (error) => postMessage(String(error)))`,
   'file.html': `<!doctype html><meta charset="utf-8"><script src="../../node_modules/p5/lib/p5.min.js"></script>
     <script src="../../dist/p5.warpjet.min.js"></script><script src="../../dist/warpjet.glsl.min.js"></script><script>

@@ -5,7 +5,7 @@ import { after, before, describe, test } from 'node:test'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { desktop, difference, path, patience, pixels } from '../../tests/support/browser/bench.js'
 import { bytesOf, launchBrowser, openPage } from '../../tests/support/browser/browser.js'
-import { rough } from '../../tests/support/browser/frames.js'
+import { disableAntialiasing } from '../../tests/support/browser/frames.js'
 import { sphereMesh } from '../../tests/support/browser/mesh.js'
 import { png } from '../../tests/support/png.js'
 import { serveSite, serveSources } from '../../tests/support/browser/site.js'
@@ -55,7 +55,7 @@ const waitUntilIdle = (page) =>
 
 async function open(options = still) {
   const context = await browser.newContext(options)
-  await context.addInitScript(rough)
+  await context.addInitScript(disableAntialiasing)
   const opened = await openPage(context, url)
   await waitUntilIdle(opened.page)
   return opened

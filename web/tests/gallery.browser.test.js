@@ -8,7 +8,7 @@ import { path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   assertPicture,
-  lower,
+  reduceSketches,
   plain,
   sketchesForTests,
   statistics,
@@ -70,7 +70,7 @@ describe('the gallery of npm start', () => {
     let context, page, messages
     before(async () => {
       context = await browser.newContext(desktop)
-      await lower(context, url, { before: still })
+      await reduceSketches(context, url, { before: still })
       // Fix the time: on a busy machine the first frame is late and may show a thin side.
       await context.addInitScript('let now = 0; performance.now = () => (now += 100)')
       await context.addInitScript(keepFrames)
@@ -97,7 +97,7 @@ describe('the gallery of npm start', () => {
     let page, messages, session
     before(async () => {
       const context = await browser.newContext(desktop)
-      await lower(context, url, { exceptions: [asItIs], before: plain })
+      await reduceSketches(context, url, { exceptions: [asItIs], before: plain })
       for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
@@ -152,7 +152,7 @@ describe('the gallery of npm start', () => {
   if (isRun('the gallery built, and on a phone'))
     test('fits a phone screen, and so does each example', async () => {
       const context = await browser.newContext(phone)
-      await lower(context, url, { before: still })
+      await reduceSketches(context, url, { before: still })
       const { page, messages } = await openPage(context, url)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
       assert.equal(width, phone.viewport.width)

@@ -10,8 +10,8 @@ import { folder } from '../../.scripts/site.mjs'
 import { desktop, path, phone } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { drawLittle } from '../../tests/support/browser/frames.js'
-import { settled } from '../../tests/support/browser/playground.js'
-import { calm, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+import { waitUntilSettled } from '../../tests/support/browser/playground.js'
+import { withReducedMotion, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 const screenshots = path('.build/screenshots')
@@ -96,7 +96,7 @@ for (const [name, size, colorScheme] of [
     const wrong = []
     for (const file of pages) {
       await page.goto(url + file, patience)
-      if (file.startsWith('playground')) await settled(page)
+      if (file.startsWith('playground')) await waitUntilSettled(page)
       for (const look of [findings, unseen, wideTables])
         for (const finding of await look(page)) wrong.push(`${file}: ${finding}`)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
@@ -118,11 +118,11 @@ for (const file of [
   'bench/results.html',
 ])
   test(`the Tab key goes through ${file}, stops at every control, and leaves it`, async () => {
-    const context = await browser.newContext(calm(desktop))
+    const context = await browser.newContext(withReducedMotion(desktop))
     await context.addInitScript(withoutWorker)
     await drawLittle(context)
     const { page } = await openPage(context, url + file)
-    if (file.startsWith('playground')) await settled(page)
+    if (file.startsWith('playground')) await waitUntilSettled(page)
     const wanted = await page.evaluate(() => {
       const stops = 'a[href], button, input, select, textarea, summary, [tabindex]'
       const all = [...document.querySelectorAll(stops)].filter(
@@ -284,7 +284,7 @@ test('the list beside a page of the docs shows the current page, and the page st
 })
 
 test('the pages with their own header link to the docs and to the search, whose field gets the focus', async () => {
-  const context = await browser.newContext(calm(desktop))
+  const context = await browser.newContext(withReducedMotion(desktop))
   await context.addInitScript(withoutWorker)
   await drawLittle(context)
   const { page, messages } = await openPage(context, `${url}playground/index.html`)

@@ -19,7 +19,7 @@ export async function borrow() {
   return null
 }
 
-/** The file system lets only one process create a file exclusively. */
+/** Takes a browser by creating a file exclusively, in which only one process succeeds. */
 function take(mark) {
   try {
     writeFileSync(mark, '', { flag: 'wx' })

@@ -1,6 +1,6 @@
 // Reduces what pages draw in tests without a GPU, and makes it readable. All functions but `drawLittle` are for `addInitScript`.
 
-/** Three.js clears its canvas after a frame is shown; this keeps it until it is read. */
+/** Preserves the canvas of three.js, which is otherwise cleared after a frame is shown. */
 export function keepFrames() {
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
@@ -8,8 +8,8 @@ export function keepFrames() {
   }
 }
 
-/** Turns off antialiasing, which takes two thirds of the time for small triangles. */
-export function rough() {
+/** Disables antialiasing, which takes two thirds of the time for small triangles. */
+export function disableAntialiasing() {
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
     return getContext.call(this, kind, { ...options, antialias: false })
@@ -26,8 +26,8 @@ export function fewSamples() {
 }
 
 /**
- * Without a GPU frames take most time. A page gets its first `count` frames as fast as it can, so that its picture appears, and
- * then one every 400 milliseconds.
+ * Limits the frames of a page, which take the most time without a GPU: its first `count` frames are immediate, so that its picture
+ * appears, and then there is one every 400 milliseconds.
  */
 export function fewFrames(count = 3) {
   // The page draws only in frames, and otherwise only asks whether there is WebGL.
@@ -64,7 +64,7 @@ export function coarsenShapes(methods, max) {
   }
 }
 
-/** Calls `coarsen` with the methods of each p5 that is loaded, and gives its large canvases a sixteenth of their pixels. */
+/** Calls `coarsen` with the methods of each p5 that is loaded, and reduces its large canvases to a sixteenth of their pixels. */
 function coarsenCanvases(coarsen) {
   function spare(methods) {
     const { createCanvas, pixelDensity } = methods
@@ -97,14 +97,15 @@ function coarsenCanvases(coarsen) {
 }
 
 /**
- * Gives large canvases of p5 a sixteenth of their pixels, and limits its shapes to 32 by 32 rectangles. Sketches whose pictures
- * are checked pixel by pixel draw small.
+ * Reduces large canvases of p5 to a sixteenth of their pixels, and its shapes to 32 by 32 rectangles. Sketches whose pictures are
+ * checked pixel by pixel use small canvases, which do not change.
  */
 export const coarse = { content: `(${coarsenCanvases})(${coarsenShapes})` }
 
-/** `frames` is the number that a page gets as fast as it can. */
+/** `frames` is the number of immediate frames. */
 export async function drawLittle(context, frames) {
-  for (const script of [rough, fewSamples, coarse]) await context.addInitScript(script)
+  for (const script of [disableAntialiasing, fewSamples, coarse])
+    await context.addInitScript(script)
   await context.addInitScript(fewFrames, frames)
 }
 

@@ -1,4 +1,4 @@
-// Model files that are wrong in ways that their format names, each with the reason that loadMesh must give.
+// Invalid model files, each with the reason that loadMesh must report.
 import { plain, plainVariants } from './gltf-variants.js'
 import { packedVariants } from './packed-variants.js'
 import { shapes } from './shapes.js'
@@ -10,15 +10,15 @@ const { cube } = shapes
 const encode = (text) => new TextEncoder().encode(text)
 
 /** Makes a GLB with a modified document. */
-function bent(file, change) {
+function modifyGlb(file, change) {
   const { json, chunks } = readGlb(file)
   const binary = chunks[1]?.bytes
   change(json, binary)
   return writeGlb(json, binary)
 }
 
-const cubeFile = (change) => bent(plain(cube).glb().file, change)
-const variant = (variants, name, change) => bent(variants[name](cube).file, change)
+const cubeFile = (change) => modifyGlb(plain(cube).glb().file, change)
+const variant = (variants, name, change) => modifyGlb(variants[name](cube).file, change)
 const firstPrimitive = (json) => json.meshes[0].primitives[0]
 const packedView = (json) =>
   json.bufferViews.find(({ extensions }) => extensions).extensions.EXT_meshopt_compression
@@ -61,7 +61,7 @@ export const broken = {
     reason: /more than 1,048,576 parts/,
   },
   'instances that take too much memory': {
-    file: bent(extensionVariants['instances by places'](shapes.sphere).file, (json) => {
+    file: modifyGlb(extensionVariants['instances by places'](shapes.sphere).file, (json) => {
       instances(json).TRANSLATION = zeros(json, 1_048_000)
     }),
     reason: /at most 1,073,741,824 are read/,
