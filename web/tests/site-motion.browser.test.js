@@ -131,7 +131,7 @@ test('the full page of an example describes it, fills the window, and links back
 })
 
 test('with reduced motion the first page does not move, and an example starts paused', async () => {
-  const context = await browser.newContext({ ...calm(desktop) })
+  const context = await browser.newContext({ ...withReducedMotion(desktop) })
   await context.addInitScript(withoutWorker)
   const { page } = await openPage(context, url)
   await page.waitForSelector('.hero canvas', patience)

@@ -88,7 +88,7 @@ for (const [name, size, colorScheme] of [
   ['a phone', phone, 'dark'],
 ])
   test(`on ${name} every page has no axe findings, shows the focus, prints nothing, and fits`, async () => {
-    const context = await browser.newContext({ ...calm(size), colorScheme })
+    const context = await browser.newContext({ ...withReducedMotion(size), colorScheme })
     await context.addInitScript(withoutWorker)
     await drawLittle(context)
     await context.addInitScript(axe)
