@@ -1,7 +1,7 @@
 // npm run dev: builds again whatever changes, and reruns the tests that depend on it.
 //
 //   npm run dev                 all tests but those in browsers
-//   npm run dev -- tests/mesh   only files whose path begins so; a browser test runs if you name its file
+//   npm run dev -- tests/mesh   only files whose path begins with this; a browser test only if you name its file
 //
 // A change of C++ also reruns .build/native/warpjet_tests.
 import { existsSync, readFileSync, statSync, watch } from 'node:fs'

@@ -1,5 +1,6 @@
-// npm run bench -- glsl: how long webgl-noise's 3D simplex takes to become an offset with exact normals, the length of its shader code and
-// the time to its first picture, beside our own simplex; and a frame of a ray-marched field, lit by four evaluations and by one.
+// npm run bench -- glsl: compares webgl-noise's 3D simplex, translated to an offset with exact normals, with our own simplex noise: time to
+// translate, length of the shader code, time to the first frame; and times a frame of a ray-marched field lit with four evaluations and
+// with one.
 import { readFileSync } from 'node:fs'
 import { glslOffset } from '../../dist/glsl.js'
 import { compileWarp } from '../../dist/warpjet.js'
