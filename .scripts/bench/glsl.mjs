@@ -44,7 +44,7 @@ async function measureInBrowser(shaders) {
   const server = await servePages()
   const browser = await launchBrowser()
   const { page } = await openPage(browser, server.page('<!doctype html><meta charset="utf-8">'))
-  console.log('\nTo the first picture (compiled, linked, drawn), median ms of 15')
+  console.log('\nTime to the first frame (compile, link, draw), median of 15 runs in ms')
   console.table(await page.evaluate(firstDraws, shaders))
 
   const field = await openPage(browser, `${server.url}/examples/ray-marched-field/index.html`)
@@ -56,7 +56,7 @@ async function measureInBrowser(shaders) {
     all
   }`)
   const [four, one] = [0, 1].map((i) => median(frames.map((pair) => pair[i])))
-  console.log('\nA frame of the ray-marched field, median ms of 9')
+  console.log('\nA frame of the ray-marched field, median of 9 runs in ms')
   console.table({ 'four evaluations': four, 'one function': one })
   await browser.close()
   await server.close()

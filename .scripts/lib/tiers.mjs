@@ -3,8 +3,8 @@
 
 /** Steps that only run with `--all`, by title, each with the reason. */
 export const rareSteps = {
-  'The same under ASan and UBSan': 'compiling takes twice as long as for the native tests',
-  Fuzzing: 'it searches for 20 s on each core; its corpus is a C++ test',
+  'C++ tests under ASan and UBSan': 'compiling takes twice as long as for the native tests',
+  Fuzzing: 'it searches for 20 s on each core, and the C++ tests already run its corpus',
   'The package in its environments': 'it installs 900 MB of bundlers from the npm registry',
 }
 
@@ -31,15 +31,15 @@ export const rareParts = [
   'a thousand rays',
   'every material of three',
   'all dialects',
-  'every example through the page',
-  'the gallery built, and on a phone',
+  'every example in the gallery',
+  'the built gallery, and the gallery on a phone',
   'every model',
   'every vertex',
   'every random expression',
   'glass and lanterns',
   'every TypeScript',
-  'a week of every warp',
-  'rare pages of p5',
+  'every warp after a week of uptime',
+  'unusual p5 pages',
   'thousands of warps',
   'deep domain warping',
 ]

@@ -9,7 +9,7 @@ import { MachineCode, type Sink, type Stream, copy, sizeOf, batchSize } from './
 
 /**
  * Evaluates `program`. `inputs` has all of its inputs in order, and `wanted` are the results that the sinks receive. With machine
- * code it creates no garbage: `interpret` is a function of its own because its closures capture variables, whose scope each call
+ * code it creates no garbage: `interpret` is a separate function because its closures capture variables, whose scope each call
  * would allocate.
  */
 export function runProgram(

@@ -65,7 +65,7 @@ class CodeWriter {
   // Returns a value from the function.
   void returnValue(Staged x) { push(x); }
 
-  // Copies the value to a local of its own.
+  // Copies the value to its own local.
   Staged copyToOwnLocal(Staged x);
   // A local is free for another value; or all that were taken since the last time, but this one.
   void release(Staged x) { free_.push_back(x.place); }

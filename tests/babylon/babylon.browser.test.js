@@ -1,4 +1,4 @@
-// 'warpjet/babylon' in a page: a warp by a linear motion draws the same picture as the same motion by a matrix of Babylon.js.
+// Tests 'warpjet/babylon' in a page: a warp with a linear offset draws the same picture as the same motion with a matrix of Babylon.js.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -73,7 +73,7 @@ function sceneOn(engine, kind) {
   return { scene, knot, material }
 }
 
-/** Moves the mesh by a matrix of Babylon.js itself. */
+/** Moves the mesh with a matrix of Babylon.js itself. */
 function moveByMatrix(knot, matrix = motion) {
   knot.setPivotMatrix(Matrix.Identity())
   matrix.decompose(knot.scaling, (knot.rotationQuaternion = new Quaternion()), knot.position)
@@ -135,7 +135,7 @@ function warpByImage(material, scene) {
   new BabylonWarp(material, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), { uniforms: { map }, surfaceVariation: false })
 }
 
-/** Warps by a texture that is sampled with its own settings, or with the same settings as options of glsl.texture. */
+/** Warps with a texture that is sampled with its own settings, or with the same settings as options of glsl.texture. */
 function warpBySampling(material, scene, isByOptions) {
   const bytes = Uint8Array.from({ length: 4 * 15 }, (_, i) => (i * 89) % 256)
   const map = new RawTexture(bytes, 5, 3, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
@@ -263,7 +263,7 @@ window.mistakes = async () => {
   scene.dispose()
   return { errors, isUnchanged: x === m[12] && warp.millis === 1000 }
 }
-// Keeps a reference: otherwise the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'
 `

@@ -1,4 +1,5 @@
-// 'warpjet/babylon' in all passes of Babylon.js, in copies of materials, and along normals looks like the same motion without a warp.
+// Tests 'warpjet/babylon' in all passes of Babylon.js, in copies of materials, and along normals: the picture equals the same motion
+// without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { openBabylonPage } from '../support/browser/babylon/open.js'

@@ -1,4 +1,4 @@
-// `npx warpjet`, started as from a shell: its usage message, and how it exits.
+// Starts `npx warpjet` as a shell does, and checks its usage message and exit status.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { existsSync, openSync } from 'node:fs'
@@ -67,7 +67,7 @@ describe('the program', () => {
 })
 
 describe('how it exits', () => {
-  /** Returns true if the program soon exits by itself. */
+  /** Returns true if the program soon exits without being stopped. */
   async function exitsBySelf(args, prepare = () => {}) {
     const child = spawn(process.execPath, args, { cwd: folder, timeout: 20_000 })
     let stderr = ''

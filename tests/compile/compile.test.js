@@ -1,4 +1,4 @@
-// The core API: its results, and the memory after a call.
+// Tests the core API: what it returns, and how much memory is in use after a call.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'

@@ -1,4 +1,4 @@
-// Normals, bounds and comparisons are those of exact numbers even if intermediate results overflow or underflow in float32.
+// Normals, bounds and comparisons equal those of exact arithmetic even if intermediate results overflow or underflow in float32.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'

@@ -1,4 +1,4 @@
-// Whole numbers that are frame constants, which shaders of each language reassemble from halves, against those of JavaScript.
+// Integers that are frame constants: shaders of each language reassemble them from two halves, and the results must equal JavaScript's.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'

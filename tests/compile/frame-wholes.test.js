@@ -1,4 +1,4 @@
-// Whole numbers that are frame constants or constants: all of their 32 bits, against the arithmetic of JavaScript.
+// Integers that are constants or frame constants keep all 32 bits: compares them with JavaScript's integer arithmetic.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
@@ -20,7 +20,7 @@ function pcg(v) {
   return ((word >>> 22) ^ word) >>> 0
 }
 
-/** Halves of whole numbers as coordinates, which float32 represents exactly. */
+/** Returns the two 16-bit halves of each integer as coordinates, which float32 represents exactly. */
 const halvesText = 'vec3(float(h & 65535u), float(h >> 16u), sin(millis) * 0.0)'
 const halvesOf = (h) => [h & 0xffff, h >>> 16]
 const offsetOf = (source, uniforms = 'uniform float millis;\n') =>

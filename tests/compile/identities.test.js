@@ -10,7 +10,7 @@ import { runGlsl } from '../support/run-glsl.js'
 const tolerance = 1e-11
 const formulas = 60
 
-/** A formula in two forms: for the compiler, and as a function inputs → [value, derivative by x]. */
+/** A formula in two forms: for the compiler, and as a function inputs → [value, derivative with respect to x]. */
 class Twin {
   constructor(expression, at) {
     Object.assign(this, { expression, at })
@@ -113,7 +113,7 @@ class Chance {
   positive = () => this.square(this.formula()).add(0.5)
 }
 
-/** Maps a name → function that makes a formula, and the pattern of its code, if the code of the value shows it. */
+/** Maps a name → function that makes a formula, and a pattern that its code must match, if the rewrite shows in the code. */
 const identities = {
   'sin² + cos² is 1': {
     write(chance) {

@@ -1,4 +1,4 @@
-// The compiler takes linear time in everything that a user may have thousands of.
+// The compiler takes time linear in the number of anything that a program may contain thousands of.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { loadMesh } from '../../dist/mesh.js'
@@ -33,7 +33,7 @@ test('functions take linear time', () => {
   )
 })
 
-test('derivatives by parameters take linear time', () =>
+test('derivatives with respect to parameters take linear time', () =>
   isLinear(
     compileSum((glsl, i) => {
       const p = glsl.param(`p${i}`)

@@ -1,4 +1,4 @@
-// The code is short: the value and its derivatives share sines and cosines.
+// The generated code is short: the value and its derivatives share sines and cosines.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { warps } from '../warps/index.js'
@@ -110,7 +110,7 @@ test('the wobble warp has at most 9 sines and 6 cosines', () => {
   assert.ok(calls(code, 'cos') <= 6, `${calls(code, 'cos')} cosines`)
 })
 
-/** Nests sines in each component, of the coordinate that `axes` names for it. */
+/** Returns nested sines in each component; `axes` names the coordinate for each. */
 const nestedSines =
   (depth, axes) =>
   ({ glsl, position }) => {
@@ -122,7 +122,7 @@ const nestedSines =
     return glsl.vec3(...[...axes].map(chain))
   }
 
-/** Warps the position by itself, `depth` times: every component depends on every coordinate. */
+/** Warps the position with a function of itself, `depth` times, so that every component depends on every coordinate. */
 const nestedWarps =
   (depth) =>
   ({ position }) => {
@@ -212,7 +212,7 @@ function wobbleByComponent(glsl) {
   return results
 }
 
-/** Its assignments. A temporary has its type before it; results are declared above. */
+/** Returns its assignments. Those to temporaries start with a type; results are declared before the code. */
 function wobbleLines(maxDepthPerVariable) {
   const write = (ad) => {
     for (const [name, result] of Object.entries(wobbleByComponent(ad))) result.output(name)
@@ -225,7 +225,7 @@ function wobbleLines(maxDepthPerVariable) {
 test('maxDepthPerVariable 1 writes one operation per line', () => {
   const operation = /\w\(| [-+*/?<>] |\|\||^-[a-z]/g
   const counts = wobbleLines(1).map(({ value }) => value.match(operation)?.length ?? 0)
-  // Results that are constants have none.
+  // Constant results have no derivative.
   assert.deepEqual([...new Set(counts)].sort(), [0, 1])
   assert.equal(counts.filter(Boolean).length, compile(wobbleByComponent).stats.operations)
 })

@@ -25,7 +25,7 @@ function assertClose(actual, expected, tolerance) {
   }
 }
 
-/** Requests a vector or number and its derivatives by the coordinates of `position`. */
+/** Requests a vector or number and its derivatives with respect to the coordinates of `position`. */
 function outputAll(result, position) {
   result.output('value')
   for (const axis of ['x', 'y', 'z']) result.outputDeriv(`by_${axis}`, position[axis]())

@@ -170,7 +170,7 @@ describe('uniforms decide whether a warp mirrors', () => {
         const warp = compileWarp(offset, { uniforms, perFrame })
         for (const size of [1, 0.8, -0.8, -1, -1.5])
           isOutside(bakeWarp(round, warp, { uniforms: { scale: size } }), `${size}`)
-        // The present value of the option.
+        // The current value of the option applies.
         isOutside(bakeWarp(round, warp), 'as declared')
       })
 

@@ -1,4 +1,4 @@
-// An offset function is called once, however often shader code is written from it: a random one remains the same warp.
+// An offset function is called only once, even if shader code is generated several times: one that uses random() remains the same warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from '../support/browser/browser.js'

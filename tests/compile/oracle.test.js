@@ -1,4 +1,4 @@
-// The oracle of tests/compile/normals.browser.test.js is correct: its differences agree with derivatives derived by hand.
+// The oracle of tests/compile/normals.browser.test.js is correct: its finite differences agree with derivatives computed by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'

@@ -356,7 +356,7 @@ test('rejects invalid names of parameters', () => {
   throwsWarpError(param(undefined), /expected the name of a shader variable, got undefined/)
 })
 
-test('rejects derivatives by anything but an input', () => {
+test('rejects derivatives with respect to anything but an input', () => {
   const by = (choose) => () =>
     compile((glsl) => {
       const v = glsl.vec3Param('v')

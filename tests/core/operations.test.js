@@ -1,4 +1,4 @@
-// Every operation on the CPU, in double precision, against the reference of tests/operations, which must cover every operation.
+// Compares every operation on the CPU, in double precision, with the reference of tests/operations, which must cover every operation.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'

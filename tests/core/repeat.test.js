@@ -260,7 +260,7 @@ describe('rejects', () => {
   })
 })
 
-test('an expression of a body that does not depend on the state can be differentiated by an input', () => {
+test('an expression of a body that does not depend on the state can be differentiated with respect to an input', () => {
   const { evaluate } = compile((glsl) => {
     const x = glsl.param('x')
     return { r: glsl.repeat(3, 0, (s, i) => s.add(glsl.derivative(x.mult(i).sin(), x))) }

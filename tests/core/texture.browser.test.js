@@ -49,7 +49,7 @@ const points = smoothPoints(150)
 /** A small fraction of a texel, in u and in v. */
 const steps = [image.width, image.height].map((size) => 1 / (128 * size))
 
-/** Derivatives of red by differences that are exact for polynomials of third degree in u and in v. */
+/** Computes derivatives of red from finite differences that are exact for polynomials of third degree in u and in v. */
 function derivatives([u, v], options) {
   const at = (i, j) => sample(image, u + i * steps[0], v + j * steps[1], options)[0]
   const slope = (f, step) => (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * step)

@@ -1,4 +1,4 @@
-// glsl.texture in Node: the names in the code, shared calls, and errors.
+// Tests glsl.texture in Node: the names in the generated code, shared calls, and errors.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'

@@ -1,4 +1,4 @@
-// Methods of p5.Vector on expressions: the values of p5's own class, or an error that says what to write.
+// Methods of p5.Vector on expressions have the same values as p5's own class, or throw an error that says what to write instead.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
@@ -72,7 +72,7 @@ test('these numbers can be expressions, also for functions of the builder and fo
     [(glsl, v, a) => v.cross(a, 2, 3), (glsl, v, a) => v.cross(glsl.vec3(a, 2, 3))],
     [(glsl, v, a) => v.lerp(a, 2, 3, 0.5), (glsl, v, a) => v.mix(glsl.vec3(a, 2, 3), 0.5)],
     [(glsl, v) => glsl.vec3(...v.array()), (glsl, v) => glsl.vec3(v.x, v.y, v.z)],
-    // Operands beside a vector, and operands of numbers, are unchanged.
+    // Other operands next to a vector, and the operands of methods of numbers, stay as they are.
     [(glsl, v, a) => v.add(v, a, 2), (glsl, v, a) => v.add(v).add(a).add(2)],
     [(glsl, v, a) => a.mult(2, 3, 4), (glsl, v, a) => a.mult(2).mult(3).mult(4)],
     [(glsl, v, a) => v.mult(2).add(a), (glsl, v, a) => v.mult(2).add(glsl.vec3(a, a, a))],

@@ -1,5 +1,6 @@
-// Vectors and matrices of nodes, against plain double arithmetic by other methods: determinants by
-// permutations, inverses by elimination, rotations in a basis in which they are planar.
+// Compares vectors and matrices of nodes with plain double arithmetic that uses other methods: sums
+// over permutations for determinants, elimination for inverses, a basis in which a rotation is
+// planar.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Evaluation by blocks of vertices: against the evaluation of each single vertex in double, which
-// program_test.cpp checks; and registers against lifetimes determined by hand.
+// Compares evaluation in blocks of vertices with the evaluation of each single vertex in double,
+// which program_test.cpp checks, and registers with lifetimes determined by hand.
 #include "eval/blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ class BlocksTest : public testing::Test {
   }
 };
 
-// The float of an operation within its domain, so that float and double agree.
+// Samples each operation within its domain, where float and double agree.
 TEST_F(BlocksTest, EveryRowHasTheValueOfTheTable) {
   std::mt19937 random(1);
   std::size_t i = 0;

@@ -354,7 +354,7 @@ TEST_F(BuilderErrors, RejectsAVariableNamedLikeAFunction) {
   expectCodeRejected(*this, "\"noise\" is both a variable and a function; rename one.");
 }
 
-// An input and a part of it that were separate inputs while the function ran.
+// An input and a component of it were separate inputs while the function ran.
 TEST_F(BuilderErrors, RejectsNamesThatMergeTwoInputs) {
   builder.output("gen", "y", call("mult", {x, v2}));
   for (const char* name : {"v2", "v2.x", "( v2 ) [1]"}) {

@@ -52,7 +52,7 @@ TEST_F(EmitTest, WritesParenthesesOnlyWhereNeeded) {
       << "WGSL wants them";
 }
 
-// ANGLE makes a branch of a choice between anything else.
+// ANGLE compiles other choices to branches.
 TEST_F(EmitTest, ChoosesOnlyBetweenNamesAndNumbers) {
   const auto choose = [&](Expression yes, Expression no) { return ifElse(lt(x, y), yes, no); };
   EXPECT_EQ(code(choose(x, zero())), "float y;\n{\n  y = x < y ? x : 0.0;\n}\n");

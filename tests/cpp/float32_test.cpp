@@ -56,7 +56,7 @@ Expression constant(Expression x, double value) { return {x.graph, x.graph->cons
 
 Real sech(Real x) { return 2 / (std::exp(x) + std::exp(-x)); }
 
-// For rows: the argument itself.
+// For rows of the table, this is the argument itself.
 const std::vector<Case> rows{
     {"inversesqrt", [](auto x) { return inversesqrt(x); },
      [](Real x) { return -0.5L / (x * std::sqrt(x)); }},

@@ -1,5 +1,5 @@
-// Folds: their values and derivatives, against loops and derivatives by hand in double, and their
-// code in each language.
+// Folds: their values and derivatives, against loops and hand-written derivatives in double, and
+// their code in each language.
 #include "functions/fold.hpp"
 
 #include <gtest/gtest.h>

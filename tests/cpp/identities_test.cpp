@@ -130,7 +130,7 @@ bool isSame(double a, double b) {
 
 enum class Verdict { Kept, Lost, Exempt };
 
-// Judges whether an identity keeps what it claims for these values of its variables.
+// Checks whether an identity is as exact as it claims for these values of its variables.
 Verdict judge(const Identity& identity, const At& at, Arithmetic round) {
   const Evaluation before(identity.from, at, round), after(identity.to, at, round);
   const auto [precision, onlyNumbers] = identity.keeps;
@@ -227,7 +227,7 @@ std::string firstLost(std::span<const Identity> table, int points) {
 
 TEST(Identities, PreserveWhatTheyClaim) { EXPECT_EQ(firstLost(patterns::identities, 4000), ""); }
 
-// Wrong identities that a blind judge would accept.
+// Wrong identities that a check without the right samples would accept.
 TEST(Identities, TheJudgeRejectsWrongIdentities) {
   for (const Identity& wrong : patterns::wrongIdentities)
     EXPECT_NE(firstLost({&wrong, 1}, 4000), "") << text(wrong);

@@ -160,7 +160,8 @@ void checkTightness() {
       high = std::max(high, value);
       size = std::max(size, std::abs(value));
     }
-    // Dense samples may miss an extreme inside by the square of their distance, or by a jump.
+    // Between dense samples, the function may exceed them by the square of their distance, or by a
+    // jump.
     const bool jumps = name == "fract" || name == "mod" || name == "atan2";
     const double missed = jumps ? 0.01 * (high - low) + 0.01 : 2e-5;
     const double bound = 32 * rounding * (size + std::abs(x[1].low)) + missed;

@@ -1,4 +1,4 @@
-// Expressions of a host: those that mean the same, or a part of the same.
+// Host expressions: which of them denote the same value, or components of the same value.
 #include "module/label.hpp"
 
 #include <gtest/gtest.h>

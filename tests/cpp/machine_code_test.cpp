@@ -1,5 +1,5 @@
-// Machine code: numbers and a whole module against bytes by hand. tests/cpu/machine-code.test.js
-// checks in an engine that it computes the same as the interpreter.
+// Compares the encoding of numbers and a whole module with bytes written by hand.
+// tests/cpu/machine-code.test.js runs machine code and compares it with the interpreter.
 #include "eval/machine_code.hpp"
 
 #include <gtest/gtest.h>

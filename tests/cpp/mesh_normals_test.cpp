@@ -72,7 +72,7 @@ TEST(ComputeNormals, UseTheFirstSideForVerticesOfBothSides) {
             (Floats{0, 0, -1, 0, 0, -1, 0, 0, -1}));
 }
 
-// Gives every triangle vertices of its own.
+// Gives every triangle its own vertices.
 Mesh soupOf(const Mesh& mesh) {
   Mesh soup;
   for (const std::uint32_t i : mesh.indices)
@@ -80,7 +80,7 @@ Mesh soupOf(const Mesh& mesh) {
   return soup;
 }
 
-// Adds each triangle again, facing the other way, with vertices of its own.
+// Adds each triangle again, facing the other way, with its own vertices.
 Mesh addBackFaces(Mesh mesh) {
   const auto vertices = static_cast<std::uint32_t>(mesh.vertexCount());
   std::vector<std::uint32_t> indices;

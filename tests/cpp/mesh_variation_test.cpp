@@ -248,7 +248,7 @@ TEST(SurfaceVariation, IsFiniteForExtremeFloats) {
   }
 }
 
-// Triangles with a height of a millionth of their length, and normals as inexact as in float32.
+// Triangles whose height is a millionth of their length, with normals rounded to float32.
 TEST(SurfaceVariation, SliversHaveLittleInfluence) {
   Mesh mesh = sphere(1, 16, 8);
   const Mesh whole = mesh;

@@ -230,7 +230,8 @@ class Sampler {
   std::mt19937 random_{1};
 };
 
-// Checks the partial derivative by operand `Operand` of row `Row` at random points of its domain.
+// Checks the partial derivative of row `Row` with respect to operand `Operand`, at random points of
+// its domain.
 template <std::size_t Row, std::size_t Operand>
 void checkPartial() {
   constexpr auto& row = std::get<Row>(table);

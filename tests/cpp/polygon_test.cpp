@@ -1,5 +1,5 @@
-// Triangulation of polygons. Whatever the cuts, areas add up, and every edge is used in both
-// directions or is a side of the polygon.
+// Triangulation of polygons. For any triangulation, the areas must add up, and every edge must be
+// used in both directions or be a side of the polygon.
 #include "mesh/obj/polygon.hpp"
 
 #include <gtest/gtest.h>

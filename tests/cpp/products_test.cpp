@@ -1,5 +1,5 @@
-// A vector of the host times a matrix, if that is shorter than its sums. The expected code is what
-// a person would write.
+// The product of a host's vector and a matrix is written as such if that is shorter than its sums.
+// The expected code is what a person would write.
 #include "emit/products.hpp"
 
 #include <gtest/gtest.h>

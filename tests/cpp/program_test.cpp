@@ -88,7 +88,7 @@ TEST_F(ProgramTest, ExistsForADerivativeThatNeedsNoCall) {
   EXPECT_EQ(run(*made, {2.0, 0.0, 0.0}, 1), std::vector<double>{6});
 }
 
-// Stacks every row on top of the others, and its derivative.
+// Applies each row to the result of the previous one, and differentiates the result.
 TEST_F(ProgramTest, MatchesTheEvaluationOfTheGraph) {
   std::vector<NodeId> roots;
   Differentiator differentiator(graph);

@@ -1,5 +1,5 @@
-// The order of work. Its quality is measured here from the order alone: the number of values that
-// are alive at a time.
+// The order in which nodes are computed. A good order keeps few values alive at a time, which can
+// be measured from the order alone.
 #include "graph/schedule.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Folded and unfolded graphs: random graphs, built with and without simplification, have the same
 // values at every point, with the exceptions that graph/simplify.hpp lists. Each exception has a
-// test of its own.
+// separate test.
 #include "graph/simplify.hpp"
 
 #include <gtest/gtest.h>

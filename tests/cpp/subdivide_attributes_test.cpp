@@ -54,7 +54,7 @@ TEST(SubdivideAttributes, NewVerticesAndTrianglesRecordTheirOrigin) {
         0.5 * (pointOf(result.mesh.positions, a) + pointOf(result.mesh.positions, b));
     EXPECT_NEAR(length(middle - pointOf(result.mesh.positions, i)), 0, 1e-4);
   }
-  // Each face has a direction of its own, and two triangles.
+  // Each face has its own direction, and two triangles.
   for (std::size_t i = 0; i < result.mesh.triangleCount(); ++i) {
     const Point face = pointOf(cube.normals, cube.corners(result.origins.triangles[i])[0]);
     const Point normal = pointOf(result.mesh.normals, result.mesh.corners(i)[0]);

@@ -61,7 +61,7 @@ TEST_F(SubdivideCost, ACascadeOfSliversIsFast) {
   EXPECT_GE(result.mesh.triangleCount(), 2u * spokes);
 }
 
-// Areas that overflow floats get their share of the samples, and no more.
+// Triangles whose area overflows a float must not get more than their share of the samples.
 TEST_F(SubdivideCost, HugeTrianglesShareTheSamplesOfTheMesh) {
   Mesh mesh;
   for (const float size : {1e15f, 1e30f, 1e30f, 1e30f, 1e30f})

@@ -1,4 +1,4 @@
-// Both goals of a subdivision are reached, measured with more samples than it takes itself; it
+// Subdivision reaches both of its goals, measured with more samples than it takes itself, and
 // reports goals that it can't reach.
 #include <gtest/gtest.h>
 

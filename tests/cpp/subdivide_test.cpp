@@ -1,5 +1,5 @@
-// Adaptive subdivision, judged from outside: triangles still meet, and the warped triangles are
-// close to the warped surface, which is sampled densely in double.
+// Tests the result of adaptive subdivision without its internals: there are no cracks, and the
+// warped triangles are close to the warped surface, which is sampled densely in double.
 #include "mesh/refine/subdivide.hpp"
 
 #include <gtest/gtest.h>

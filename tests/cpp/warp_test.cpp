@@ -474,7 +474,7 @@ TEST_F(MirrorTest, WarpsThatDoNotMirrorUseTheEquationOfThePaper) {
       vec3(zero, y, z),                  // flattened
       vec3(x * x, y, z),                 // folded
       vec3(-x * y, y, z),                // mirrored on one side
-      vec3(x + n[0] * -3.0, y, z),       // by the normal
+      vec3(x + n[0] * -3.0, y, z),       // depends on the normal
       vec3(-x * uv[0], y, z),            // one half of the texture
       vec3(x * (y + 2e4) * -1.0, y, z),  // mirrored except at distant places
   };
@@ -520,7 +520,8 @@ TEST_F(MirrorTest, UniformsDetermineASign) {
   EXPECT_TRUE(isKnown(to(vec3(x + u, y * w - y * w + y, z)))) << "read, but not by M";
 }
 
-// Signs multiply: a mirror by a uniform, in either direction, times a part with a known sign.
+// Signs multiply: a factor that mirrors for some values of a uniform, times a part whose sign is
+// known.
 TEST_F(MirrorTest, SignsMultiply) {
   const Warp warp = to(twist(vec3(p[0] * u, p[1], p[2] * -2.0)));
   EXPECT_EQ(signOf(warp, 0.7), -1);

@@ -18,7 +18,7 @@ const towards = ({ position, uniforms: { center, amount } }) =>
 
 /**
  * Returns the bytes of JavaScript's heap that a call allocates, collected or not. It is the minimum of some rounds, since the engine
- * compiles at any time, and then allocates objects of its own; allocations of every call are in every round.
+ * compiles at any time, and then allocates its own objects; allocations of every call are in every round.
  */
 async function bytesOf(call, calls) {
   let min = Infinity
@@ -27,7 +27,7 @@ async function bytesOf(call, calls) {
   return min
 }
 
-/** Measures one round by the engine's sampling profiler. */
+/** Measures one round with the engine's sampling profiler. */
 async function bytesInRound(call, calls) {
   const session = new Session()
   session.connect()

@@ -106,7 +106,7 @@ describe('evaluate', () => {
       positions: new Float32Array(0),
       normals: new Float32Array(0),
     })
-    // Around the number of vertices per batch.
+    // Counts just below and above the number of vertices per batch.
     for (const count of [1, 5, 4095, 4096, 4097, 9001]) {
       const xs = Float32Array.from({ length: count }, (_, i) => Math.sin(i))
       const positions = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 ? 0 : xs[i / 3]))

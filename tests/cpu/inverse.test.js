@@ -22,7 +22,7 @@ test('a twist is undone by the opposite twist, from anywhere', () => {
     const from = [Math.sin(i), Math.cos(2.1 * i), Math.sin(3.7 * i + 1)].map((x) => 3 * x)
     const [x, y, z] = from
     const [c, s] = [Math.cos(2 * y), Math.sin(2 * y)]
-    // The rotation about y may be in either direction: the one of evaluateAt.
+    // Rotates about y in the direction that evaluateAt shows.
     const [moved] = twist.evaluateAt(from).position
     const to =
       Math.abs(moved - (c * x + s * z)) < 1e-5

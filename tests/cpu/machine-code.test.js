@@ -99,7 +99,7 @@ function assertSame(found, expected, message) {
   }
 }
 
-/** Evaluates a new warp by the interpreter, and then by machine code, with a number of vertices at a time. */
+/** Evaluates a new warp with the interpreter, and then with machine code, with a number of vertices at a time. */
 function assertBothSame(warp, mesh, uniforms, counts, message) {
   const expected = warp.evaluate(mesh, { uniforms })
   const before = made
@@ -218,7 +218,7 @@ const offsets =
 test('code of unreachable warps is freed', async () => {
   const count = isRun('thousands of warps') ? 3000 : 300
   const mesh = first(ordinary, 64)
-  compileWarp(offsets(0)).evaluate(mesh) // what runs programs has started
+  compileWarp(offsets(0)).evaluate(mesh) // the evaluation module has started
   const { Instance } = WebAssembly
   const instances = []
   WebAssembly.Instance = function (...given) {

@@ -1,4 +1,5 @@
-// NaN and infinity: divisions by a uniform that is 0, and vertices without a finite position, in each host that evaluates on the CPU.
+// Tests results that are NaN or infinite, in each host that evaluates on the CPU: divisions by a uniform that is 0, and vertices without a
+// finite position.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js'

@@ -98,7 +98,7 @@ const after = (a, b) => (p, inputs) => {
   const first = a(p, inputs)
   return plus(first, b(plus(p, first), inputs))
 }
-/** Returns the normal of the surface moved by `offset`, at the image of p, by differences only. */
+/** Returns the normal of the surface moved by `offset`, at the image of p, from finite differences only. */
 const normalAfter = (offset, p, inputs) =>
   warpVertex(offset, { position: p, normal: inputs.normal }, inputs, step).normal
 
@@ -200,7 +200,7 @@ describe('chain', () => {
     assert.ok(eight - four < 2.2 * (four - two), `${two} ${four} ${eight}`)
   })
 
-  test('throws for a derivative by a moved position', () => {
+  test('throws for a derivative with respect to a moved position', () => {
     const slope = ({ glsl, position }) => glsl.derivative(position.yzx(), position.x())
     assert.equal(typeof compileWarp(slope).code, 'string')
     assert.equal(typeof compileWarp(chain(slope, twisted[0])).code, 'string')
@@ -271,7 +271,7 @@ test('mask multiplies a warp by a weight, and accounts for the derivative of the
     mask(twisted[0], ({ position }) => position.dot(position).div(-5000).exp()),
     (p, inputs) => times(twisted[1](p, inputs), near(p)),
   )
-  // Inside of a chain, where the previous warp has moved the points.
+  // In a chain, the previous warp has already moved the points.
   agree(
     chain(
       waved[0],

@@ -1,5 +1,5 @@
 // 'warpjet/deformers': each deformer moves points by its documented formula and transforms normals by the exact derivative, for
-// options of every form. The oracle is the documented formula in plain numbers, and its differences.
+// options of every form. The oracle evaluates the documented formula in plain numbers, and its finite differences.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'

@@ -133,7 +133,7 @@ describe('an entry loads only the files that it needs', () => {
     })
 })
 
-/** Bundles `code` by Rolldown, and returns the file. */
+/** Bundles `code` with Rolldown, and returns the file. */
 async function bundle(name, code, platform) {
   const folder = `${root}.build/bundles`
   mkdirSync(folder, { recursive: true })

@@ -107,7 +107,7 @@ test('links and pictures of shipped pages work wherever they are shown', () => {
     })
     .filter(({ path, link }) => {
       if (link.startsWith('#')) return false
-      // npm shows the README alone; the other pages are beside the files that they refer to.
+      // npm shows only the README, so its relative links would be broken; the other pages are served with the files that they link to.
       const { href } = new URL(link, path === 'README.md' ? undefined : `${cdn}${path}`)
       const page = href.replace(/#.*/, '')
       if (page.startsWith(homepage)) return !isOfSite(page.slice(homepage.length))

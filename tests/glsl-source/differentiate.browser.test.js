@@ -14,7 +14,7 @@ after(() => pipelines.close())
 
 /**
  * Functions `f`, with the argument for each parameter, as code and as numbers at a point `p`; `by` is the index of the parameter
- * to differentiate by.
+ * with respect to which `f` is differentiated.
  */
 const whole = {
   glsl: 'int(floor(p.z * 4.0))',
@@ -84,7 +84,7 @@ const cases = {
 const sizes = { float: 1, vec2: 2, vec3: 3, vec4: 4 }
 const points = pointsOfCube(40)
 
-/** Moves the numbers of the parameter itself, so the point need not be moved. */
+/** Changes the argument directly, so that the point can stay where it is. */
 function wantedAt(text, by, operands, p) {
   const f = walk(text, 'f')
   const given = operands.map(({ of }) => of(p))

@@ -1,4 +1,4 @@
-// GLSL source as offset functions: values by hand, on the CPU, and the generated code.
+// Tests GLSL source as offset functions: compares CPU results with values computed by hand, and checks the generated code.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp } from 'warpjet'

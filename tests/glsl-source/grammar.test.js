@@ -1,4 +1,4 @@
-// The grammar of GLSL against an independent parser: we accept the same source, and reject the same.
+// Compares our grammar of GLSL with an independent parser: both accept and reject the same source.
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { test } from 'node:test'

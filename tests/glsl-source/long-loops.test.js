@@ -1,5 +1,5 @@
-// Random long loops in GLSL, which stay loops: compares values with an interpreter, step by step, in double, and derivatives with
-// its differences.
+// Compares random long loops in GLSL, which are not unrolled, with an interpreter in double: values step by step, and derivatives with
+// finite differences.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'

@@ -27,7 +27,7 @@ const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2
 
 /** Cases where we differ on purpose. */
 const known = [
-  // A number that does not fit in 32 bits, which 1.00 leaves undefined.
+  // GLSL 1.00 does not define numbers that do not fit in 32 bits.
   /a whole number: (?:0x100000000|4294967296|040000000000)$/,
   // We only support a uniform sampler2D by itself.
   /uniform sampler2D a\[2\]|uniform samplerCube a|sampler2D s; \}; uniform S a|^a samplerCube|^a sampler2D: uniform X a\[2\]/,
@@ -39,7 +39,7 @@ const known = [
   /layout\((?:shared|packed)\) uniform B/,
   // Chromium looks for built-in names only among its own.
   /^field gl_Position$/,
-  // A warp cannot use fragments, and source that names none of their variables may be either.
+  // A warp cannot use the variables of fragment shaders; source that uses none of them may be for either stage.
   /a fragment: (?:float x = gl_FragCoord\.x|bool b = gl_FrontFacing|vec2 x = gl_PointCoord|gl_Position|gl_PointSize|int i = gl_VertexID)/,
   /a fragment: gl_FragColor = gl_FragData/,
 ]

@@ -1,4 +1,4 @@
-// Name clashes, matrices, blocks of uniforms, loops, limits and compile times, with expected values by hand.
+// Tests name clashes, matrices, blocks of uniforms, loops, limits and compile times. Expected values were computed by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'

@@ -17,7 +17,7 @@ after(async () => {
   await server.close()
 })
 
-/** Results of the browser and of ours for whole shaders, by name, where only one of the two rejects. */
+/** Maps names of whole shaders that only the browser or only we reject → both results. */
 async function disagreements(head, context, texts) {
   const names = Object.keys(texts)
   const shaders = names.map(

@@ -1,4 +1,4 @@
-// A bake equals the screen on the meshes of the gallery: each warp of the gallery on each mesh. normals.test.js does the same for
+// A baked mesh equals what the GPU draws, for each warp of the gallery on each of its meshes. normals.test.js does the same for
 // all warps on a mesh with all attributes; support/baked.js has the tolerances.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
@@ -85,7 +85,7 @@ for (const [i, warp] of cases.entries()) {
 }
 
 test('tangents equal those on the screen', async () => {
-  // The tangent is passed in by the color attribute, and out by the position.
+  // The shader reads the tangent from the color attribute, and returns it as the position.
   const warp = compileWarp(
     ({ glsl, position }) =>
       glsl.vec3(position.y().sin(), position.x().mult(position.z()), position.x().cos().mult(0.5)),

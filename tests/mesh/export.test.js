@@ -1,4 +1,4 @@
-// exportGLB: reads its output back by the specification, and validates it by Khronos' validator.
+// exportGLB: reads its output back according to the specification, and validates it with Khronos' validator.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import validator from 'gltf-validator'

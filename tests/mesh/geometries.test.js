@@ -187,7 +187,7 @@ const waves = compileWarp(({ glsl, position }) =>
 )
 const height = (x, y) => 0.2 * (Math.sin(2 * x) + Math.cos(3 * y))
 
-/** Transforms a normal by the slopes of that height, by the inverse transpose of the Jacobian. */
+/** Transforms a normal with the inverse transpose of the Jacobian, from the slopes of that height. */
 function transformNormal(normal, { x, y }) {
   const [dx, dy] = [0.4 * Math.cos(2 * x), -0.6 * Math.sin(3 * y)]
   const made = new THREE.Matrix3().set(1, 0, 0, 0, 1, 0, dx, dy, 1).invert().transpose()

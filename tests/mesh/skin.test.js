@@ -1,4 +1,4 @@
-// A skinned model that gltf-validator accepts, in the pose of its joints; the numbers are computed by hand.
+// Loads a skinned model that gltf-validator accepts, in the pose of its joints, and compares it with numbers computed by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import validator from 'gltf-validator'

@@ -93,7 +93,7 @@ for (const [name, fileOf] of Object.entries(files))
       const computed = ofCorners(two.normals, two.indices)
       assertNear(computed, [...front, ...back])
 
-      // Lambert's law for a light above: the front is lit, the back dark.
+      // By Lambert's law, a light from above lights the front, and the back is dark.
       const lit = computed.map((normal) => Math.max(0, normal[2]))
       assert.ok(lit.slice(0, indices.length).every((light) => light > 0.3))
       assert.ok(lit.slice(indices.length).every((light) => light === 0))

@@ -53,7 +53,7 @@ async function run(scripts, sketch) {
   return { image, messages }
 }
 
-/** Draws the versions by methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
+/** Draws the versions written with methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
 function drawTwins(p5) {
   const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
   const draw = (call) => `lights(); noStroke(); fill('coral'); ${call} sphere(40)`

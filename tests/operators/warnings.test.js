@@ -1,4 +1,4 @@
-// Where operators are translated by themselves, and the warnings and messages about them.
+// When operators are translated automatically, and the warnings and errors if they are not.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { mask } from '../../dist/deformers.js'

@@ -1,5 +1,5 @@
-// Warps that are called while p5 builds a geometry: vertices and normals against a computation by hand and against the GPU. And
-// p5's functions that take a shader, called with a warp instead.
+// Tests warps that are called while p5 builds a geometry: compares vertices and normals with a computation by hand and with the GPU.
+// Also tests p5's functions that take a shader, called with a warp instead.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'

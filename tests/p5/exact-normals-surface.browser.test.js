@@ -21,7 +21,7 @@ const image = `
     warps.image.pixels.set([128 + 120 * Math.sin((i % 32) * 0.39), 0, 0, 255], 4 * i)
   warps.image.updatePixels()`
 
-/** Maps a name to [the sketch's own shader, the same warp by createWarp]. */
+/** Maps a name to [the sketch's own shader, the same warp made with createWarp]. */
 const inStrands = {
   'along the normal': [
     strands(`getObjectInputs((inputs) => {

@@ -163,7 +163,7 @@ function trueNormal({ side, where: [u, v], n }, moved, turn) {
   return m.turnNormal(turn, m.normalize(m.dot(across, n) < 0 ? turned.map((x) => -x) : turned))
 }
 
-/** Returns where u has no derivative, so that an offset by u tears the surface. */
+/** Returns where u has no derivative, so that an offset that depends on u tears the surface. */
 const isTorn = ({ side, where: [, v] }) => side.edges?.some((edge) => Math.abs(v - edge) < 1e-9)
 
 /** On p5's own cones the light is exact up to the apex; at a torn pole the normal depends on the direction of approach. */
@@ -186,7 +186,7 @@ function firstSeen(triangles) {
     const [nearA, nearB, nearC] = places.map(([, , z]) => 1 / (distance - z))
     const [left, right] = pixelsAcross(ax, bx, cx)
     const [top, bottom] = pixelsAcross(ay, by, cy)
-    // Uses no arrays in the inner loop, which runs for 20 million pixels.
+    // Avoids arrays in the inner loop, which runs for 20 million pixels.
     for (let y = top; y < bottom; y++)
       for (let x = left; x < right; x++) {
         const [px, py] = [x + 0.5, y + 0.5]

@@ -1,5 +1,5 @@
-// A WebGL context that the browser loses and restores: three.js resumes by itself, p5 with a line in the sketch, and warps behave
-// like drawings without warps.
+// The browser loses and restores a WebGL context: three.js resumes automatically, p5 needs a line in the sketch, and warps behave like
+// drawings without warps.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -97,7 +97,7 @@ describe('a lost context', () => {
       assert.ok(differingPixels(...firsts, 30) > 1000, 'the warps are seen')
     })
 
-    if (isRun('rare pages of p5'))
+    if (isRun('unusual p5 pages'))
       test(`p5 ${version} without these lines draws nothing more, with and without warps`, async () => {
         for (const isWarped of [false, true]) {
           const { page } = await open(isWarped, false)

@@ -52,7 +52,7 @@ for (const [version, p5] of p5InThisRun) {
 
   describe(`createWarp on p5 ${version}`, () => {
     test('has exact normals, shown as colours, for an offset in each space', async () => {
-      // The same scene twice: as p5 calls, and as matrices.
+      // Describes the same scene twice: as calls of p5, and as matrices.
       const scene = `
         perspective(PI / 3, 1, 10, 2000)
         camera(60, -90, 300, 10, 5, 0, 0, 1, 0)

@@ -29,7 +29,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           `target.begin(); clear(); ${move}; fill('red'); sphere(30); target.end(); resetShader(); image(target, -100, -100)`,
         'built by buildGeometry': (move) => `lights(); ${move}; fill('red'); model(built)`,
         'made by createModel': (move) => `lights(); ${move}; fill('red'); scale(30); model(made)`,
-        ...(isRun('rare pages of p5') && {
+        ...(isRun('unusual p5 pages') && {
           'under an imageLight': (move) =>
             `imageLight(sky); ${move}; specularMaterial(200); shininess(90); sphere(30)`,
           // p5 draws this shape with a separate shader.
@@ -116,7 +116,7 @@ test('works on several canvases, after remove() and a new sketch, and on a resiz
   assert.deepEqual(messages, [])
 })
 
-if (isRun('rare pages of p5'))
+if (isRun('unusual p5 pages'))
   test('works with two versions of p5 on one page, each followed by the script', async () => {
     const script = (src) => `<script src="${src}"></script>`
     const { page, messages } = await openPage(
@@ -140,7 +140,7 @@ if (isRun('rare pages of p5'))
     assert.deepEqual(messages, [])
   })
 
-if (isRun('rare pages of p5'))
+if (isRun('unusual p5 pages'))
   test('leaks no memory if each frame makes a new warp, as in live coding', async () => {
     const { page } = await runSketch(
       browser,

@@ -1,4 +1,4 @@
-// The single script on real pages: its origin, other scripts and their order, and the page's policy.
+// Tests the single script on real pages: from another origin, with other scripts in any order, and under a content security policy.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'

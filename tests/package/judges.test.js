@@ -1,4 +1,4 @@
-// Checks the tarball by other tools, and its types by TypeScript.
+// Checks the tarball with other tools, and its types with TypeScript.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'

@@ -1,4 +1,5 @@
-// Programs in Node: the minimum version of package.json and this one, as modules and by require, unbundled and bundled.
+// Runs Node programs that use the package: on the minimum version of package.json and on this one, with import and with require, bundled
+// and unbundled.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { load, project, runIn } from './support/project.js'

@@ -197,7 +197,7 @@ describe('the results page', () => {
     })
 
     test('has a dot for every existing figure', async () => {
-      // Seven methods on two rows each, of which one has no frame time.
+      // Seven methods, each in two rows; one of these has no frame time.
       assert.equal(await countDots(page, 'nodes'), 14)
       assert.equal(await countDots(page, 'vertices'), 13)
       assert.equal(await countDots(page, 'error'), 7)
@@ -254,7 +254,7 @@ describe('the results page', () => {
     await page.locator('.error svg').waitFor(patience)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
     for (const plot of ['nodes', 'vertices', 'error']) {
-      // On a phone, names beside the lines would leave too little space for the plot, so there is a legend.
+      // On a phone, names next to the lines would leave too little space for the plot, so there is a legend.
       const labels =
         plot === 'error' ? '.error svg g[aria-label="text"] text' : `.${plot} .legend li`
       const boxes = await page

@@ -1,4 +1,4 @@
-// The dependency rules catch what they forbid: each is violated in a copy of js-bindings.
+// The dependency rules report violations: the tests break each rule in a copy of js-bindings.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { appendFileSync, cpSync, mkdtempSync, rmSync, symlinkSync } from 'node:fs'

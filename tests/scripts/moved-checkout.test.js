@@ -31,7 +31,7 @@ before(() => {
 })
 after(() => rmSync(folder, { recursive: true }))
 
-/** Makes the program of that checkout say its name. */
+/** Changes the program of that checkout to print the checkout's name. */
 function say(name) {
   const text = `#include <cstdio>\nint main() { std::puts("${name}"); }\n`
   writeFileSync(join(folder, name, 'say.cpp'), text)

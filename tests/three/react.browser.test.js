@@ -163,7 +163,7 @@ for (const name of ['in', 'around', 'given', 'suspended'])
 
 test('mounting and unmounting a thousand times leaks nothing', async (t) => {
   const cycle = (times) => page.evaluate((times) => window.cycle(times), times)
-  // The first cycles compile all code, by which the heap grows by a megabyte even without a <Warp>.
+  // The first cycles compile all code, so that the heap grows by a megabyte even without a <Warp>.
   const { heap: before, ...counts } = await cycle(400)
   const { heap, ...countsAfter } = await cycle(1000)
   t.diagnostic(`heap ${before} before, ${heap} after; ${JSON.stringify(counts)}`)

@@ -1,4 +1,4 @@
-// 'warpjet/three' with WebGLRenderer: a warp by a linear motion draws the same picture as the same motion by matrices of three.js,
+// Tests 'warpjet/three' with WebGLRenderer: a warp with a linear offset draws the same picture as the same motion through three's matrices,
 // including shadows, on the current three.js and on the oldest supported one.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

@@ -1,4 +1,5 @@
-// The parts of 'warpjet/three' that need no pixels: rays, bounds, uniforms, error messages, and that dispose() restores everything.
+// Tests the parts of 'warpjet/three' that need no rendering: rays, bounds, uniforms, error messages, and that dispose() restores
+// everything.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -88,7 +89,7 @@ describe('rays hit the warped surface', () => {
   test('of a mesh, also after uniforms change', () => {
     const mesh = transform(plane())
     const warped = warp(mesh, wave, { uniforms: { height } })
-    // The last one after a week.
+    // The last time is after a week.
     for (const millis of [0, 700, 6e8 + 700]) {
       warped.update(millis)
       assertSameHits(mesh, [makeReference(mesh, at(millis))])

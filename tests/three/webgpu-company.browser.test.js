@@ -1,4 +1,4 @@
-// WebGPURenderer on both its backends: a warp beside other people's code draws the same picture as the motion without a warp.
+// Tests WebGPURenderer on both its backends: a warp combined with other people's code draws the same picture as the motion without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { webgpuFlags } from '../support/browser/browser.js'
@@ -22,7 +22,7 @@ for (const backend of ['webgl', 'webgpu'])
       return page.evaluate(work, [...args, backend])
     }
 
-    test('a warp looks the same beside other code', async (t) => {
+    test('a warp combined with other code draws the same picture as the motion without a warp', async (t) => {
       for (const name of await evaluate(() => company.names))
         await t.test(name, async () => {
           const { differing, moved } = await evaluate(

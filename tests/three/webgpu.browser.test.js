@@ -148,7 +148,7 @@ for (const backend of ['webgl', 'webgpu'])
       assert.deepEqual(messages, [])
     })
 
-    // A thousand times, which take six minutes, gave the same result when tried by hand.
+    // A manual run of a thousand cycles, which takes six minutes, gave the same result.
     test('warping and disposing many times leaks nothing', async () => {
       const { before, after } = await page.evaluate((given) => three.churn(given), {
         backend,

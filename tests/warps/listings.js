@@ -16,7 +16,7 @@ const rotate = ([x, y, z], angle) => [
   y * sin(angle) + z * cos(angle),
 ]
 
-/** A warp as an offset function, and as a plain function of numbers, by the listing. */
+/** Each warp as an offset function, and as a plain function of numbers, as in the listing. */
 export const warps = {
   'the paper: its example of an offset': {
     size: 1,

@@ -1,4 +1,4 @@
-// The errors if WebAssembly does not start. Each browser that rejects it is simulated in a process of its own.
+// The errors if WebAssembly does not start. Each browser that rejects it is simulated in its own process.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { test } from 'node:test'

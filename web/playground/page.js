@@ -14,7 +14,7 @@ import { draggableNumbers } from './numbers.js'
 import { makeOutput } from './output.js'
 import { glbOf } from './mesh.js'
 import { fileOf } from './messages.js'
-import { isModelFile, whole } from './offset.js'
+import { isModelFile, completeSketch } from './offset.js'
 import { download, pageAlone, pageWithTags, project } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
@@ -88,7 +88,7 @@ function run() {
   setStatus({ doing: 'Building…' })
   output.print()
   blocked = undefined
-  void stage.run(whole(sketch), {
+  void stage.run(completeSketch(sketch), {
     clock: time.start(),
     files,
     view: normals.checked ? 'normals' : 'picture',

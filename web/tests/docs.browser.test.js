@@ -1,5 +1,5 @@
 // Runs the README's sketch and the blocks of the docs with a “Run” link in the playground, as a reader does: they draw or print without
-// errors. Of the lines below plots, which are all alike, it runs one per group: web/tests/plots.test.js checks what each computes.
+// errors. Of the code below the plots, which is all alike, it runs one example per group: web/tests/plots.test.js checks what each computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'

@@ -22,9 +22,9 @@ const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name
 
 /** Examples tested on their page in every run: a model, a shader from a file, and one with a second script. */
 const everyday = ['airplane-twist', 'text-bulge', 'deformer-bend']
-const shown = isRun('every example through the page') ? names : everyday
+const shown = isRun('every example in the gallery') ? names : everyday
 /** The example drawn with all its pixels. By default not the model, whose edges take p5 seconds to compute. */
-const asItIs = isRun('every example through the page') ? 'airplane-twist' : 'deformer-bend'
+const asItIs = isRun('every example in the gallery') ? 'airplane-twist' : 'deformer-bend'
 
 // Without a GPU, a frame can take seconds on a busy machine.
 const patience = { timeout: 180_000 }
@@ -138,7 +138,7 @@ describe('the gallery of npm start', () => {
       })
 
     test('lets the wheel scroll the page over a sketch', async () => {
-      // This sketch rotates and zooms by the mouse.
+      // This sketch rotates and zooms with the mouse.
       await openPlaying(page, url, 'deformer-bend')
       await page.locator('.stage').hover()
       const before = await page.evaluate(() => scrollY)
@@ -149,7 +149,7 @@ describe('the gallery of npm start', () => {
     test('logs nothing', () => assert.deepEqual(messages, []))
   })
 
-  if (isRun('the gallery built, and on a phone'))
+  if (isRun('the built gallery, and the gallery on a phone'))
     test('fits a phone screen, and so does each example', async () => {
       const context = await browser.newContext(phone)
       await reduceSketches(context, url, { before: still })
@@ -170,7 +170,7 @@ describe('the gallery of npm start', () => {
     })
 })
 
-if (isRun('the gallery built, and on a phone'))
+if (isRun('the built gallery, and the gallery on a phone'))
   test('the built gallery works from a folder of files', async () => {
     const server = await serveSite(5300)
     try {

@@ -35,8 +35,8 @@ after(async () => {
 })
 
 /**
- * Runs axe's default and optional rules, except for contrast beyond WCAG's level AA, and for a rule that forbids focus where another
- * requires it: on a table that scrolls.
+ * Runs axe's default and optional rules, except for contrast beyond WCAG's level AA, and a rule that forbids focus on scrolling tables,
+ * where another rule requires it.
  */
 const findings = (page) =>
   page.evaluate(async () => {

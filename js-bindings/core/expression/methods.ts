@@ -12,7 +12,7 @@ import type { Session } from './session.js'
 import { componentsOf, isVec2, rotateVec2 } from './vector-methods.js'
 
 /**
- * The prototype of `Expression.prototype`. It starts without a prototype of its own, so that engines treat it as a dictionary: adding
+ * The prototype of `Expression.prototype`. It starts without a prototype, so that engines treat it as a dictionary: adding
  * hundreds of properties to `Expression.prototype` one by one takes far longer.
  */
 const methods = Object.create(null) as object

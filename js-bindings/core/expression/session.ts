@@ -12,7 +12,7 @@ import type { HostSampling } from './sampling.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
 import { type Recording, WasmSession } from './wasm-session.js'
 
-/** A function of GLSL source, recorded in a session of its own, from numbers to numbers. */
+/** A function of GLSL source, recorded in its own session, from numbers to numbers. */
 export interface RecordedFunction {
   name: string
   /** The number of arguments, from the first, by which it is differentiated. */

@@ -6,8 +6,8 @@ export const close = (random) => (random() < 0.5 ? -1 : 1) * 10 ** -(1 + 3 * ran
 export const pick = (list, random) => list[Math.floor(list.length * random())]
 
 /**
- * Makes a domain: numbers from `from` to `to`. One in twelve is one of `at`, two in ten are close to one of `near`, which are
- * kinks or the ends of the domain. A domain is a function of a source of random numbers.
+ * Makes a domain: a function that draws numbers from `from` to `to` with a source of random numbers. One in twelve is one of `at`, two in
+ * ten are close to one of `near`, which are kinks or the ends of the domain.
  */
 export const span =
   (from, to, { at = [], near = at } = {}) =>

@@ -61,7 +61,7 @@ export const scalars = [
   scalar('atan', Math.atan, span(-20, 20, { at: [0] })),
   scalar('sinh', Math.sinh, span(-4, 4, { at: [0] }), { tolerance: exponential }),
   scalar('cosh', Math.cosh, span(-4, 4, { at: [0] }), { tolerance: exponential }),
-  // Far out the result is 1, rather than the quotient of two infinite numbers.
+  // For large x the result is 1, rather than the quotient of two infinite numbers.
   scalar('tanh', Math.tanh, span(-5, 5, { at: [-90, 0, 50], near: [0] }), {
     tolerance: exponential,
   }),

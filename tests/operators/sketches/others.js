@@ -1,4 +1,4 @@
-// Sketches that use no operators and must not change, that read changing variables, and in instance mode.
+// Sketches that use no operators and must not change, sketches that read changing variables, and sketches in instance mode.
 const draw = `p.draw = () => { p.background(0); p.lights(); p.noStroke(); p.fill('coral'); wave(); p.sphere(40); done = true }`
 
 export const sketches = {

@@ -50,8 +50,8 @@ async function newPage(browser) {
 }
 
 /**
- * Keeps a page of `servePages` for the next `openPage`: a new page is a new process, which compiles all of p5 again. So would be
- * one that was at about:blank meanwhile.
+ * Keeps a page of `servePages` for the next `openPage`: a new page, or one that was at about:blank in between, is a new process, which
+ * compiles all of p5 again.
  */
 export async function leavePage(page) {
   const { browser } = opened.get(page)

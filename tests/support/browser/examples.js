@@ -42,7 +42,7 @@ export const addCookie = (context, url, name, value) =>
 
 /**
  * Draws sketches without antialiasing, and those other than `exceptions` with a sixteenth of their pixels and coarse shapes:
- * without a GPU these take most time, above all lit triangles smaller than a pixel. `before` is what p5 runs first, or `still`.
+ * without a GPU these take most time, above all lit triangles smaller than a pixel. `before` is code that p5 runs first, such as `still`.
  */
 export const reduceSketches = (context, url, { exceptions = [], before = '' } = {}) =>
   addCookie(context, url, 'sketches', JSON.stringify({ exceptions, before }))

@@ -9,7 +9,7 @@ const { PI, sin, cos, hypot } = Math
 /** The size of the drawn shapes, in pixels. */
 export const radius = 150
 
-/** A shape with one side, whose parameters are u and v themselves. */
+/** Makes a shape with one smooth part, whose parameters are u and v. */
 const byUv = (at, edges = []) => [
   { at: (u, v) => ({ ...at(u, v), uv: [u, v] }), of: (_, __, [u, v]) => [u, v], edges },
 ]
@@ -34,7 +34,7 @@ const ring = (size) =>
     }
   })
 
-/** A side that gets narrower, and caps, whose second parameter is the radius. */
+/** Makes a side that gets narrower, and caps, whose second parameter is the radius. */
 const pillar = (size, taper) => {
   const tilt = m.normalize([1, taper, 0])
   const side = {

@@ -83,7 +83,7 @@ function interleave(shape, byteStride) {
   return plain(shape, { own })
 }
 
-/** Makes an accessor whose elements from index 1 on are sparse; `base` says whether the others have a view. */
+/** Makes an accessor whose elements from index 1 on are sparse; with `base`, the others have a view. */
 export function sparse(writer, numbers, type, width, base, more) {
   const count = numbers.length / width
   const places = Uint16Array.from({ length: count - 1 }, (_, i) => i + 1)

@@ -6,7 +6,7 @@ import { servePages } from '../server.js'
 
 const root = fileURLToPath(new URL('../../../../', import.meta.url))
 
-/** Opens a script in this folder → { page, messages, close }; `messages` collects the console messages of the page. */
+/** Opens a page that runs a script of this folder → { page, messages, close }; `messages` collects the console messages of the page. */
 export async function openBabylonPage(script) {
   const project = `.build/babylon/${script.replace('.js', '')}`
   await build({

@@ -1,4 +1,4 @@
-// Passes that Babylon.js draws with shaders of its own: each of a warped mesh, and of one that a matrix moves likewise.
+// Passes that Babylon.js draws with its own shaders: each draws a warped mesh, and a mesh that a matrix moves the same way.
 import '@babylonjs/core/Engines/WebGPU/Extensions/engine.multiRender.js'
 import '@babylonjs/core/Layers/effectLayerSceneComponent.js'
 import '@babylonjs/core/Materials/colorCurves.js'
@@ -68,7 +68,7 @@ export function warpByMotion(material, matrix = motion) {
   )
 }
 
-/** Warps by the same motion, and reads the normal and the uv without effect. */
+/** Warps with the same motion, and reads the normal and the uv without effect. */
 const warpByAll = (material) => {
   const { m } = motion
   return new BabylonWarp(
@@ -191,7 +191,7 @@ const passes = {
       }))
       let result
       void picker.multiPickAsync(points).then((found) => (result = found))
-      // The picker answers after one of the next frames.
+      // The picker returns its result after one of the next frames.
       for (let i = 0; i < 100 && !result; i++) await drawFrames(scene, 1)
       if (!result) throw new Error('GPUPicker gave no answer in 100 frames')
       picker.dispose()
@@ -219,11 +219,11 @@ function prepass(scene, type) {
   }
 }
 
-/** Maps a name → changes to a scene, its knot and the material, made after the warp or without it. */
+/** Maps a name → changes to a scene, its knot and the material, applied after the warp, or to the scene without a warp. */
 const variants = {
   plain: {},
   'with normal and uv': { warp: warpByAll },
-  // Two meshes with the same kind of material beside the warped one: one has another warp, the other has none.
+  // Two meshes with the same kind of material next to the warped one: one has another warp, the other has none.
   'beside others': {
     add(scene, make) {
       for (const [i, matrix] of [Matrix.Translation(-0.8, 0, 0), Matrix.Identity()].entries()) {
@@ -397,7 +397,7 @@ function torusIn(scene, { isMoved }) {
   return mesh
 }
 
-/** Moves along the normal by a wave of uv. */
+/** Moves points along the normal, as far as a wave over uv is high. */
 const alongNormal = ({ normal, uv }) => {
   const [u, v] = [uv.x().mult(12 * Math.PI), uv.y().mult(8 * Math.PI)]
   return normal.mult(u.sin().mult(v.cos()).mult(0.1))
@@ -427,6 +427,6 @@ window.torus = async (backend, kind, isExact) => {
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-// Keeps a reference: otherwise the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'

@@ -57,7 +57,7 @@ function draw() {
 
 const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
 
-/** Both materials are made anew in each round, and draw this number of frames. */
+/** Each round creates both materials again, and draws this number of frames. */
 const rounds = 100
 const frames = 4
 

@@ -1,4 +1,4 @@
-// Warps beside other people's code, with WebGPURenderer: each row draws a warped object and the same motion without a warp.
+// Combines warps with other people's code, with WebGPURenderer: each row draws a warped object and the same motion without a warp.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { addSurfaceVariation, warpMaterial, warpNode } from 'warpjet/three/webgpu'
@@ -42,7 +42,7 @@ const makeBatch = (geometry, material) => {
   return mesh
 }
 
-/** A node by which the user displaces vertices. */
+/** A node with which the user displaces vertices. */
 const userNode = () => {
   const { positionLocal, vec3 } = TSL
   return positionLocal.add(vec3(positionLocal.y.mul(5).sin().mul(0.15), 0, 0))
@@ -59,7 +59,7 @@ const variants = (make) => ({
   still: make(knot()),
 })
 
-/** Overrides the materials by one that shows normals. */
+/** Overrides the materials with one that shows normals. */
 const overrideMaterials = (scene) => (scene.overrideMaterial = new THREE.MeshNormalNodeMaterial())
 
 /** Maps a name → { object, reference, still }: the object to warp, one that is moved without a warp, and one that is not moved. */
@@ -260,6 +260,6 @@ window.company = {
     return errors
   },
 }
-// Keeps a reference: otherwise the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'

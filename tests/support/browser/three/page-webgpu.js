@@ -46,7 +46,7 @@ async function compare(name, { backend, light = 'directional', space, sabotage, 
   }
 }
 
-/** Mirrors `mirror` of page.js. */
+/** Does the same as `mirror` in page.js. */
 async function mirror(name, { backend, light = 'directional', space, isKnown = false }) {
   const renderer = await rendererFor(backend)
   const make = scenes.shapes[name]
@@ -64,7 +64,7 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
   return { differing: differing(shown, expected), moved: differing(shown, before) }
 }
 
-/** Mirrors `normals` of page.js, with a float target, for which three.js converts colours to linear ones. */
+/** Does the same as `normals` in page.js, with a float target, for which three.js converts colours to linear ones. */
 async function normals({ backend, asNode }) {
   const renderer = await rendererFor(backend)
   const { scene, camera, mesh, size } = wave.waveScene(
@@ -130,7 +130,7 @@ async function amounts(all, { backend }) {
   return covered
 }
 
-/** Mirrors `sampling` of page.js. */
+/** Does the same as `sampling` in page.js. */
 async function sampling(name, kind, { backend }) {
   const renderer = await rendererFor(backend)
   const { warped, expected, still } = scenesOf(name, kind)
@@ -140,7 +140,7 @@ async function sampling(name, kind, { backend }) {
   return { differing: differing(shown, wanted), moved: differing(wanted, before) }
 }
 
-/** Compares a plane scaled by 2 that a warp moves along its normal in world space with one that its position moves. */
+/** Compares two planes scaled by 2: a warp moves one along its normal in world space, the other is placed there. */
 async function alongNormal({ backend }) {
   const renderer = await rendererFor(backend)
   const plane = () => {
@@ -162,7 +162,7 @@ async function alongNormal({ backend }) {
   return { differing: differing(shown, expected), moved: differing(shown, before) }
 }
 
-/** Draws an object that is warped once by both renderers, and compares each with the motion without a warp by the same renderer. */
+/** Warps an object once, draws it with both renderers, and compares each picture with the motion without a warp in the same renderer. */
 async function both({ backend }) {
   const renderer = await rendererFor(backend)
   const other = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
@@ -233,7 +233,7 @@ window.three = {
   samplings: Object.keys(samplings),
   alongNormal,
 }
-// Keeps a reference: otherwise the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 window.lib = { THREE, warp, warpNode, rendererFor, draw, scenes }
 document.title = 'ready'

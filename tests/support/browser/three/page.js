@@ -145,7 +145,7 @@ export function normals() {
   return { worst, unwarped }
 }
 
-/** Compares a translation that a warp reads from an image with the same translation by a matrix. */
+/** Compares a translation that a warp reads from an image with the same translation through a matrix. */
 export function image() {
   renderer = rendererFor({})
   const make = { warped: scenes.shapes.plain, moved: scenes.shapes.plain }

@@ -1,5 +1,5 @@
-// A sphere whose heights are in an image: moved by a warp, and vertex by vertex by an interpolation in double precision, at the
-// coordinates that the matrix of three's texture gives.
+// A sphere displaced by the heights in an image: once with a warp, and once vertex by vertex with an interpolation in double precision, at
+// the coordinates that the matrix of three's texture gives.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { glslOffset } from 'warpjet/glsl'

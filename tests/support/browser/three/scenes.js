@@ -1,4 +1,4 @@
-// Scenes for the tests of 'warpjet/three': each is drawn with a warp, and with the same motion by matrices of three.js itself.
+// Scenes for the tests of 'warpjet/three': each is drawn with a warp, and with the same motion through matrices of three.js itself.
 import * as THREE from 'three'
 
 /** The motion: a rotation, a shear and a translation, as a matrix. */
@@ -340,7 +340,7 @@ export const place = new THREE.Matrix4().compose(
 
 const plainMotion = motion
 
-/** Moves an object by three's own matrices, before or after its own matrix, depending on `space`. */
+/** Moves an object with three's own matrices, before or after its own matrix, depending on `space`. */
 export function moved(make, space, motion = plainMotion) {
   const object = (make.moved ?? make)()
   const set = (part, before = new THREE.Matrix4()) => {

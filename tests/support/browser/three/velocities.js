@@ -82,7 +82,7 @@ async function velocitiesOf(renderer, scene, move) {
   const camera = scenes.camera()
   renderer.setMRT(mrt({ output, velocity }))
   renderer.setRenderTarget(target)
-  // Three.js knows the previous frame only from the second frame on.
+  // Three.js has a previous frame only from the second frame on.
   for (let i = 0; i < 3; i++) {
     if (i === 2) move()
     renderer.render(scene, camera)
@@ -131,7 +131,7 @@ export async function measure(name, backend) {
   const all = Array.from({ length: size * size }, (_, i) => i)
   const isDrawn = (i) => shown.colors[4 * i] > 0
   return {
-    // A tenth of a pixel, where half the picture is 1.
+    // The tolerance is a tenth of a pixel; half the picture's width is 1.
     wrong: all.filter((i) => isDrawn(i) && !(distance(i) < 0.2 / size)).length,
     drawn: all.filter(isDrawn).length,
     moving: all.filter(

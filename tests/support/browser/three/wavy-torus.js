@@ -1,4 +1,4 @@
-// A torus whose vertices a warp moves along their normals by a wave of uv, compared with vertices moved in double precision.
+// A torus whose vertices a warp moves along their normals by a wave over uv, compared with vertices moved in double precision.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { differing } from './pixels.js'

@@ -95,7 +95,7 @@ export function pixelsOf(from = renderer) {
   return pixels
 }
 
-/** The ways to move an object. */
+/** The ways in which a row moves its object. */
 const ways = {
   none: () => {},
   byHand: moveByHand,

@@ -99,7 +99,7 @@ const font = new URL(
   location,
 )
 
-/** Draws text under a linear motion, a shear and a translation, by the warp or by a matrix, since each letter is only a square. */
+/** Draws text with a linear motion (shear and translation), through the warp or a matrix: each letter is a square, which cannot bend. */
 async function text({ way, renderer }) {
   const scene = litScene()
   const made = new Text()

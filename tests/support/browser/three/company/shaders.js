@@ -58,7 +58,7 @@ void main() { ${glslVersion ? 'color' : 'gl_FragColor'} = vec4( normalize( n ) *
   })
 }
 
-/** Makes two meshes that share a material, and each set its uniform. */
+/** Makes two meshes that share a material, and set its uniform before each is drawn. */
 function makePair() {
   const material = withoutChunks()
   const group = new THREE.Group()
