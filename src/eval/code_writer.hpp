@@ -67,7 +67,8 @@ class CodeWriter {
 
   // Copies the value to its own local.
   Staged copyToOwnLocal(Staged x);
-  // A local is free for another value; or all that were taken since the last time, but this one.
+  // Frees a local for another value; or frees all locals taken since the last call, except this
+  // one.
   void release(Staged x) { free_.push_back(x.place); }
   void releaseAllBut(Staged x);
 
