@@ -44,7 +44,7 @@ describe('info', () => {
       'binary.stl': textVariants['a binary STL that begins with "solid"'],
       'wide.obj': textVariants['an OBJ in UTF-16, little endian'],
       'meshopt.glb': packedVariants['meshopt, vertices and triangles'],
-      'draco.glb': packedVariants['Draco, edge breaker'],
+      'draco.glb': packedVariants['Draco, edgebreaker encoding'],
     }
     for (const [name, make] of Object.entries(formats)) {
       write(name, make(shapes.cube).file)

@@ -127,7 +127,8 @@ test('noise far from the origin is as accurate as near it: cells and positions i
     ridged: ({ glsl, at }) => glsl.ridged(at, { octaves: 3, lacunarity: 3 }),
     curl: ({ glsl, at }) => glsl.curl(at).y,
     'in a plane': ({ glsl, at }) => glsl.noise(at.xy),
-    'by time alone': ({ glsl, position, cells }) => glsl.noise(glsl.vec4(position, cells)),
+    'that depends only on time': ({ glsl, position, cells }) =>
+      glsl.noise(glsl.vec4(position, cells)),
   }
   for (const [name, kind] of Object.entries(kinds)) {
     const offset = ({ glsl, position, uniforms }) => {

@@ -78,29 +78,29 @@ const mirrors = {
   'two axes changed for each other': to(({ glsl, position }) =>
     glsl.vec3(position.y(), position.x(), position.z()),
   ),
-  'a mirror that grows to the side': to(({ glsl, position: p }) =>
+  'a mirror with a scale that grows to the side': to(({ glsl, position: p }) =>
     glsl.vec3(p.x().mult(p.y().mult(p.y()).add(1)).neg(), p.y(), p.z()),
   ),
   'a mirror with a wave': to(({ glsl, position: p }) =>
     glsl.vec3(p.x().neg(), p.y().add(p.x().mult(2).sin().mult(0.2)), p.z()),
   ),
-  'a mirror that is thicker here than there': to(({ glsl, position: p }) =>
+  'a mirror with varying thickness': to(({ glsl, position: p }) =>
     glsl.vec3(p.x().mult(p.z().mult(3).sin().mult(0.4).sub(1)), p.y(), p.z()),
   ),
-  'a mirror, twisted': chain(mirror, twist({ angle: 0.8, length: 1 })),
+  'a twisted mirror': chain(mirror, twist({ angle: 0.8, length: 1 })),
   'a twist, mirrored': chain(twist({ angle: 0.8, length: 1 }), mirror),
-  'a mirror, inflated': chain(mirror, inflate({ amount: 0.2 })),
-  'a mirror, twisted about an oblique axis': chain(
+  'an inflated mirror': chain(mirror, inflate({ amount: 0.2 })),
+  'a mirror twisted about an oblique axis': chain(
     mirror,
     twist({ angle: 0.8, length: 1, axis: [0.3, 1, -0.2] }),
   ),
-  'a mirror, turned': chain(mirror, ({ glsl, position }) =>
+  'a rotated mirror': chain(mirror, ({ glsl, position }) =>
     glsl
       .rotate(glsl.vec3(1, 2, 0.5), 0.7)
       .mult(position)
       .sub(position),
   ),
-  'a mirror by shader text': glslOffset(
+  'a mirror in GLSL source': glslOffset(
     'vec3 offset(vec3 position) { return vec3(-2.0 * position.x, 0.0, 0.0); }',
   ),
 }
@@ -158,7 +158,7 @@ describe('uniforms decide whether a warp mirrors', () => {
     'a width of something thicker here than there': to(({ glsl, position: p, uniforms }) =>
       glsl.vec3(p.x().mult(p.y().mult(p.y()).add(1)).mult(uniforms.scale), p.y(), p.z()),
     ),
-    'an amount of change': ({ glsl, position: p, uniforms }) =>
+    'a change that depends on a uniform': ({ glsl, position: p, uniforms }) =>
       glsl.vec3(p.x().mult(uniforms.scale.sub(1)), 0, 0),
     'a mirror of uniform width': to(({ glsl, position: p, uniforms }) =>
       glsl.vec3(p.x().mult(uniforms.scale.neg()), p.y().neg(), p.z()),

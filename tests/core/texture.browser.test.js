@@ -1,5 +1,5 @@
-// glsl.texture on every pipeline: values, gradients and second derivatives against the interpolation in double precision and its
-// finite differences; wrapping, several images at once, and continuity at texels.
+// Tests glsl.texture on every pipeline: compares values, gradients and second derivatives with an interpolation in double precision and its
+// finite differences. Also tests wrapping, several images at once, and continuity at texels.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -35,7 +35,7 @@ async function run(target, shapes, build, points, images = { heights: image }) {
   })
 }
 
-/** Float32 points in the image and two images around it, 1/64 texel from the lines where pieces meet. */
+/** Float32 points in the image and two images around it, at least 1/64 texel from the borders of the polynomial pieces. */
 function smoothPoints(count) {
   const random = randomOf(11)
   const along = (size) => {
@@ -73,7 +73,7 @@ for (const target of targets)
   describe(`glsl.texture in ${target}`, () => {
     for (const filter of filters)
       for (const wrap of wraps)
-        test(`${filter} and ${wrap}: value, gradient, second derivatives`, async () => {
+        test(`${filter} and ${wrap}: value, gradient and second derivatives agree with the interpolation in double precision`, async () => {
           const options = { filter, wrap }
           const results = await run(
             target,
@@ -171,8 +171,8 @@ for (const target of targets)
       })
     })
 
-    // Just before and just after the line through centers of texels.
     test('is continuous at texels, and smooth if cubic', async () => {
+      // The points are just before and just after a line through the centers of texels.
       const side = 2 ** -20
       const lines = [0.5, 1.5, 3.5, 6.5, 7.5, -0.5].map((x) => x / image.width)
       const pairs = lines.flatMap((u) => [

@@ -219,7 +219,8 @@ std::string firstLost(std::span<const Identity> table, int points) {
         if (verdict == Verdict::Lost) return describe(identity, *at);
         preserved += verdict == Verdict::Kept;
       }
-      if (preserved < points / 40) return text(identity) + " is hardly ever judged";
+      if (preserved < points / 40)
+        return text(identity) + " has too few points at which it can be checked";
     }
   }
   return {};
@@ -227,7 +228,7 @@ std::string firstLost(std::span<const Identity> table, int points) {
 
 TEST(Identities, PreserveWhatTheyClaim) { EXPECT_EQ(firstLost(patterns::identities, 4000), ""); }
 
-// Wrong identities that a check without the right samples would accept.
+// Wrong identities that would pass if the samples were badly chosen.
 TEST(Identities, TheJudgeRejectsWrongIdentities) {
   for (const Identity& wrong : patterns::wrongIdentities)
     EXPECT_NE(firstLost({&wrong, 1}, 4000), "") << text(wrong);
@@ -413,9 +414,9 @@ TEST(Identities, TerminateAndLeaveNothingToSimplify) {
   EXPECT_GT(pairs, 2000);
 }
 
-// --- results, next to their input
+// --- simplified expressions
 
-class Simplified : public testing::Test {
+class Simplification : public testing::Test {
  protected:
   Graph graph;
   Expression x = scalar(graph, "x"), y = scalar(graph, "y"), u = scalar(graph, "u");
@@ -427,7 +428,7 @@ class Simplified : public testing::Test {
   }
 
  private:
-  // Nested, since these are short.
+  // Writes the expression as nested calls.
   std::string expression(NodeId id) const {
     if (graph.isLeaf(id)) return nameOf(graph, id);
     std::string all = std::string(ops::declaration(graph.node(id).op).name) + "(";
@@ -437,7 +438,7 @@ class Simplified : public testing::Test {
   }
 };
 
-TEST_F(Simplified, Sums) {
+TEST_F(Simplification, FoldsConstantsAndSignsOfSums) {
   EXPECT_EQ(of(x + -y), "sub(x, y)");
   EXPECT_EQ(of(-x + y), "sub(y, x)");
   EXPECT_EQ(of(2.0 + x), "add(x, 2)");
@@ -452,7 +453,7 @@ TEST_F(Simplified, Sums) {
   EXPECT_EQ(of(-x - y), "sub(neg(x), y)");
 }
 
-TEST_F(Simplified, Products) {
+TEST_F(Simplification, FoldsFactorsOfProducts) {
   EXPECT_EQ(of(x * 0.0), "0");
   EXPECT_EQ(of(x * ifElse(positive, 1.0, 0.0)), "ifElse(gt(x, 0), x, 0)");
   EXPECT_EQ(of(ifElse(positive, 0.0, 1.0) * x), "ifElse(gt(x, 0), 0, x)");
@@ -468,7 +469,7 @@ TEST_F(Simplified, Products) {
   EXPECT_EQ(of(y / sqrt(x)), "div(y, sqrt(x))");
 }
 
-TEST_F(Simplified, Powers) {
+TEST_F(Simplification, ExpandsSmallIntegerPowers) {
   EXPECT_EQ(of(pow(x, 0.0)), "1");
   EXPECT_EQ(of(pow(x, 2.0)), "mult(x, x)");
   EXPECT_EQ(of(pow(x, 3.0)), "mult(x, mult(x, x))");
@@ -479,7 +480,7 @@ TEST_F(Simplified, Powers) {
   EXPECT_EQ(of(pow(x, y)), "pow(x, y)");
 }
 
-TEST_F(Simplified, Choices) {
+TEST_F(Simplification, MergesSumsOfChoicesOnOneCondition) {
   EXPECT_EQ(of(ifElse(positive, x, 0.0) + ifElse(positive, 0.0, y)), "ifElse(gt(x, 0), x, y)");
   EXPECT_EQ(of(ifElse(positive, 0.0, x) + ifElse(positive, y, 0.0)), "ifElse(gt(x, 0), y, x)");
   EXPECT_EQ(of(ifElse(positive, x, 0.0) + ifElse(positive, y, 0.0)),
@@ -492,7 +493,7 @@ TEST_F(Simplified, Choices) {
             "add(ifElse(gt(x, 0), x, 1), ifElse(gt(x, 0), 0, y))");
 }
 
-TEST_F(Simplified, Rotations) {
+TEST_F(Simplification, CancelsRotations) {
   const Expression c = cos(u), s = sin(u);
   EXPECT_EQ(of(c * c + s * s), "1");
   EXPECT_EQ(of((x * c - y * s) * c + (x * s + y * c) * s), "x");

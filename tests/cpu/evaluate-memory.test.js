@@ -50,12 +50,12 @@ const arrays = (vertices) => ({ positions: numbers(3 * vertices), normals: numbe
 describe('evaluate into arrays of the caller allocates nothing, whatever the number of vertices', () => {
   const x = 0.25
   const cases = {
-    'a uniform that is given': [compileWarp(wave), { millis: 5 }],
-    'a vector that is given': [
+    'a uniform passed to the call': [compileWarp(wave), { millis: 5 }],
+    'a vector uniform passed to the call': [
       compileWarp(towards, { uniforms: { center: [0, 0, 0], amount: 0.5 } }),
       { center: [0.5, 0.25, 1] },
     ],
-    'declared uniforms, one by a function': [
+    'declared uniforms, one of which is a function': [
       compileWarp(towards, { uniforms: { center: [0, 0, 0], amount: () => x } }),
     ],
   }

@@ -107,7 +107,7 @@ describe('loadMesh reads models of packages from npm:', () => {
 
 describe('decoders', () => {
   const meshopt = packedVariants['meshopt, vertices and triangles'](shapes.cube)
-  const draco = packedVariants['Draco, in order'](shapes.cube)
+  const draco = packedVariants['Draco, sequential encoding'](shapes.cube)
 
   test('may be passed in every form that their packages have', async () => {
     const { MeshoptDecoder } = await import('meshoptimizer')
@@ -182,7 +182,7 @@ describe('decoders', () => {
 })
 
 test('make models that can be warped and exported', async () => {
-  const { file } = packedVariants['Draco, edge breaker'](shapes.sphere)
+  const { file } = packedVariants['Draco, edgebreaker encoding'](shapes.sphere)
   const mesh = await loadMesh(file)
   const lifted = {
     evaluate: ({ positions, normals }) => ({ positions: positions.map((x) => x + 1), normals }),

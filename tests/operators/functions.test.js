@@ -174,7 +174,7 @@ describe('helper functions:', () => {
       '({ position }) => [wave.at(position.x), wave.amount, 0]',
       ({ glsl, position: { x } }) => glsl.vec3(x.gt(0).ifElse(x, x.neg()).mult(6), 6, 0),
     ],
-    'a class that is made of expressions': [
+    'a class constructed from expressions': [
       '({ position }) => { const w = new Wave(position.y); return [w.at(1), w.at(position.x), w instanceof Wave ? 1 : 0] }',
       ({ glsl, position: { x, y } }) => {
         const amount = y.mult(2)

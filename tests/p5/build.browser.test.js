@@ -107,10 +107,10 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
 
     test('a warp in buildGeometry() looks as on the GPU, with its uniforms and under lights', async () => {
       const shapes = {
-        'in its own space': ['warps.wave()', 'sphere(60, 40, 30)'],
-        'by normal and uv': ['warps.bumps({ height: 0.12 })', 'ellipsoid(60, 50, 40, 60, 40)'],
-        'in the world': ['warps.sway()', 'push(); rotateZ(0.5); torus(40, 15, 40, 30); pop()'],
-        'by normal in the world': [
+        'local space': ['warps.wave()', 'sphere(60, 40, 30)'],
+        'with normal and uv': ['warps.bumps({ height: 0.12 })', 'ellipsoid(60, 50, 40, 60, 40)'],
+        'world space': ['warps.sway()', 'push(); rotateZ(0.5); torus(40, 15, 40, 30); pop()'],
+        'with normal, in world space': [
           'warps.bend()',
           'push(); scale(1.5, 1, 1); sphere(40, 60, 40); pop()',
         ],

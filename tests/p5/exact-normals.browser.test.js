@@ -146,7 +146,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
   const strands = (base, moves) => `exactNormals(${base}().modify(() => { ${moves} }))`
   // Each case as a strands sketch and as a warp.
   const sketches = {
-    'a flag in the wind, by the clock': [
+    'a flag in the wind, with millis()': [
       strands(
         'baseMaterialShader',
         `getWorldInputs((inputs) => {
@@ -158,7 +158,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
       `createWarp(({ glsl, position, millis }) =>
         glsl.vec3(0, millis.mult(0.002).add(position.x.mult(0.05)).sin().mult(14), 0), { space: 'world' })`,
     ],
-    'jelly before the eye, its normals as colours': [
+    'jelly in camera space, with normalMaterial()': [
       strands(
         'baseNormalShader',
         `getCameraInputs((inputs) => {
@@ -176,7 +176,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
         return glsl.vec3(x, y, 0)
       }, { space: 'camera', type: 'normal' })`,
     ],
-    'a ball that swells along its normal, by a uniform and a function': [
+    'a ball that swells along its normal, with a uniform and a function': [
       strands(
         'baseMaterialShader',
         `const size = uniformFloat(() => 0.2)
@@ -189,7 +189,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
       `createWarp(({ position, uniforms }) =>
         position.mult(position.y.mult(5).sin().mult(uniforms.swell)), { uniforms: { swell: 0.2 } })`,
     ],
-    'a twist, by sines and an else': [
+    'a twist, with sines and an else': [
       strands(
         'baseMaterialShader',
         `getObjectInputs((inputs) => {

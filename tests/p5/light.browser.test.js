@@ -34,7 +34,7 @@ const offsets = {
     at: ([x, y], n, _, { height, normals }) =>
       n.map((k) => 0.06 * height * normals * k * (sin(3 * x + 1) + sin(4 * y))),
   },
-  'a flag by uv': {
+  'a flag that depends on uv': {
     code: ({ height }) =>
       `({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(${4 * PI}).sin().mult(uv.y()).mult(${0.05 * height}))`,
     at: (_, __, [u, v], { height }) => [0, 0, 0.05 * height * v * sin(4 * PI * u)],
@@ -369,7 +369,7 @@ for (const [version, p5] of p5InThisRun)
         rotateX(${(side * PI) / 2}); warps.${maker}(); ${draw(shape)}`,
       ]),
     )
-    const flag = offsets['a flag by uv']
+    const flag = offsets['a flag that depends on uv']
     const images = await drawScenes(browsers.WEBGL, server, [p5, addon], {
       setup: `noStroke()
         warps.own = createWarp(${flag.code(unit)})

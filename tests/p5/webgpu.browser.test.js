@@ -112,7 +112,7 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
             : 'float lifted(float x) { return 10.0 * x; }') })`,
       scenes: {
         'uniforms of defs': `warps.declared({ a: 5, unread: 3, v: createVector(0, 10), m: [0, 1, 0, -10, 0, 0, 0, 0, 1] }); fill('red'); plane(60)`,
-        'one of them kept': `warps.declared({ a: -20 }); fill('red'); plane(60)`,
+        'one of the uniforms of defs unchanged': `warps.declared({ a: -20 }); fill('red'); plane(60)`,
         'an image of defs': `lights(); rotateX(0.6); warps.relief({ map: heights }); fill('white'); plane(120, 120, 60, 60)`,
         'a function of defs': `warps.called({ a: 12 }); fill('red'); plane(60)`,
         uniforms: `warps.all(); fill('red'); plane(60)`,
@@ -146,13 +146,13 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
 
   test('with compositions of each kind of warp, also nested', async () => {
     const made = {
-      'add of a deformer and a sketch’s own': 'add(turn, own)',
-      'blend by a number': 'blend(turn, own, 0.4)',
-      'blend by the place': 'blend(turn, own, above)',
-      'mask by the place': 'mask(turn, above)',
-      'inSpace beside': 'inSpace(aside, turn)',
+      'add of a deformer and an own offset function': 'add(turn, own)',
+      'blend with a number': 'blend(turn, own, 0.4)',
+      'blend with a weight that depends on the position': 'blend(turn, own, above)',
+      'mask with a weight that depends on the position': 'mask(turn, above)',
+      'inSpace with a translation': 'inSpace(aside, turn)',
       'inSpace of a uniform': 'inSpace(({ uniforms }) => uniforms.aside, turn)',
-      'inSpace turned': 'inSpace(({ glsl }) => glsl.rotateZ(0.5), swing)',
+      'inSpace with a rotation': 'inSpace(({ glsl }) => glsl.rotateZ(0.5), swing)',
       'add of a mask and a space': 'add(mask(turn, above), inSpace(aside, swing))',
       'blend of chains': 'blend(chain(turn, swing), chain(swing, turn), above)',
       'mask in a chain': 'chain(mask(turn, above), inSpace(aside, swing), own)',

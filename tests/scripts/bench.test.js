@@ -65,7 +65,7 @@ describe('the command line', () => {
       ['--rounds'],
       "Option '--rounds <value>' argument missing; --help lists the options.",
     ],
-    'an argument that is no option': [
+    'an argument that is not an option': [
       ['wobble'],
       "Unexpected argument 'wobble'; --help lists the options.",
     ],
@@ -73,12 +73,15 @@ describe('the command line', () => {
       ['--row', 'cube'],
       "No row is named 'cube': choose from 14,000 × 150; 14,000 × 1,500; airplane twist; wobble; p5.",
     ],
-    'a part that several rows have': [
+    'a name that matches several rows': [
       ['--row', '14000'],
       "Several rows are named '14000': choose from 14,000 × 150; 14,000 × 1,500.",
     ],
-    'no rounds': [['--rounds', '0'], '--rounds takes a whole number from 1, not 0.'],
-    'half rounds': [['--rounds', '2.5'], '--rounds takes a whole number from 1, not 2.5.'],
+    'zero rounds': [['--rounds', '0'], '--rounds takes a whole number from 1, not 0.'],
+    'a fractional number of rounds': [
+      ['--rounds', '2.5'],
+      '--rounds takes a whole number from 1, not 2.5.',
+    ],
   }
   for (const [name, [args, message]] of Object.entries(rejected))
     test(`rejects ${name} with one message`, () =>

@@ -43,7 +43,7 @@ export function makeChoices(editor, onError) {
     })
   const note = make('span', {
     className: 'note',
-    textContent: "Import 'warpjet/deformers' or 'warpjet/glsl'; no operators",
+    textContent: "Import 'warpjet/deformers' or 'warpjet/glsl'; operators are not available",
   })
   document.querySelector('.choices fieldset').append(note)
 
