@@ -38,7 +38,7 @@ interface Use {
   code?: MachineCode | null
 }
 
-/** Maps a program → its few uses, which are compared: a string as a key would be garbage of each call. */
+/** Maps a program → its few uses, which are compared one by one, since a string key would create garbage in each call. */
 const usesOf = new WeakMap<Program, Use[]>()
 
 /** `true` once a Content-Security-Policy or the engine itself has refused to compile code. */
