@@ -51,7 +51,7 @@ const maxFromElsewhere = 40
 const precision = 1e-14
 /** Tolerance relative to the size of the goal, for a search that rounding or a fold stops. */
 const relativeTolerance = 1e-9
-/** Maximum size of a position in the rounding tolerance: without it, any goal would count as reached from far away. */
+/** Caps the position's size in the rounding tolerance; otherwise a position far away would be accepted for any goal. */
 const maxRoundingSize = 1e4
 
 const sizeOf = (a: Triple) => Math.hypot(...a)

@@ -12,7 +12,7 @@ const namesOf = (declared) => declared.map(({ name }) => name)
 const wave = ({ glsl, position, millis }) =>
   glsl.vec3(0, position.x().mult(4).add(millis.div(1000)).sin().mult(0.15), 0)
 
-test('a warp has statements, the inputs that it reads, and counts', () => {
+test('compileWarp returns statements, the inputs that they read, and statistics', () => {
   const warp = compileWarp(wave)
   assert.match(warp.code, /^vec3 offset, warpedPosition, warpedNormal;\n\{\n/)
   assert.match(warp.code, /offset = vec3\(0\.0, sin\(t0\) \* 0\.15, 0\.0\);/)
@@ -153,7 +153,7 @@ test('debug finds the file if the name of a function ends in “at”', (t) => {
   assert.match(message, / \(sketch-of-format\.js, line 2\):/)
 })
 
-test('this warp has the same code in GLSL ES 1.00', () => {
+test('a warp without features of GLSL ES 3.00 has the same code in GLSL ES 1.00', () => {
   assert.equal(compileWarp(wave, { target: 'glsl100' }).code, compileWarp(wave).code)
 })
 
@@ -188,7 +188,7 @@ test('components can be selected in any order, by any of their letters', () => {
   assert.match(code, /e = uv\.xyyx;/)
 })
 
-test('scalars broadcast beside vectors, on either side', () => {
+test('a scalar applies to all components of a vector, as either operand', () => {
   const { code } = compile((glsl) => {
     const v = glsl.vec3Param('v')
     return { a: v.add(1), b: glsl.val(2).mult(v), c: v.mix(glsl.vec3(0, 0, 0), 0.5).neg() }

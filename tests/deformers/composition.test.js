@@ -1,5 +1,5 @@
-// chain, add, blend, mask and inSpace: positions and normals equal those of the same composition of plain functions of numbers,
-// computed step by step.
+// Tests chain, add, blend, mask and inSpace: positions and normals equal those of the same composition of plain functions, computed
+// step by step.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
@@ -158,7 +158,7 @@ describe('chain', () => {
         millis: 0,
       })
       assertClose(offset, [(-30 * slope) / length, x ** 2 / 200 + 30 / length, 0], 1e-9)
-      // Their derivatives d/dx; a parallel surface has the normal of the original.
+      // The derivatives of these offsets with respect to x. A parallel surface has the same normals as the original.
       const byX = [-0.3 / length ** 3, slope - (0.3 * slope) / length ** 3, 0]
       assertClose(derivatives.slice(0, 3), byX, 1e-9)
       assertClose(turned, [-slope / length, 1 / length, 0], 1e-9)
@@ -186,7 +186,7 @@ describe('chain', () => {
     )
   })
 
-  test('shares its sines', () => {
+  test('computes each sine and cosine only once', () => {
     const text = compileWarp(chain(twisted[0], bent[0], waved[0])).code
     const count = (name) => text.match(new RegExp(`\\b${name}\\(`, 'g')).length
     assert.deepEqual([count('sin'), count('cos')], [3, 3])
@@ -194,7 +194,7 @@ describe('chain', () => {
     assert.ok(stats.operations < 250, `${stats.operations} operations`)
   })
 
-  test('of eight warps compiles quickly, and its code grows linearly', () => {
+  test('compiles to code whose length is linear in the number of warps', () => {
     const size = (count) => compileWarp(chain(...Array(count).fill(twisted[0]))).stats.operations
     const [two, four, eight] = [2, 4, 8].map(size)
     assert.ok(eight - four < 2.2 * (four - two), `${two} ${four} ${eight}`)
@@ -285,9 +285,9 @@ test('mask multiplies a warp by a weight, and accounts for the derivative of the
 })
 
 const spaces = {
-  'a shift': translation(30, -20, 7),
-  'a turn': rotation(0.8, 0, 1),
-  'a turn, a scale and a shift': product(
+  'a translation': translation(30, -20, 7),
+  'a rotation': rotation(0.8, 0, 1),
+  'a rotation, a scale and a translation': product(
     translation(5, 6, 7),
     rotation(1, 1, 2),
     scaling(0.5, 2, 1.5),

@@ -55,7 +55,7 @@ describe('functions, methods and classes:', () => {
     }
     const read = operators(object.wave)
     assert.equal(compileWarp((inputs) => read.call(object, inputs)).code, expected)
-    // Also a method that is called with expressions.
+    // The method is also translated when it is called as a helper, with expressions.
     const offset = ({ position }) => [waves.wave({ position: position * 1 })][0]
     assert.equal(
       compileWarp(operators(offset, { waves: object })).code,
@@ -107,7 +107,7 @@ describe('functions, methods and classes:', () => {
       )
   })
 
-  test('a function with new.target has a message', () => {
+  test('a function with new.target is rejected with a message', () => {
     const offset = function ({ position }) {
       return position * (new.target ? 1 : 2)
     }

@@ -7,7 +7,7 @@ export const sketches = {
     setup: `wave = createWarp(({ position }) => [ripple(position.y), 0, 0])`,
     twin: ({ glsl, position }) => glsl.vec3(position.y.mult(8).sin().mult(0.2), 0, 0),
   },
-  'a helper that calls another, as arrow functions': {
+  'a helper that calls another one, both arrow functions': {
     top: `const frequency = 6
     const swing = (x) => sin(x * frequency)
     const both = (x, y) => (swing(x) + swing(y)) / 8`,
