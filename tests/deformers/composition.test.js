@@ -166,7 +166,7 @@ describe('chain', () => {
   })
 
   test('computes no unused normal', () => {
-    const matrix = columnMajor(spaces['a turn'])
+    const matrix = columnMajor(spaces['a rotation'])
     const warp = chain(
       waved[0],
       inSpace(matrix, chain(twisted[0], bent[0])),
@@ -395,7 +395,7 @@ test('deformers and compositions compile to one piece of code in all three langu
   const all = chain(
     blend(taper(), stretch({ keepVolume: true }), 0.4),
     mask(add(bulge(), shear()), ({ position }) => position.y().mult(0.01).sin()),
-    inSpace(columnMajor(spaces['a turn']), spherify({ amount: 0.3 })),
+    inSpace(columnMajor(spaces['a rotation']), spherify({ amount: 0.3 })),
   )
   for (const target of ['glsl300', 'glsl100', 'wgsl'])
     assert.match(compileWarp(all, { target }).code, /warpedNormal/)
