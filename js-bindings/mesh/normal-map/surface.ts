@@ -1,0 +1,80 @@
+// The tangents of a warped mesh, and its vertices as a file will have them.
+import { generateTangents } from '../../wasm/mikktspace.js'
+import type { Mesh } from '../mesh-arrays.js'
+import type { WarpedMesh } from '../bake.js'
+
+type Rest = WarpedMesh['rest']
+
+/** A mesh before and after a warp, with the same vertices. */
+export interface Surface {
+  rest: Rest
+  warped: Mesh & Required<Pick<Mesh, 'uvs' | 'tangents' | 'indices'>>
+}
+
+/**
+ * Adds MikkTSpace tangents to the warped mesh, which must have triangles. Since MikkTSpace finds a tangent for each corner of a
+ * triangle, a vertex whose corners have different tangents is split, in both meshes.
+ */
+export function splitByTangents(rest: Rest, warped: Mesh & Required<Pick<Mesh, 'uvs'>>): Surface {
+  const { positions, normals, uvs } = warped
+  const corners = warped.indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i)
+  // glTF's v increases downwards, MikkTSpace's upwards.
+  const upwards = uvs.map((uv, i) => (i % 2 ? 1 - uv : uv))
+  const ofCorners = generateTangents(
+    pick(positions, corners),
+    pick(normals, corners),
+    pick(upwards, corners, 2),
+  )
+  const { firstCorners, indices } = mergeCorners(corners, ofCorners)
+  const origins = firstCorners.map((corner) => corners[corner]!)
+  return {
+    rest: pickAll(rest, origins),
+    warped: {
+      ...pickAll(warped, origins),
+      uvs: pick(uvs, origins, 2),
+      tangents: pick(ofCorners, firstCorners, 4),
+      indices,
+    },
+  }
+}
+
+/** Finds new vertices: the first corner of each, and the new vertex of each corner. */
+function mergeCorners(corners: Uint32Array, tangents: Float32Array) {
+  const firstCorners: number[] = []
+  /** Maps a new vertex → the next one with the same original, or -1. */
+  const others: number[] = []
+  const newest = new Int32Array(corners.reduce((max, vertex) => Math.max(max, vertex), 0) + 1).fill(
+    -1,
+  )
+  const areEqual = (a: number, b: number) => {
+    for (let k = 0; k < 4; k++) if (tangents[4 * a + k] !== tangents[4 * b + k]) return false
+    return true
+  }
+  const indices = corners.map((vertex, corner) => {
+    let found = newest[vertex]!
+    while (found >= 0 && !areEqual(firstCorners[found]!, corner)) found = others[found]!
+    if (found >= 0) return found
+    others.push(newest[vertex]!)
+    newest[vertex] = firstCorners.length
+    return firstCorners.push(corner) - 1
+  })
+  return { firstCorners: Uint32Array.from(firstCorners), indices }
+}
+
+/** Numbers per vertex where they are not 3. */
+const sizes: Record<string, number> = { uvs: 2, colors: 4, tangents: 4 }
+
+/** Returns the mesh with the chosen vertices, and without indices. */
+function pickAll<Arrays extends Mesh>({ indices: _, ...mesh }: Arrays, vertices: Uint32Array) {
+  const picked = Object.entries(mesh).map(([name, value]) =>
+    value instanceof Float32Array ? [name, pick(value, vertices, sizes[name])] : [name, value],
+  )
+  return Object.fromEntries(picked) as Omit<Arrays, 'indices'>
+}
+
+function pick(numbers: Float32Array, vertices: Uint32Array, size = 3): Float32Array {
+  const picked = new Float32Array(size * vertices.length)
+  for (let i = 0; i < vertices.length; i++)
+    for (let k = 0; k < size; k++) picked[size * i + k] = numbers[size * vertices[i]! + k]!
+  return picked
+}
