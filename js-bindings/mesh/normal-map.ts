@@ -52,7 +52,7 @@ const maxOverlap = 0.01
  * interpolated one cannot be stored; the nearest one is. 8 bits per channel round normals by up to 0.4 degrees.
  *
  * Throws a `WarpError` for what `bakeWarp` throws, a mesh without triangles or uvs, uvs that overlap at more than 1% of the texels or
- * cover none, and a normal that is not finite.
+ * cover none, and a warp that has no finite value at the centre of a texel.
  *
  * @example
  * const baked = bakeNormalMap(mesh, warp, { size: 1024, uniforms: { millis: 1200 } })
@@ -87,7 +87,7 @@ export function bakeNormalMap(
 const adviceToUnwrap =
   'unwrap the model so that each triangle has its own place in the image, such as by Lightmap Pack in Blender'
 
-const percentOf = (share: number) => `${(100 * share).toPrecision(2)}%`
+const percentOf = (share: number) => `${Number((100 * share).toPrecision(2))}%`
 
 /** Prepares the mesh as the file will have it, with the normals that `exportGLB` writes. */
 function unwrappedSurface({ rest, warped }: WarpedMesh): Surface {

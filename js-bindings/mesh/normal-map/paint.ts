@@ -42,13 +42,13 @@ export function paintNormals({
   const frames = new TangentFrames(surface.warped)
   for (const { texels, vertices, weights } of batchesOf(triangles, owners)) {
     const rest = interpolate(surface.rest, vertices, weights)
-    const normals = evaluateFor(place, warp, rest, uniforms).normals!
+    const { positions, normals } = evaluateFor(place, warp, rest, uniforms) as Inputs
     for (let i = 0; i < texels.length; i++) {
       const texel = texels[i]!
-      if (hasFiniteVector(normals, 3 * i)) {
+      if (isFiniteVector(positions, 3 * i) && isFiniteVector(normals, 3 * i)) {
         frames.moveTo(vertices, weights, 3 * i)
         frames.encode(normals, 3 * i, colors, 3 * texel)
-      } else if (isInside(weights, 3 * i)) throw nonFiniteError(place, normals, rest.positions, i)
+      } else if (isInside(weights, 3 * i)) throw nonFiniteError(place, rest.positions, i)
       // Beside its triangle, the warp may be undefined.
       else owners[texel] = -1
     }
@@ -56,7 +56,7 @@ export function paintNormals({
   return colors
 }
 
-const hasFiniteVector = (vectors: Float32Array, first: number) =>
+const isFiniteVector = (vectors: Float32Array, first: number) =>
   Number.isFinite(vectors[first]! + vectors[first + 1]! + vectors[first + 2]!)
 
 const isInside = (weights: Float64Array, first: number) =>
@@ -119,10 +119,9 @@ function interpolate(rest: Surface['rest'], vertices: Uint32Array, weights: Floa
   return inputs as Inputs
 }
 
-function nonFiniteError(place: Place, normals: Float32Array, positions: Float32Array, i: number) {
-  const number = normals.subarray(3 * i, 3 * i + 3).find((x) => !Number.isFinite(x))
+function nonFiniteError(place: Place, positions: Float32Array, i: number) {
   const position = [...positions.subarray(3 * i, 3 * i + 3)].join(', ')
   return place.error(
-    `expected a finite normal between vertices, at (${position}), got ${number}; check the warp there, for a division by 0 for example.`,
+    `the warp has no finite position and normal between vertices, at (${position}); check it there, for a division by 0 for example.`,
   )
 }

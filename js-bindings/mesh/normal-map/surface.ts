@@ -13,29 +13,56 @@ export interface Surface {
 
 /**
  * Adds MikkTSpace tangents to the warped mesh, which must have triangles. Since MikkTSpace finds a tangent for each corner of a
- * triangle, a vertex whose corners have different tangents is split, in both meshes.
+ * triangle, a vertex whose corners have different tangents is split, in both meshes. Vertices without a triangle are left out.
  */
 export function splitByTangents(rest: Rest, warped: Mesh & Required<Pick<Mesh, 'uvs'>>): Surface {
-  const { positions, normals, uvs } = warped
-  const corners = warped.indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i)
-  // glTF's v increases downwards, MikkTSpace's upwards.
-  const upwards = uvs.map((uv, i) => (i % 2 ? 1 - uv : uv))
-  const ofCorners = generateTangents(
-    pick(positions, corners),
-    pick(normals, corners),
-    pick(upwards, corners, 2),
-  )
-  const { firstCorners, indices } = mergeCorners(corners, ofCorners)
+  const corners =
+    warped.indices ?? Uint32Array.from({ length: warped.positions.length / 3 }, (_, i) => i)
+  const tangents = tangentsOfCorners(warped, corners)
+  const { firstCorners, indices } = mergeCorners(corners, tangents)
   const origins = firstCorners.map((corner) => corners[corner]!)
   return {
     rest: pickAll(rest, origins),
     warped: {
       ...pickAll(warped, origins),
-      uvs: pick(uvs, origins, 2),
-      tangents: pick(ofCorners, firstCorners, 4),
+      tangents: pick(tangents, firstCorners, 4),
       indices,
     },
   }
+}
+
+/** Returns a tangent for each corner. It is 0 in triangles with two equal positions. */
+function tangentsOfCorners(
+  { positions, normals, uvs }: Mesh & Required<Pick<Mesh, 'uvs'>>,
+  corners: Uint32Array,
+): Float32Array {
+  // Of a mesh that has no others, the library reads beyond its arrays.
+  const proper = Uint32Array.from(corners.keys()).filter((corner) => {
+    const first = corner - (corner % 3)
+    const [a, b, c] = [corners[first]!, corners[first + 1]!, corners[first + 2]!]
+    return !(
+      isSameVector(positions, a, b) ||
+      isSameVector(positions, b, c) ||
+      isSameVector(positions, c, a)
+    )
+  })
+  const tangents = new Float32Array(4 * corners.length)
+  if (!proper.length) return tangents
+  const vertices = proper.map((corner) => corners[corner]!)
+  // glTF's v increases downwards, MikkTSpace's upwards.
+  const upwards = uvs.map((uv, i) => (i % 2 ? 1 - uv : uv))
+  const found = generateTangents(
+    pick(positions, vertices),
+    pick(normals, vertices),
+    pick(upwards, vertices, 2),
+  )
+  proper.forEach((corner, i) => tangents.set(found.subarray(4 * i, 4 * i + 4), 4 * corner))
+  return tangents
+}
+
+function isSameVector(vectors: Float32Array, a: number, b: number, size = 3) {
+  for (let k = 0; k < size; k++) if (vectors[size * a + k] !== vectors[size * b + k]) return false
+  return true
 }
 
 /** Finds new vertices: the first corner of each, and the new vertex of each corner. */
@@ -43,16 +70,12 @@ function mergeCorners(corners: Uint32Array, tangents: Float32Array) {
   const firstCorners: number[] = []
   /** Maps a new vertex → the next one with the same original, or -1. */
   const others: number[] = []
-  const newest = new Int32Array(corners.reduce((max, vertex) => Math.max(max, vertex), 0) + 1).fill(
-    -1,
-  )
-  const areEqual = (a: number, b: number) => {
-    for (let k = 0; k < 4; k++) if (tangents[4 * a + k] !== tangents[4 * b + k]) return false
-    return true
-  }
+  const newest = new Int32Array(corners.reduce((max, vertex) => Math.max(max, vertex), 0) + 1)
+  newest.fill(-1)
   const indices = corners.map((vertex, corner) => {
     let found = newest[vertex]!
-    while (found >= 0 && !areEqual(firstCorners[found]!, corner)) found = others[found]!
+    while (found >= 0 && !isSameVector(tangents, firstCorners[found]!, corner, 4))
+      found = others[found]!
     if (found >= 0) return found
     others.push(newest[vertex]!)
     newest[vertex] = firstCorners.length
