@@ -4,7 +4,7 @@ import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
 import type { EvaluationOptions } from '../cpu/cpu-warp.js'
 import { warpProgram } from '../cpu/warp-program.js'
-import { anything, wholeNumber } from '../options/kinds.js'
+import { anything, oneOf, wholeNumber } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
 import { type Evaluates, type WarpedMesh, warpKind, warpMesh } from './bake.js'
@@ -12,6 +12,7 @@ import { withJob } from './job.js'
 import { type Mesh, type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import { coverTexels } from './normal-map/cover.js'
 import { fillEmptyTexels } from './normal-map/fill.js'
+import type { FrameKind } from './normal-map/frames.js'
 import { type Surface, splitByTangents } from './normal-map/surface.js'
 import { paintNormals } from './normal-map/paint.js'
 import { UvTriangles } from './normal-map/uv-triangles.js'
@@ -22,15 +23,25 @@ export interface NormalMapOptions extends EvaluationOptions {
    * @default 1024
    */
   size?: number | undefined
+  /**
+   * How the program that draws the mesh interpolates its tangent frame between vertices. `'normalized'`: three.js computes the bitangents
+   * of vertices, and normalizes tangent, bitangent and normal at each pixel. `'mikktspace'`: Blender normalizes none of them, and
+   * computes the bitangent at the pixel. The finer the mesh, the less they differ.
+   * @default 'normalized'
+   */
+  frames?: FrameKind | undefined
 }
 
 /** The range of `size`: some GPUs support no larger texture. */
 export const sizeRange = { min: 1, max: 8192 }
 
+export const frameKind = oneOf(['normalized', 'mikktspace'], 'normalized')
+
 const place = new Place('bakeNormalMap')
 const bakedWarp = warpKind()
 const options = object({
   size: wholeNumber({ ...sizeRange, default: 1024 }),
+  frames: frameKind,
   uniforms: anything<Uniforms>(),
 } satisfies KindsOf<NormalMapOptions>)
 
@@ -64,7 +75,7 @@ export function bakeNormalMap(
   given?: NormalMapOptions,
 ): Mesh {
   bakedWarp.read(warp, place.part('the warp'))
-  const { size, uniforms: values } = options.read(given, place)
+  const { size, frames, uniforms: values } = options.read(given, place)
   const uniforms = snapshotUniforms(place, warp[warpProgram]?.declared, values)
   const surface = unwrappedSurface(warpMesh(place, mesh, warp, uniforms))
   const triangles = new UvTriangles(surface.warped.uvs, surface.warped.indices, size)
@@ -78,7 +89,7 @@ export function bakeNormalMap(
     throw place.error(
       `expected uvs that do not overlap, since each texel has one normal, got ${percentOf(share)} of the texels with several triangles; ${adviceToUnwrap}.`,
     )
-  const texels = paintNormals({ place, surface, triangles, owners, warp, uniforms })
+  const texels = paintNormals({ place, surface, triangles, owners, warp, uniforms, frames })
   fillEmptyTexels(texels, owners, size)
   const bytes = encode({ width: size, height: size, channels: 3, data: texels })
   return withNormalTexture(surface.warped, bytes, share)

@@ -10,7 +10,14 @@ import { cross, normalize } from '../support/browser/matrix.js'
 import { checkMemoryAfterEach, material, rise, twist } from '../support/mesh-tests.js'
 import { grid, sphere } from '../support/meshes.js'
 import { readGlb } from '../support/glb.js'
-import { blend, readNormalMap, readPng, shownNormal, visitTexels } from '../support/normal-map.js'
+import {
+  mikktspaceNormal,
+  blend,
+  readNormalMap,
+  readPng,
+  shownNormal,
+  visitTexels,
+} from '../support/normal-map.js'
 import { throwsWarpError } from '../support/warp-errors.js'
 
 checkMemoryAfterEach()
@@ -56,7 +63,7 @@ const sphereAt = ([u, v]) => {
 const squareAt = ([x, y]) => [x, y, 0]
 
 /** Returns the max angles of the map and of interpolated vertex normals from `exact(position, normal)`, in degrees. */
-function maxAngles(map, restAt, normalAt, exact) {
+function maxAngles(map, restAt, normalAt, exact, read = shownNormal) {
   const { NORMAL, TEXCOORD_0: uvs } = map
   const vertices = Array.from({ length: uvs.length / 2 }, (_, i) => [
     ...uvs.slice(2 * i, 2 * i + 2),
@@ -72,7 +79,7 @@ function maxAngles(map, restAt, normalAt, exact) {
     )
     const interpolated = normalize(blend(NORMAL, vertices, weights))
     max.texels++
-    max.map = Math.max(max.map, angleBetween(shownNormal(map, texel), expected))
+    max.map = Math.max(max.map, angleBetween(read(map, texel), expected))
     max.vertices = Math.max(max.vertices, angleBetween(interpolated, expected))
   })
   return max
@@ -89,6 +96,14 @@ describe('the map holds exact normals', () => {
     assert.ok(max.texels > 120 * 120)
     assert.ok(max.vertices > 15, `${max.vertices}`)
     assert.ok(max.map < rounding, `${max.map}`)
+  })
+
+  test('for programs that follow the definition of MikkTSpace', () => {
+    const bake = (frames) =>
+      readNormalMap(exportGLB(bakeNormalMap(plainSphere(), waves, { size: 128, frames })))
+    const angle = (map) => maxAngles(map, sphereAt, sphereAt, wavedNormal, mikktspaceNormal).map
+    assert.ok(angle(bake('mikktspace')) < rounding)
+    assert.ok(angle(bake('normalized')) > 3)
   })
 
   const up = () => [0, 0, 1]

@@ -68,7 +68,7 @@ export const blend = (vectors, vertices, weights, stride = 3) =>
 
 /** Returns the normal at a texel as three.js computes it: tangent, bitangent and normal are interpolated, then normalized. */
 export function shownNormal(map, { x, y, vertices, weights }) {
-  const { NORMAL, TANGENT, image } = map
+  const { NORMAL, TANGENT } = map
   const bitangents = vertices.flatMap((i) => {
     const [normal, tangent] = [NORMAL.slice(3 * i, 3 * i + 3), TANGENT.slice(4 * i, 4 * i + 3)]
     return normalize(cross(normal, tangent).map((c) => c * TANGENT[4 * i + 3]))
@@ -77,7 +77,20 @@ export function shownNormal(map, { x, y, vertices, weights }) {
     blend(TANGENT, vertices, weights, 4),
     blend(bitangents, [0, 1, 2], weights),
     blend(NORMAL, vertices, weights),
-  ].map(normalize)
-  const color = image.pixel(x, y).map((byte) => byte / 127.5 - 1)
-  return normalize([0, 1, 2].map((c) => axes.reduce((sum, axis, k) => sum + color[k] * axis[c], 0)))
+  ]
+  return normalIn(axes.map(normalize), map.image.pixel(x, y))
+}
+
+/** Returns the normal at a texel by the definition of MikkTSpace: nothing is normalized but the result. */
+export function mikktspaceNormal(map, { x, y, vertices, weights }) {
+  const normal = blend(map.NORMAL, vertices, weights)
+  const tangent = blend(map.TANGENT, vertices, weights, 4)
+  const side = map.TANGENT[4 * vertices[0] + 3]
+  const bitangent = cross(normal, tangent).map((c) => side * c)
+  return normalIn([tangent, bitangent, normal], map.image.pixel(x, y))
+}
+
+function normalIn(axes, color) {
+  const parts = color.map((byte) => byte / 127.5 - 1)
+  return normalize([0, 1, 2].map((c) => axes.reduce((sum, axis, k) => sum + parts[k] * axis[c], 0)))
 }

@@ -2,7 +2,7 @@
 import { type Uniforms, type Vertices, arrayNames } from '../../core/inputs/vertices.js'
 import type { Place } from '../../options/place.js'
 import { type Evaluates, evaluateFor } from '../bake.js'
-import { TangentFrames, normalizeVectors } from './frames.js'
+import { type FrameKind, TangentFrames, normalizeVectors } from './frames.js'
 import type { Surface } from './surface.js'
 import { type UvTriangles, barycentric } from './uv-triangles.js'
 
@@ -14,6 +14,7 @@ interface Painting {
   owners: Int32Array
   warp: Evaluates
   uniforms: Uniforms | undefined
+  frames: FrameKind
 }
 
 /** The max number of texels that are evaluated together. */
@@ -37,9 +38,10 @@ export function paintNormals({
   owners,
   warp,
   uniforms,
+  frames: kind,
 }: Painting): Uint8Array {
   const colors = new Uint8Array(3 * owners.length)
-  const frames = new TangentFrames(surface.warped)
+  const frames = new TangentFrames(surface.warped, kind)
   for (const { texels, vertices, weights } of batchesOf(triangles, owners)) {
     const rest = interpolate(surface.rest, vertices, weights)
     const { positions, normals } = evaluateFor(place, warp, rest, uniforms) as Inputs
