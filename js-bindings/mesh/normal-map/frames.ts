@@ -4,7 +4,7 @@ import type { Surface } from './surface.js'
 /** The min z of a normal in its map: glTF stores no others, which point to the other side of the surface. */
 const minZ = 1 / 255
 
-/** How a program interpolates the frame between vertices, which `NormalMapOptions` documents. */
+/** The ways in which programs interpolate the frame between vertices, which `NormalMapOptions` documents. */
 export type FrameKind = 'normalized' | 'mikktspace'
 
 /** The frame at one point of the mesh at a time. */

@@ -83,7 +83,7 @@ function* batchesOf(triangles: UvTriangles, owners: Int32Array): Generator<Batch
     let sum = 0
     for (let k = 0; k < 3; k++) {
       vertices[3 * count + k] = triangles.indices[3 * owner + k]!
-      sum += weights[3 * count + k] = limited(barycentric(forms, k, x, y))
+      sum += weights[3 * count + k] = limitExtrapolation(barycentric(forms, k, x, y))
     }
     for (let k = 0; k < 3; k++) weights[3 * count + k]! /= sum
     if (++count < batchSize) continue
@@ -99,7 +99,7 @@ function* batchesOf(triangles: UvTriangles, owners: Int32Array): Generator<Batch
 }
 
 /** Limits how far texels beside a triangle extrapolate from it: a texel beside a narrow one is many times its width away. */
-const limited = (weight: number) => Math.min(Math.max(weight, -0.5), 1.5)
+const limitExtrapolation = (weight: number) => Math.min(Math.max(weight, -0.5), 1.5)
 
 type Inputs = Vertices & Record<'positions' | 'normals', Float32Array>
 

@@ -36,7 +36,7 @@ function tangentsOfCorners(
   { positions, normals, uvs }: Mesh & Required<Pick<Mesh, 'uvs'>>,
   corners: Uint32Array,
 ): Float32Array {
-  // Of a mesh that has no others, the library reads beyond its arrays.
+  // The library reads beyond its arrays if a mesh has only triangles with two equal positions.
   const proper = Uint32Array.from(corners.keys()).filter((corner) => {
     const first = corner - (corner % 3)
     const [a, b, c] = [corners[first]!, corners[first + 1]!, corners[first + 2]!]
