@@ -39,7 +39,7 @@ export const frameKind = oneOf(['normalized', 'mikktspace'], 'normalized')
 
 const place = new Place('bakeNormalMap')
 const bakedWarp = warpKind()
-const options = object({
+const optionsKind = object({
   size: wholeNumber({ ...sizeRange, default: 1024 }),
   frames: frameKind,
   uniforms: anything<Uniforms>(),
@@ -72,10 +72,10 @@ const maxOverlap = 0.01
 export function bakeNormalMap(
   mesh: MeshOrGeometry,
   warp: Evaluates,
-  given?: NormalMapOptions,
+  options?: NormalMapOptions,
 ): Mesh {
   bakedWarp.read(warp, place.part('the warp'))
-  const { size, frames, uniforms: values } = options.read(given, place)
+  const { size, frames, uniforms: values } = optionsKind.read(options, place)
   const uniforms = snapshotUniforms(place, warp[warpProgram]?.declared, values)
   const surface = unwrappedSurface(warpMesh(place, mesh, warp, uniforms))
   const triangles = new UvTriangles(surface.warped.uvs, surface.warped.indices, size)
