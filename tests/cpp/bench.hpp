@@ -53,7 +53,7 @@ struct Bench {
     return code.substr(start, code.find(";\n", start) - start);
   }
 
-  // All results added so far, with temporaries chosen by depth only.
+  // All results, with temporaries chosen by depth only.
   ShaderTextResult writeResults() const {
     return write(builder.module(), dialect_, {.emit = {8, EmitOptions::maxTrackedReads}});
   }

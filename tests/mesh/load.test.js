@@ -267,6 +267,7 @@ describe('loadMesh', () => {
 test('the module exports exactly the public functions', () => {
   assert.deepEqual(Object.keys(addresses).sort(), [
     'WarpError',
+    'bakeNormalMap',
     'bakeWarp',
     'exportGLB',
     // Exports for the p5 addon, such as subdivideP5Model and varyGeometry.
