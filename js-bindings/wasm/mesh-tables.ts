@@ -12,7 +12,8 @@ export type FloatArray =
   | 'uGradients'
   | 'vGradients'
 export type IndexArray = 'indices' | 'ends' | 'triangles'
-export type ByteArray = 'picture' | 'mimeType' | 'file' | 'contents' | 'painted'
+export type ByteArray =
+  'picture' | 'mimeType' | 'normalPicture' | 'normalMimeType' | 'file' | 'contents' | 'painted'
 
 export const triangleLimit = 268435456
 /** The default of the option `maxTriangles`. */

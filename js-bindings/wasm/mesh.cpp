@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "job.hpp"
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
+#include "mesh/gltf/unit.hpp"
 #include "mesh/messages.hpp"
 #include "mesh/refine/shortfall.hpp"
 #include "mesh/refine/subdivide.hpp"
@@ -205,15 +207,30 @@ Outcome addVariation(Job& job) {
   });
 }
 
+// Replaces the normals of a checked mesh by those that a file gets.
+Outcome normalizeNormals(Job& job) {
+  return attempt([&]() -> Texts {
+    job.mesh.normals = unitNormals(job.mesh);
+    return {};
+  });
+}
+
+// Moves the bytes of a texture into the material.
+void setTexture(std::optional<Image>& texture, std::vector<std::uint8_t>& bytes,
+                const std::string& name) {
+  if (bytes.empty()) return;
+  if (!pictureType(bytes))
+    throw FileProblem("material." + name +
+                      " must be the bytes of a PNG or JPEG file, which these are not.");
+  texture = Image{std::move(bytes), {}};
+}
+
 // Writes a checked mesh to a file.
 Outcome writeFile(Job& job) {
   return attempt([&]() -> Texts {
-    if (!job.picture.empty()) {
-      if (!pictureType(job.picture))
-        throw FileProblem(
-            "material.baseColorTexture must be the bytes of a PNG or JPEG file, which these are "
-            "not.");
-      job.mesh.material->baseColorTexture = Image{std::move(job.picture), {}};
+    if (job.mesh.material) {
+      setTexture(job.mesh.material->baseColorTexture, job.picture, "baseColorTexture");
+      setTexture(job.mesh.material->normalTexture, job.normalPicture, "normalTexture");
     }
     job.file = exportGlb(job.mesh);
     return {};
@@ -310,6 +327,7 @@ EMSCRIPTEN_BINDINGS(mesh) {
       .function("checkMesh", &checkMesh)
       .function("addNormals", &addNormals)
       .function("addVariation", &addVariation)
+      .function("normalizeNormals", &normalizeNormals)
       .function("writeFile", &writeFile)
       .function("refine", &refine)
       .function("refineUniformly", &refineUniformly);

@@ -7,6 +7,7 @@ import validator from 'gltf-validator'
 import { compileWarp } from 'warpjet'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import { readGlb, writeGlb } from '../support/glb.js'
+import { readNormalMap } from '../support/normal-map.js'
 import {
   folder,
   write,
@@ -131,6 +132,35 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
       /\nNote: With 300 triangles the warped surface is still up to [\d.]+ away from them, above the tolerance of 0\.001; raise maxTriangles/,
     )
     assert.ok((await load('fine.glb')).indices.length <= 3 * 300)
+  })
+
+  test('--normal-map writes a normal map into the file', async () => {
+    const { stderr } = await works(
+      ...['bake', 'model.glb', 'wave.js', '-o', 'map.glb', '--set', 'millis=0.5'],
+      ...['--normal-map', '64', '--subdivide', '0.1'],
+    )
+    assert.match(stderr, /\nSubdivided: .*\nNormal map: 64 × 64\nmap\.glb: [\d,]+ bytes\n$/)
+    const glb = readFileSync(join(folder, 'map.glb'))
+    const { issues } = await validator.validateBytes(glb)
+    assert.deepEqual(issues.messages, [])
+    const { image, TANGENT } = readNormalMap(new Uint8Array(glb))
+    assert.equal(image.width, 64)
+    assert.ok(TANGENT.length > 0)
+    const bake = ['bake', 'model.glb', 'named.js', '-o', 'map.glb']
+    await usage(
+      [...bake, '--normal-map', '0'],
+      /expected a whole number from 1 to 8192 .*--normal-map/,
+    )
+    await usage(
+      [...bake, '--normal-map', '8', '--frames', 'x'],
+      /'normalized' or 'mikktspace'.*--frames/,
+    )
+    await usage([...bake, '--frames', 'mikktspace'], /--frames needs --normal-map/)
+    write('bare.glb', exportGLB({ ...model, uvs: undefined, material: undefined }))
+    await failsWithError(
+      ['bake', 'bare.glb', 'named.js', '-q', '-o', 'map.glb', '--normal-map', '64'],
+      /bakeNormalMap: the mesh has no uvs/,
+    )
   })
 
   test('an image that a GLB may not have is left out, with a warning', async () => {

@@ -131,7 +131,8 @@ test('NOTICE names every library that is compiled in', () => {
   const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
   // Libraries that the linker adds, and those that Vite bundles; .cmake/wasm.cmake selects the allocators.
   const others = ['emscripten', 'embind', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
-  for (const name of [...others, 'compiler-rt', 'acorn', 'magic-string'])
+  const bundled = ['acorn', 'magic-string', 'mikktspace', 'fast-png', 'iobuffer', 'fflate']
+  for (const name of [...others, 'compiler-rt', ...bundled])
     assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
   const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
   for (const [, name] of linked.matchAll(/-sMALLOC=(\w+)/g)) assert.ok(notice.includes(name), name)

@@ -267,6 +267,7 @@ describe('sources of bytes', () => {
 test('all public exports', () => {
   assert.deepEqual(Object.keys(addresses).sort(), [
     'WarpError',
+    'bakeNormalMap',
     'bakeWarp',
     'exportGLB',
     // Exports for the p5 addon, such as subdivideP5Model and varyGeometry.
