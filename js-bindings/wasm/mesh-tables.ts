@@ -1,4 +1,4 @@
-// Written by `npm run reference` from the C++: the arrays of a mesh's job by type, and limits.
+// Written by `npm run reference` from the C++: the names of the arrays that are passed to the mesh module, by type, and limits.
 
 export type FloatArray =
   | 'positions'

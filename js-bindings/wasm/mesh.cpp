@@ -1,5 +1,5 @@
 // The bindings of meshes. JavaScript fills the arrays of a job, calls its functions, reads the
-// arrays, and deletes it. No exception crosses the border: functions that can fail return an
+// arrays, and deletes it. No exception reaches JavaScript: functions that can fail return an
 // outcome with a message.
 #include <malloc.h>
 
@@ -111,7 +111,7 @@ std::uint32_t triangleCount(const Job& job) {
   return static_cast<std::uint32_t>(job.mesh.triangleCount());
 }
 
-// Moves `contents` among the further files.
+// Adds `contents` to the files that the model refers to.
 Outcome keepFile(Job& job, const std::string& name) {
   return attempt([&]() -> Texts {
     job.files[name] = std::exchange(job.contents, {});
@@ -119,12 +119,12 @@ Outcome keepFile(Job& job, const std::string& name) {
   });
 }
 
-// The texts are the URIs of the further files that the file needs.
+// Returns the URIs of the other files that the file needs.
 Outcome findFiles(Job& job) {
   return attempt([&] { return job.model.emplace(job.file).externalFiles(job.files); });
 }
 
-// After findFiles. The texts are the plans of the compressed parts (gltf/packed_part.hpp).
+// Call it after findFiles. Returns the plans of the compressed parts (gltf/packed_part.hpp).
 Outcome findPacked(Job& job) {
   return attempt([&] {
     job.parts = job.model->packedParts(job.files);
@@ -143,7 +143,7 @@ Outcome openPacked(Job& job, std::uint32_t part) {
   });
 }
 
-// Moves `contents` behind the decoded pieces of the next part.
+// Appends `contents` to the decoded pieces, which `unpack` takes.
 Outcome keepPiece(Job& job) {
   return attempt([&]() -> Texts {
     job.pieces.push_back(std::exchange(job.contents, {}));
@@ -151,7 +151,7 @@ Outcome keepPiece(Job& job) {
   });
 }
 
-// Puts the pieces in the place of a compressed part.
+// Replaces a compressed part by the decoded pieces.
 Outcome unpack(Job& job, std::uint32_t part) {
   return attempt([&]() -> Texts {
     job.model->unpack(part, std::exchange(job.pieces, {}));

@@ -50,7 +50,7 @@ class Packer {
   const Readers& readers() const { return readers_; }
 
  private:
-  // Only this many readers of a statement are searched.
+  // The max number of readers of a statement that are searched.
   static constexpr std::size_t maxReaders = 8;
 
   // At least `count_` for statements that can't be packed here.
