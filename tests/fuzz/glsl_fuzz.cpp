@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "fuzz/require.hpp"
-#include "glsl/glsl.hpp"
+#include "source/glsl/glsl.hpp"
 
-namespace warpjet::glsl {
+namespace warpjet::source::glsl {
 namespace {
 
 void requireSentence(const std::string& problem) {
@@ -137,7 +137,7 @@ class Order {
 };
 
 void check(std::string text) {
-  Source source(std::move(text));
+  Source source(parse(text));
   if (!source.problem().empty()) return requireSentence(source.problem());
   const std::vector<FunctionHead> functions = source.functions();
   if (functions.empty()) return;
@@ -148,9 +148,9 @@ void check(std::string text) {
 }
 
 }  // namespace
-}  // namespace warpjet::glsl
+}  // namespace warpjet::source::glsl
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  warpjet::glsl::check({reinterpret_cast<const char*>(data), size});
+  warpjet::source::glsl::check({reinterpret_cast<const char*>(data), size});
   return 0;
 }
