@@ -8,7 +8,7 @@ import { readArguments } from './usage.js'
 import { withFileInErrors, glslFlags, choiceOf, readWarp } from './warp-file.js'
 
 export async function emit(args: string[]): Promise<void> {
-  const { values, files, wrong } = readArguments('emit', args, ['a warp.js or a file of GLSL'], {
+  const { values, files, wrong } = readArguments('emit', args, ['a warp.js or a file of GLSL or WGSL'], {
     target: { type: 'string', kind: targetKind },
     tangents: { type: 'boolean', default: false },
     'surface-variation': { type: 'boolean' },

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "embind.hpp"
+#include "source/wgsl/wgsl.hpp"
 
 using namespace warpjet::source;
 
@@ -20,7 +21,9 @@ namespace {
 // The builder's name of each code; empty where it is none of its operations.
 std::vector<std::string> codes() { return {std::begin(codeNames), std::end(codeNames)}; }
 
-Source* openSource(std::string_view text) { return new Source(glsl::parse(text)); }
+Source* openSource(std::string_view text, bool isWgsl) {
+  return new Source(isWgsl ? wgsl::parse(text) : glsl::parse(text));
+}
 
 std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 

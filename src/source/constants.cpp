@@ -13,6 +13,7 @@ bool Constants::mayBeConstant(const Expression& node) const {
     case Call:
     case Assign:
     case Increment:
+    case Unsupported:
       return false;
     case Sequence:
       return version_ != 300;
@@ -23,11 +24,16 @@ bool Constants::mayBeConstant(const Expression& node) const {
   }
 }
 
-std::vector<std::int32_t> Constants::integers(ExpressionId expression) {
-  if (!tree_.expressions[expression].type.isInteger() || !isConstant(expression)) return {};
+std::vector<double> Constants::numbers(ExpressionId expression) {
+  if (!isConstant(expression)) return {};
   if (!lowering_) lowering_ = std::make_unique<Lowering>(tree_, problems_);
+  return lowering_->constant(expression);
+}
+
+std::vector<std::int32_t> Constants::integers(ExpressionId expression) {
+  if (!tree_.expressions[expression].type.isInteger()) return {};
   std::vector<std::int32_t> bits;
-  for (const double number : lowering_->constant(expression))
+  for (const double number : numbers(expression))
     bits.push_back(
         static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(number))));
   return bits;

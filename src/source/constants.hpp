@@ -27,6 +27,8 @@ class Constants {
     return isConstant(expression, [](VariableId) { return false; });
   }
 
+  // The numbers of a constant expression; empty if it isn't one, or has no value.
+  std::vector<double> numbers(ExpressionId expression);
   // The bits of each component of a constant expression of ints or uints; empty if they are
   // unknown.
   std::vector<std::int32_t> integers(ExpressionId expression);

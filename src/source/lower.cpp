@@ -1,6 +1,7 @@
 // The lowering as a whole, and calls.
 #include "source/lower.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace warpjet::source {
@@ -30,7 +31,7 @@ Lowered Lowering::lower(FunctionId number) {
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
     const Type type = function.parameters[i].type;
     Value argument;
-    for (int k = 0; k < type.components(); ++k)
+    for (int k = 0; k < std::min(type.components(), sizeOf(type)); ++k)
       argument.push_back(recorder_.leafOf(Code::Argument, static_cast<int>(i), k, type));
     arguments.push_back(std::move(argument));
   }
@@ -72,8 +73,11 @@ void Lowering::addExternal(const std::string& name, Type type, bool isAttribute,
     for (int i = 0; i < type.length; ++i)
       addExternal(name + '[' + std::to_string(i) + ']', type.element(), isAttribute, leaves);
   } else if (type.isStruct()) {
-    for (const Field& field : tree_.types.structure(type).fields)
-      addExternal(name + '.' + std::string(field.name), field.type, isAttribute, leaves);
+    for (const Field& field : tree_.types.structure(type).fields) {
+      // An array of arrays is one of structures whose only field has no name.
+      const std::string part = field.name.empty() ? "" : '.' + std::string(field.name);
+      addExternal(name + part, field.type, isAttribute, leaves);
+    }
   } else {
     const auto number = static_cast<int>(externals_.size());
     externals_.push_back({name, type, isAttribute});

@@ -168,6 +168,7 @@ class Lowering {
   // lower_operators.cpp
   Value binary(Operator op, Type a, const Value& x, Type b, const Value& y);
   Value product(Type a, const Value& x, Type b, const Value& y);
+  Id floatRemainder(Id x, Id y);
   Id scalar(Operator op, Base base, Id x, Id y);
   Id equal(const Value& x, const Value& y);
 
@@ -195,9 +196,22 @@ class Lowering {
   Value texture(Code code, const Value& image, const Value& at);
   Value imageSize(const Value& image);
 
+  // lower_bits.cpp
+  Value ofBits(const BuiltIn& row, const std::vector<Value>& x, const Expression& node);
+  Value bytes(const BuiltIn& row, const std::vector<Value>& x, const Expression& node);
+  Id bit(Way way, Base base, Id x);
+  Id countOnes(Id bits);
+  Id smear(Id bits);
+  Id reverse(Id bits);
+  Id extract(Base base, Id x, Id offset, Id count);
+  Id insert(Id x, Id bits, Id offset, Id count);
+  Id ldexp(Id x, Id exponent);
+  Id exponentOf(Id x);
+
   // lower_packing.cpp
   Value pack(const Value& numbers, bool isSigned);
-  Value unpack(Id bits, bool isSigned);
+  Value unpack(Id bits, bool isSigned, int count);
+  Id partOfBits(Id bits, Base base, double width, int i);
   Id packHalf(Id x);
   Id unpackHalf(Id bits);
 

@@ -59,7 +59,7 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
       return pack(x[0], row.way == PackSigned);
     case UnpackSigned:
     case UnpackUnsigned:
-      return unpack(x[0][0], row.way == UnpackSigned);
+      return unpack(x[0][0], row.way == UnpackSigned, node.type.rows);
     case PackHalf:
       return {scalar(
           Operator::BitOr, Base::Uint, packHalf(x[0][0]),
@@ -75,9 +75,9 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
           [&](std::size_t i) { return scalar(Operator::Subtract, base, x[0][i], whole[i]); });
     }
     case Dot: {
-      Id sum = multiply(x[0][0], x[1][0]);
+      Id sum = scalar(Operator::Multiply, base, x[0][0], x[1][0]);
       for (std::size_t i = 1; i < x[0].size(); ++i)
-        sum = scalar(Operator::Add, base, sum, multiply(x[0][i], x[1][i]));
+        sum = scalar(Operator::Add, base, sum, scalar(Operator::Multiply, base, x[0][i], x[1][i]));
       return {sum};
     }
     case Cross:
@@ -136,6 +136,8 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     }
     case Unsupported:
       break;
+    default:
+      return ofBits(row, x, node);
   }
   problems_.add(node.place, quoted(row.name) +
                                 " cannot be used in a warp; read the image by texture(image, uv)");

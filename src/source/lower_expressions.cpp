@@ -67,6 +67,9 @@ Lowering::Value Lowering::evaluateInner(const Expression& node) {
       return callOf(node);
     case BuiltIn:
       return builtIn(node);
+    case Unsupported:
+      problems_.add(node.place, tree_.reasons[node.index]);
+      return undefined(node.type);
   }
   return {};
 }
@@ -197,6 +200,7 @@ Lowering::Value Lowering::callOf(const Expression& node) {
 Lowering::Value Lowering::part(const Expression& node) {
   if (const auto slot = knownSlot(node)) return get(*slot, sizeOf(node.type));
   const Value whole = evaluate(node.operands[0]);
+  if (problems_.any()) return undefined(node.type);
   const auto first = whole.begin() + node.index;
   return {first, first + sizeOf(node.type)};
 }
@@ -205,6 +209,7 @@ Lowering::Value Lowering::element(const Expression& node) {
   if (const auto slot = knownSlot(node)) return get(*slot, sizeOf(node.type));
   const Value whole = evaluate(node.operands[0]);
   const Id at = evaluate(node.operands[1])[0];
+  if (problems_.any()) return undefined(node.type);
   const int size = sizeOf(node.type);
   std::vector<Value> elements;
   for (std::size_t i = 0; i + size <= whole.size(); i += size)

@@ -40,12 +40,16 @@ Lowering::LValue Lowering::lvalue(ExpressionId expression) {
       whole.type = node.type;
       return whole;
     }
+    case Unsupported:
+      evaluate(expression);
+      return {{}, node.type};
     default:
       return {{{number(Base::Bool, 1), slotOf(node.index)}}, node.type};
   }
 }
 
 Lowering::LValue Lowering::elementOf(LValue whole, ExpressionId expression) {
+  if (problems_.any()) return whole;
   const int count = countOf(whole.type);
   const int size = sizeOf(whole.type) / count;
   const Id at = evaluate(expression)[0];

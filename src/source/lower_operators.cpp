@@ -40,12 +40,22 @@ Lowering::Value Lowering::product(Type a, const Value& x, Type b, const Value& y
   return value;
 }
 
+// x - y trunc(x / y), as in WGSL; GLSL has % for integers only.
+Id Lowering::floatRemainder(Id x, Id y) {
+  const Id times =
+      recorder_.apply(Code::Trunc, Base::Float, {scalar(Operator::Divide, Base::Float, x, y)});
+  return scalar(Operator::Subtract, Base::Float, x,
+                scalar(Operator::Multiply, Base::Float, y, times));
+}
+
 Id Lowering::scalar(Operator op, Base base, Id x, Id y) {
   using enum Operator;
   const auto apply = [&](Code code, Base result, Id a, Id b) {
     return recorder_.apply(code, result, {a, b});
   };
   if (base == Base::Bool) {
+    if (op == BitAnd) return recorder_.logicalAnd(x, y);
+    if (op == BitOr) return recorder_.logicalOr(x, y);
     const Id same =
         recorder_.logicalOr(recorder_.logicalAnd(x, y),
                             recorder_.logicalAnd(recorder_.logicalNot(x), recorder_.logicalNot(y)));
@@ -64,6 +74,7 @@ Id Lowering::scalar(Operator op, Base base, Id x, Id y) {
     case Divide:
       return apply(isFloat ? Code::Div : isUint ? Code::UintDiv : Code::IntDiv, base, x, y);
     case Remainder:
+      if (isFloat) return floatRemainder(x, y);
       return apply(isUint ? Code::UintMod : Code::IntMod, base, x, y);
     case BitAnd:
       return apply(Code::BitAnd, base, x, y);

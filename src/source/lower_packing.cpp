@@ -1,43 +1,58 @@
-// Packs two numbers into the bits of a uint, and unpacks them.
+// Packs numbers into the bits of a uint, and unpacks them.
 #include "source/lower.hpp"
 
 namespace warpjet::source {
 
-// Packs two numbers from 0 or -1 to 1 into the halves of a uint; the first one is the lower half.
+namespace {
+
+// The largest number of so many bits.
+double ones(double bits) {
+  return static_cast<double>((std::uint64_t{1} << static_cast<int>(bits)) - 1);
+}
+
+}  // namespace
+
+// Packs numbers from 0 or -1 to 1 into equal parts of a uint; the first one is the lowest part.
 Lowering::Value Lowering::pack(const Value& numbers, bool isSigned) {
   const auto constant = [&](double value) { return number(Base::Float, value); };
+  const double width = 32.0 / static_cast<double>(numbers.size());
+  const double most = ones(isSigned ? width - 1 : width);
   Id all = number(Base::Uint, 0);
-  for (int i = 0; i < 2; ++i) {
-    const Id clamped = recorder_.apply(
-        Code::Clamp, Base::Float,
-        {numbers[static_cast<std::size_t>(i)], constant(isSigned ? -1 : 0), constant(1)});
-    const Id scaled =
-        scalar(Operator::Multiply, Base::Float, clamped, constant(isSigned ? 32767 : 65535));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const Id clamped = recorder_.apply(Code::Clamp, Base::Float,
+                                       {numbers[i], constant(isSigned ? -1 : 0), constant(1)});
+    const Id scaled = scalar(Operator::Multiply, Base::Float, clamped, constant(most));
     const Id whole =
         recorder_.convert(recorder_.apply(Code::Round, Base::Float, {scaled}), Base::Int);
-    const Id half = scalar(Operator::BitAnd, Base::Uint, recorder_.convert(whole, Base::Uint),
-                           number(Base::Uint, 65535));
+    const Id part = scalar(Operator::BitAnd, Base::Uint, recorder_.convert(whole, Base::Uint),
+                           number(Base::Uint, ones(width)));
     all = scalar(Operator::BitOr, Base::Uint, all,
-                 scalar(Operator::ShiftLeft, Base::Uint, half, number(Base::Int, 16.0 * i)));
+                 scalar(Operator::ShiftLeft, Base::Uint, part,
+                        number(Base::Int, width * static_cast<double>(i))));
   }
   return {all};
 }
 
-Lowering::Value Lowering::unpack(Id bits, bool isSigned) {
+Lowering::Value Lowering::unpack(Id bits, bool isSigned, int count) {
   Value value;
-  const Base base = isSigned ? Base::Int : Base::Uint;
-  for (int i = 0; i < 2; ++i) {
-    // Shifts to the upper end and back, which extends the sign.
-    const Id up = scalar(Operator::ShiftLeft, base, recorder_.convert(bits, base),
-                         number(Base::Int, 16.0 - 16.0 * i));
-    const Id half = scalar(Operator::ShiftRight, base, up, number(Base::Int, 16));
-    const Id scaled = scalar(Operator::Divide, Base::Float, recorder_.convert(half, Base::Float),
-                             number(Base::Float, isSigned ? 32767 : 65535));
+  const double width = 32.0 / count;
+  const double most = ones(isSigned ? width - 1 : width);
+  for (int i = 0; i < count; ++i) {
+    const Id part = partOfBits(bits, isSigned ? Base::Int : Base::Uint, width, i);
+    const Id scaled = scalar(Operator::Divide, Base::Float, recorder_.convert(part, Base::Float),
+                             number(Base::Float, most));
     value.push_back(isSigned
                         ? recorder_.apply(Code::Max, Base::Float, {scaled, number(Base::Float, -1)})
                         : scaled);
   }
   return value;
+}
+
+// Part number `i` of the bits. Shifts to the upper end and back, which extends the sign of an int.
+Id Lowering::partOfBits(Id bits, Base base, double width, int i) {
+  const Id up = scalar(Operator::ShiftLeft, base, recorder_.convert(bits, base),
+                       number(Base::Int, 32 - width - width * i));
+  return scalar(Operator::ShiftRight, base, up, number(Base::Int, 32 - width));
 }
 
 // Rounds a number to the 16 bits of a half float: a sign, five bits of exponent, ten of fraction.

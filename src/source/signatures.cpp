@@ -58,6 +58,10 @@ struct Match {
         return samplerType;
       case 'k':
         return vectorType(Base::Int, 2);
+      case 'n':
+        return vectorType(Base::Int, 4);
+      case 'm':
+        return vectorType(Base::Uint, 4);
       default:
         return vectorType(Base::Float, letter - '0');
     }

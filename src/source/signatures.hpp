@@ -4,8 +4,8 @@
 // out.
 //   G float or vec2 to vec4, all of the same size; F float; I int and ivec alike, i int; U and u
 //   uint; B bool and bvec, b bool; V vec2 to vec4; W ivec; X uvec; Y bvec; 2 3 4 vec2 …; M any
-//   matrix; Q a square matrix; S sampler2D; k ivec2; T the transpose of M; O the matrix of an outer
-//   product, whose operands may differ in size
+//   matrix; Q a square matrix; S sampler2D; k ivec2; n ivec4; m uvec4; T the transpose of M; O the
+//   matrix of an outer product, whose operands may differ in size
 #pragma once
 
 #include <cstddef>

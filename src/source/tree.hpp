@@ -40,8 +40,9 @@ struct Expression {
     Assign,  // `isCombined` with `op`
     Sequence,
     Construct,
-    Call,     // the index of the function
-    BuiltIn,  // row number `index`
+    Call,         // the index of the function
+    BuiltIn,      // row number `index`
+    Unsupported,  // fails with reason number `index` when it is evaluated
   };
 
   Kind kind;
@@ -124,8 +125,10 @@ struct Tree {
   std::vector<Function> functions;
   // Global declarations, in order.
   std::vector<StatementId> globals;
-  // The text of tokens created by macros.
+  // Text that is not in the source: tokens created by macros, and names of parts of uniforms.
   std::deque<std::string> made;
+  // Why the expressions of the kind Unsupported fail.
+  std::vector<std::string> reasons;
 };
 
 }  // namespace warpjet::source

@@ -170,39 +170,15 @@ FunctionId Parser::declareFunction(const Function& made) {
 
 // Fails for a call of a function without a body.
 void Parser::rejectMissing() {
-  for (const Call& call : calls_)
+  for (const FunctionCall& call : calls_)
     if (const Function& function = tree_.functions[call.to]; function.body == nothing)
       return fail(call.place, quoted(function.name) + " is declared, but has no body");
 }
 
-// Finds functions that call themselves, directly or indirectly. Each function is visited once.
 void Parser::rejectRecursion() {
-  enum class State : std::uint8_t { New, Open, Done };
-  std::vector<State> states(tree_.functions.size(), State::New);
-  std::vector<std::vector<std::size_t>> from(tree_.functions.size());
-  for (std::size_t i = 0; i < calls_.size(); ++i) from[calls_[i].from].push_back(i);
-  for (std::size_t root = 0; root < states.size(); ++root) {
-    if (states[root] != State::New) continue;
-    std::vector<std::pair<std::size_t, std::size_t>> way{{root, 0}};
-    states[root] = State::Open;
-    while (!way.empty()) {
-      auto& [function, next] = way.back();
-      if (next == from[function].size()) {
-        states[function] = State::Done;
-        way.pop_back();
-        continue;
-      }
-      const Call& call = calls_[from[function][next++]];
-      if (states[call.to] == State::Open) {
-        return fail(call.place, quoted(tree_.functions[call.to].name) +
-                                    " calls itself, which shaders do not support; write a loop");
-      }
-      if (states[call.to] == State::New) {
-        states[call.to] = State::Open;
-        way.push_back({static_cast<std::size_t>(call.to), 0});
-      }
-    }
-  }
+  if (const auto call = findRecursion(tree_.functions.size(), calls_))
+    fail(call->place, quoted(tree_.functions[call->to].name) +
+                          " calls itself, which shaders do not support; write a loop");
 }
 
 }  // namespace warpjet::source::glsl

@@ -12,6 +12,7 @@
 #include "source/constants.hpp"
 #include "source/glsl/preprocess.hpp"
 #include "source/glsl/qualifiers.hpp"
+#include "source/recursion.hpp"
 #include "source/scope.hpp"
 #include "source/tree.hpp"
 
@@ -166,11 +167,7 @@ class Parser {
   std::map<std::string_view, std::vector<FunctionId>> overloads_;
   // The function being parsed, and all calls.
   FunctionId current_ = nothing;
-  struct Call {
-    FunctionId from, to;
-    Location place;
-  };
-  std::vector<Call> calls_;
+  std::vector<FunctionCall> calls_;
 };
 
 }  // namespace warpjet::source::glsl

@@ -1,0 +1,247 @@
+// Calls of functions: WGSL, section 17.
+#include <algorithm>
+#include <array>
+
+#include "source/nearest.hpp"
+#include "source/wgsl/abstract.hpp"
+#include "source/wgsl/parser.hpp"
+
+namespace warpjet::source::wgsl {
+
+namespace {
+
+constexpr std::size_t maxOperands = 5;
+
+// What to write instead of a function of GLSL.
+struct Advice {
+  std::string_view name, instead;
+};
+constexpr std::array advices{
+    Advice{"mod", "x - y * floor(x / y), or x % y, which has the sign of x"},
+    Advice{"inversesqrt", "inverseSqrt"},
+    Advice{"faceforward", "faceForward"},
+    Advice{"texture", "textureSampleLevel(image, sampler, uv, 0)"},
+    Advice{"texture2D", "textureSampleLevel(image, sampler, uv, 0)"},
+    Advice{"textureLod", "textureSampleLevel(image, sampler, uv, level)"},
+    Advice{"texelFetch", "textureLoad"},
+    Advice{"textureSize", "textureDimensions"},
+    Advice{"dFdx", "dpdx"},
+    Advice{"dFdy", "dpdy"},
+    Advice{"lessThan", "a < b"},
+    Advice{"lessThanEqual", "a <= b"},
+    Advice{"greaterThan", "a > b"},
+    Advice{"greaterThanEqual", "a >= b"},
+    Advice{"equal", "a == b"},
+    Advice{"notEqual", "a != b"},
+    Advice{"not", "!a"},
+    Advice{"isnan", "x != x"},
+    Advice{"roundEven", "round"},
+    Advice{"inverse", "a function of your own"},
+    Advice{"floatBitsToInt", "bitcast<i32>(x)"},
+    Advice{"floatBitsToUint", "bitcast<u32>(x)"},
+    Advice{"intBitsToFloat", "bitcast<f32>(x)"},
+    Advice{"uintBitsToFloat", "bitcast<f32>(x)"},
+};
+
+}  // namespace
+
+std::string Parser::typesOf(const Operands& operands) const {
+  std::string text;
+  for (const Operand& each : operands) text += (text.empty() ? "" : ", ") + nameOf(each);
+  return text;
+}
+
+Operand Parser::call(const Token& name) {
+  const Entity known = resolve(name.text);
+  Operands operands = arguments();
+  if (problems_.any()) return failOperand(name.place, "");
+  if (known.kind == Entity::Kind::Function) return callFunction(name, known.index, operands);
+  if (known.kind != Entity::Kind::None)
+    return failOperand(name.place, quoted(name.text) + " cannot be called");
+  if (name.text.starts_with("texture")) return callTexture(name, std::move(operands));
+  if (name.is("modf") || name.is("frexp"))
+    if (operands.size() == 1) return withStructure(name, concrete(operands[0], name.place));
+  if (isBuiltIn(tree_.builtIns, name.text)) return callBuiltIn(name, std::move(operands));
+  return callOther(name, operands);
+}
+
+Operand Parser::callFunction(const Token& name, FunctionId index, const Operands& operands) {
+  const Function& function = tree_.functions[index];
+  const auto fits = [&](const Parameter& parameter, const Entity& entity, const Operand& operand) {
+    if (!entity.value.isPointer()) return canConvert(operand, parameter.type);
+    const bool isWritten = parameter.direction != Parameter::Direction::In;
+    return operand.isPointer() && operand.type == parameter.type &&
+           (!isWritten || operand.isWritable);
+  };
+  const std::vector<Entity>& wanted = parameters_[index];
+  bool matches = operands.size() == wanted.size();
+  for (std::size_t i = 0; matches && i < wanted.size(); ++i)
+    matches = fits(function.parameters[i], wanted[i], operands[i]);
+  if (!matches) {
+    std::string expected;
+    for (const Entity& each : wanted)
+      expected += (expected.empty() ? "" : ", ") + nameOf(each.value);
+    return failOperand(name.place, quoted(name.text) + " expected (" + expected + "), got (" +
+                                       typesOf(operands) + ")");
+  }
+  std::vector<ExpressionId> given;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Operand operand = operands[i];
+    if (operand.isPointer()) operand.kind = Operand::Kind::Reference;
+    given.push_back(convert(operand, function.parameters[i].type, name.place));
+  }
+  if (current_ == nothing)
+    return failOperand(name.place,
+                       quoted(name.text) + " cannot be called here, where a constant is expected");
+  calls_.push_back({current_, index, name.place});
+  return make({.kind = Code::Call,
+               .type = tree_.functions[index].type,
+               .index = index,
+               .place = name.place,
+               .operands = std::move(given)});
+}
+
+// Finds the function for these operands. Abstract ones get the first types that fit: i32, u32, f32.
+std::optional<Found> Parser::matchBuiltIn(std::string_view name, const Operands& operands,
+                                          std::vector<Type>& types) const {
+  std::vector<std::size_t> open;
+  for (const Operand& each : operands) {
+    if (each.isPointer()) return std::nullopt;
+    if (each.isAbstract()) open.push_back(types.size());
+    types.push_back(each.type);
+  }
+  if (operands.size() > maxOperands) return std::nullopt;
+  int choices = 1;
+  for (std::size_t i = 0; i < open.size(); ++i) choices *= 3;
+  for (int choice = 0; choice < choices; ++choice) {
+    int rest = choice;
+    bool fits = true;
+    for (std::size_t i = open.size(); i-- > 0; rest /= 3) {
+      Type& type = types[open[i]];
+      type.base = rest % 3 == 0 ? Base::Int : rest % 3 == 1 ? Base::Uint : Base::Float;
+      fits = fits && canConvert(operands[open[i]], type);
+    }
+    if (!fits) continue;
+    if (const auto found = findBuiltIn(tree_.builtIns, name, types)) return found;
+  }
+  return std::nullopt;
+}
+
+// A result of abstract operands stays abstract if its function works component by component.
+Operand Parser::foldBuiltIn(const BuiltIn& row, const Operands& operands, Type type,
+                            Location place) {
+  const bool areAbstract = std::all_of(operands.begin(), operands.end(),
+                                       [](const Operand& each) { return each.isAbstract(); });
+  if (!areAbstract || type.base == Base::Uint || type.base == Base::Bool) return {};
+  if (auto numbers = foldAbstract(row, operands, type))
+    return abstractOf(type, std::move(*numbers), place);
+  return {};
+}
+
+Operand Parser::callBuiltIn(const Token& name, Operands operands) {
+  std::vector<Type> types;
+  const auto found = matchBuiltIn(name.text, operands, types);
+  if (!found)
+    return failOperand(name.place, quoted(name.text) + " cannot be called with (" +
+                                       typesOf(operands) + "); WGSL has no implicit conversions");
+  const BuiltIn& row = tree_.builtIns[static_cast<std::size_t>(found->row)];
+  if (row.way == Way::Unsupported)
+    return unsupported(
+        name.place, found->result,
+        quoted(name.text) + " cannot be used in a warp, which needs exact derivatives per vertex");
+  if (Operand folded = foldBuiltIn(row, operands, found->result, name.place);
+      folded.isAbstract() || problems_.any())
+    return folded;
+  std::vector<ExpressionId> given;
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    given.push_back(convert(operands[i], types[i], name.place));
+  return make({.kind = Code::BuiltIn,
+               .type = found->result,
+               .index = found->row,
+               .place = name.place,
+               .operands = std::move(given)});
+}
+
+// modf and frexp return a structure, whose names WGSL does not tell.
+Operand Parser::withStructure(const Token& name, const Operand& operand) {
+  const bool isModf = name.is("modf");
+  if (!operand.type.isNumeric() || operand.type.base != Base::Float || operand.type.isMatrix())
+    return failOperand(name.place,
+                       quoted(name.text) + " cannot be called with (" + nameOf(operand) + ")");
+  const int size = operand.type.rows;
+  tree_.made.push_back("__" + std::string(name.text) + "_result_" + nameOf(operand.type));
+  Structure made{.name = tree_.made.back()};
+  made.add({"fract", operand.type, 0});
+  made.add({isModf ? "whole" : "exp", vectorType(isModf ? Base::Float : Base::Int, size), size});
+  made.size = 2 * size;
+  Type type;
+  type.base = Base::Struct;
+  for (std::size_t i = 0; i < tree_.types.count(); ++i) {
+    type.structure = static_cast<std::uint16_t>(i);
+    if (tree_.types.structure(type).name == made.name) break;
+    type.structure = 0xFFFF;
+  }
+  if (type.structure == 0xFFFF || tree_.types.count() == 0)
+    type.structure = tree_.types.add(std::move(made));
+  const auto found = findBuiltIn(tree_.builtIns, name.text, std::array{operand.type});
+  return make({.kind = Code::BuiltIn,
+               .type = type,
+               .index = found->row,
+               .place = name.place,
+               .operands = {operand.id}});
+}
+
+Operand Parser::bitcast(const Token& name) {
+  if (!expect("<", "bitcast")) return failOperand(name.place, "");
+  const Type type = this->type();
+  expect(">", "the type of a bitcast");
+  Operands operands = arguments();
+  if (problems_.any()) return failOperand(name.place, "");
+  const bool isOne = operands.size() == 1 && operands[0].type.isNumeric() &&
+                     !operands[0].isPointer() && !type.isMatrix() && type.isNumeric() &&
+                     type.base != Base::Bool;
+  if (!isOne || operands[0].type.layout() != type.layout() || operands[0].type.base == Base::Bool)
+    return failOperand(name.place, "expected " + std::to_string(type.rows) +
+                                       " numbers of 32 bits for bitcast<" + nameOf(type) +
+                                       ">, got (" + typesOf(operands) + ")");
+  // Numbers without a type are those of i32, or of u32 beyond it.
+  const bool isWide =
+      type.base == Base::Uint && operands[0].isAbstract() && operands[0].type.base == Base::Int;
+  const Operand given = isWide && operands[0].known[0] >= 0
+                            ? Operand{.id = convert(operands[0], type, name.place), .type = type}
+                            : concrete(operands[0], name.place);
+  if (problems_.any() || given.type == type) return given;
+  if (given.type.isInteger() && type.isInteger())
+    return make(
+        {.kind = Code::Construct, .type = type, .place = name.place, .operands = {given.id}});
+  const std::string row = "bitcast<" + nameOf(scalarOf(type.base)) + ">";
+  const auto found = findBuiltIn(tree_.builtIns, row, std::array{given.type});
+  return make({.kind = Code::BuiltIn,
+               .type = type,
+               .index = found->row,
+               .place = name.place,
+               .operands = {given.id}});
+}
+
+// Functions for memory that shaders share, and names that WGSL does not have.
+Operand Parser::callOther(const Token& name, const Operands& operands) {
+  const std::string reason =
+      quoted(name.text) + " is for memory that shaders share, which a warp cannot read";
+  if (name.text.starts_with("atomic") && !operands.empty() && operands[0].isPointer())
+    return unsupported(name.place, name.is("atomicStore") ? voidType : operands[0].type, reason);
+  if (name.is("arrayLength"))
+    return unsupported(name.place, uintType,
+                       "the length of this array is known only when the shader runs");
+  if (name.is("workgroupBarrier") || name.is("storageBarrier") || name.is("textureBarrier"))
+    return unsupported(name.place, voidType, reason);
+  for (const auto& [glsl, instead] : advices)
+    if (name.text == glsl)
+      return failOperand(name.place,
+                         quoted(glsl) + " is a function of GLSL; write " + std::string(instead));
+  Nearest nearest(name.text);
+  for (const BuiltIn& row : tree_.builtIns) nearest.offer(row.name);
+  for (const std::string_view other : order_) nearest.offer(other);
+  return failOperand(name.place, "there is no function " + quoted(name.text) + nearest.question());
+}
+
+}  // namespace warpjet::source::wgsl
