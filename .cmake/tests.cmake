@@ -75,6 +75,7 @@ endfunction()
 
 warpjet_fuzz_target(mesh warpjet_mesh tests/fuzz/mesh_fuzz.cpp tests/fuzz/gltf_mutator.cpp tests/fuzz/limits.cpp)
 warpjet_fuzz_target(glsl warpjet_source tests/fuzz/glsl_fuzz.cpp)
+warpjet_fuzz_target(wgsl warpjet_source tests/fuzz/wgsl_fuzz.cpp)
 warpjet_fuzz_target(graph warpjet_core tests/fuzz/graph_fuzz.cpp tests/fuzz/graph_calls.cpp)
 
 # Writes the seeds of the fuzz targets.

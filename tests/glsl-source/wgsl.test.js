@@ -88,9 +88,9 @@ test('uniforms, overrides and elements of storage buffers are inputs by their na
   )
   assert.deepEqual(uniforms.map(({ name, type }) => `${type} ${name}`).sort(), [
     'float amount',
+    'float scale',
     'float scene.lights[1].power',
     'float scene.time',
-    'float scale',
     'int scene.count',
     'vec3 scene.lights[1].way',
     'vec4 heights[3]',

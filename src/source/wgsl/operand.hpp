@@ -14,6 +14,8 @@ struct Operand {
 
   Kind kind = Kind::Value;
   bool isWritable = false;
+  // The address space of a reference or a pointer.
+  std::string_view space = "function";
   // `nothing` if the value is abstract, or if it is still only the name `host`.
   ExpressionId id = nothing;
   Type type{};

@@ -11,6 +11,7 @@ namespace warpjet::source::wgsl {
 namespace {
 
 constexpr std::size_t maxOperands = 5;
+constexpr const char* noValue = "this function has no value for these arguments";
 
 // What to write instead of a function of GLSL.
 struct Advice {
@@ -60,7 +61,7 @@ Operand Parser::call(const Token& name) {
     return failOperand(name.place, quoted(name.text) + " cannot be called");
   if (name.text.starts_with("texture")) return callTexture(name, std::move(operands));
   if (name.is("modf") || name.is("frexp"))
-    if (operands.size() == 1) return withStructure(name, concrete(operands[0], name.place));
+    if (operands.size() == 1) return withStructure(name, asFloats(operands[0], name.place));
   if (isBuiltIn(tree_.builtIns, name.text)) return callBuiltIn(name, std::move(operands));
   return callOther(name, operands);
 }
@@ -71,7 +72,7 @@ Operand Parser::callFunction(const Token& name, FunctionId index, const Operands
     if (!entity.value.isPointer()) return canConvert(operand, parameter.type);
     const bool isWritten = parameter.direction != Parameter::Direction::In;
     return operand.isPointer() && operand.type == parameter.type &&
-           (!isWritten || operand.isWritable);
+           operand.space == entity.value.space && (!isWritten || operand.isWritable);
   };
   const std::vector<Entity>& wanted = parameters_[index];
   bool matches = operands.size() == wanted.size();
@@ -135,6 +136,7 @@ Operand Parser::foldBuiltIn(const BuiltIn& row, const Operands& operands, Type t
   if (!areAbstract || type.base == Base::Uint || type.base == Base::Bool) return {};
   if (auto numbers = foldAbstract(row, operands, type))
     return abstractOf(type, std::move(*numbers), place);
+  if (row.way == Way::Each) return failOperand(place, noValue);
   return {};
 }
 
@@ -149,17 +151,43 @@ Operand Parser::callBuiltIn(const Token& name, Operands operands) {
     return unsupported(
         name.place, found->result,
         quoted(name.text) + " cannot be used in a warp, which needs exact derivatives per vertex");
+  checkLimits(row, operands, name.place);
   if (Operand folded = foldBuiltIn(row, operands, found->result, name.place);
-      folded.isAbstract() || problems_.any())
+      folded.isAbstract() || folded.id != nothing)
     return folded;
   std::vector<ExpressionId> given;
   for (std::size_t i = 0; i < operands.size(); ++i)
     given.push_back(convert(operands[i], types[i], name.place));
-  return make({.kind = Code::BuiltIn,
-               .type = found->result,
-               .index = found->row,
-               .place = name.place,
-               .operands = std::move(given)});
+  Operand made = make({.kind = Code::BuiltIn,
+                       .type = found->result,
+                       .index = found->row,
+                       .place = name.place,
+                       .operands = std::move(given)});
+  if (!problems_.any() && constants_.isConstant(made.id) && constants_.numbers(made.id).empty())
+    return failOperand(name.place, noValue);
+  return made;
+}
+
+// The constant limits of clamp and smoothstep must be in order.
+void Parser::checkLimits(const BuiltIn& row, const Operands& operands, Location place) {
+  const bool isClamp = row.name == "clamp";
+  if (problems_.any() || (!isClamp && row.name != "smoothstep")) return;
+  const auto numbersOf = [&](const Operand& operand) {
+    return operand.isAbstract() ? operand.known : constants_.numbers(operand.id);
+  };
+  const auto low = numbersOf(operands[isClamp ? 1 : 0]),
+             high = numbersOf(operands[isClamp ? 2 : 1]);
+  for (std::size_t i = 0; i < low.size() && i < high.size(); ++i)
+    if (isClamp ? low[i] > high[i] : low[i] == high[i])
+      fail(place, "expected a lower limit below the upper one in " + std::string(row.name));
+}
+
+// An operand of a function that only floats have.
+Operand Parser::asFloats(const Operand& operand, Location place) {
+  Type wanted = operand.type;
+  wanted.base = Base::Float;
+  if (!operand.isAbstract() || !canConvert(operand, wanted)) return load(operand, place);
+  return {.id = convert(operand, wanted, place), .type = wanted};
 }
 
 // modf and frexp return a structure, whose names WGSL does not tell.

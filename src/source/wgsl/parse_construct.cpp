@@ -1,4 +1,7 @@
 // Constructors: WGSL, section 17.1.
+#include <algorithm>
+#include <cmath>
+
 #include "source/wgsl/parser.hpp"
 
 namespace warpjet::source::wgsl {
@@ -127,7 +130,10 @@ Operand Parser::constructScalar(Type type, const Operand& operand, Location plac
                  .place = place});
   if (type.isInteger() && operand.type.base == Base::Float) {
     given.type.base = Base::Int;
-    given.known[0] = static_cast<double>(static_cast<std::int64_t>(operand.known[0]));
+    // A float beyond the range becomes the nearest value.
+    const double least = type == intType ? -2147483648.0 : 0;
+    const double most = type == intType ? 2147483647.0 : 4294967295.0;
+    given.known[0] = std::trunc(std::clamp(operand.known[0], least, most));
   }
   return {.id = convert(given, type, place), .type = type};
 }
@@ -151,7 +157,9 @@ Operand Parser::constructType(Type type, Operands operands, Location place) {
         {.kind = Code::Construct, .type = type, .place = place, .operands = std::move(parts)});
   };
   if (type.isArray()) {
-    if (type.length == 0) type = arrayOf(type.element(), static_cast<int>(operands.size()));
+    if (type.length == 0)
+      return failOperand(place, "this array needs a length: write " + nameOf(type.element()) +
+                                    ", " + std::to_string(operands.size()) + " in its < >");
     Type element = type.element();
     if (element.isStruct() && tree_.types.structure(element).name.empty())
       element = tree_.types.structure(element).fields[0].type;

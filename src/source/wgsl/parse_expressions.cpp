@@ -114,10 +114,13 @@ Operand Parser::shift(Operand first) {
 
 Operand Parser::additive(Operand first) {
   Operand left = multiplicative(first);
-  while (peek().is("+") || peek().is("-")) {
+  while (peek().is("+") || peek().is("-") || peek().is("--")) {
     const Token token = take();
+    // `a--b` is `a - -b`.
+    Operand right = unary();
+    if (token.is("--")) right = makeUnary({token.kind, "-", token.place}, load(right, token.place));
     left = makeBinary(token.is("+") ? Operator::Add : Operator::Subtract, left,
-                      multiplicative(unary()), token.place);
+                      multiplicative(right), token.place);
   }
   return left;
 }
@@ -132,8 +135,9 @@ Operand Parser::multiplicative(Operand first) {
 
 Operand Parser::unary() {
   const Token token = peek();
+  const bool isTwice = token.is("--");
   const bool isUnary =
-      token.is("-") || token.is("!") || token.is("~") || token.is("&") || token.is("*");
+      isTwice || token.is("-") || token.is("!") || token.is("~") || token.is("&") || token.is("*");
   if (!isUnary) return postfix(primary());
   if (!goDeeper()) return failOperand(token.place, "");
   take();
@@ -141,7 +145,9 @@ Operand Parser::unary() {
   if (problems_.any()) return failOperand(token.place, "");
   if (token.is("&")) return addressOf(operand, token.place);
   if (token.is("*")) return dereference(operand, token.place);
-  return makeUnary(token, load(operand, token.place));
+  if (!isTwice) return makeUnary(token, load(operand, token.place));
+  const Token minus{token.kind, "-", token.place};
+  return makeUnary(minus, makeUnary(minus, load(operand, token.place)));
 }
 
 }  // namespace warpjet::source::wgsl

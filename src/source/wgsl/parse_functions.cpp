@@ -22,6 +22,7 @@ Parameter Parser::parameter(std::vector<Entity>& entities) {
       addVariable(name.text, made.type, Variable::Kind::Parameter, name.place);
   entity.value.kind = made.isPointer ? Operand::Kind::Pointer : Operand::Kind::Value;
   entity.value.isWritable = isWritten;
+  if (made.isPointer) entity.value.space = made.space;
   entity.value.type = made.type;
   entity.value.id = add(Expression{.kind = Code::Variable,
                                    .isAssignable = isWritten,

@@ -191,6 +191,7 @@ Entity Parser::globalVariable() {
   const auto unsupported = [&](std::string reason) {
     Entity entity{.kind = Entity::Kind::Value,
                   .value = unsupportedMemory(declared->type, name.place, std::move(reason))};
+    entity.value.space = space;
     entity.value.texel = declared->texel;
     return entity;
   };
@@ -213,6 +214,7 @@ Entity Parser::globalVariable() {
     return {.kind = Entity::Kind::Value,
             .value = {.kind = Operand::Kind::Reference,
                       .isWritable = true,
+                      .space = "private",
                       .id = add(Expression{.kind = Code::Variable,
                                            .isAssignable = true,
                                            .type = type,
@@ -259,6 +261,7 @@ Entity Parser::globalVariable() {
   }
   return {.kind = Entity::Kind::Value,
           .value = {.kind = Operand::Kind::Reference,
+                    .space = space,
                     .type = declared->type,
                     .host = std::string(name.text),
                     .texel = declared->texel}};
@@ -289,6 +292,8 @@ Entity Parser::structure() {
     if (made.find(field.text))
       fail(field.place, quoted(field.text) + " is already a field of this structure");
     if (problems_.any()) return {};
+    if (!made.fields.empty() && made.fields.back().type.length == 0)
+      fail(field.place, "only the last field of a structure can be an array without a length");
     made.add({field.text, each.type, made.size});
     made.size += tree_.types.size(each.type);
     if (made.size > maxValueSize) fail(field.place, "this structure is too large");

@@ -11,7 +11,7 @@ namespace warpjet::source::wgsl {
 StatementId Parser::continuing(ExpressionId& breakIf) {
   const Location place = take().place;
   const bool outer = std::exchange(isContinuing_, true);
-  const int switches = std::exchange(switches_, 0);
+  const int loops = std::exchange(loops_, 0), switches = std::exchange(switches_, 0);
   attributes();
   scopes_.open();
   std::vector<StatementId> children;
@@ -31,6 +31,7 @@ StatementId Parser::continuing(ExpressionId& breakIf) {
   }
   expect("}", "a continuing block");
   scopes_.close();
+  loops_ = loops;
   switches_ = switches;
   isContinuing_ = outer;
   return makeBlock(place, std::move(children));

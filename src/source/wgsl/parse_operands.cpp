@@ -5,6 +5,21 @@
 
 namespace warpjet::source::wgsl {
 
+namespace {
+
+// True if no component of a swizzle occurs twice.
+bool isDistinct(int packed, int count) {
+  unsigned seen = 0;
+  for (int i = 0; i < count; ++i) {
+    const unsigned bit = 1u << (packed >> (2 * i) & 3);
+    if (seen & bit) return false;
+    seen |= bit;
+  }
+  return true;
+}
+
+}  // namespace
+
 Operand Parser::postfix(Operand operand) {
   for (;;) {
     const Token& token = peek();
@@ -36,7 +51,7 @@ Operand Parser::primary() {
                  .place = token.place});
   }
   if (token.kind == Token::Kind::Name) return named();
-  if (token.is("++") || token.is("--"))
+  if (token.is("++"))
     return failOperand(token.place,
                        quoted(token.text) + " is a statement in WGSL; write it on its own");
   return failOperand(token.place, "expected a value, " + describeNext());
@@ -114,12 +129,12 @@ Operand Parser::member(const Operand& given) {
       made.known.push_back(operand.known[static_cast<std::size_t>(*packed >> (2 * i) & 3)]);
     return made;
   }
-  // Several components are a value, even those of a variable.
-  const bool isOne = picked.isScalar() && operand.id != nothing;
-  Operand made = isOne ? operand : load(operand, place);
+  // Components can be assigned unless one of them occurs twice.
+  const bool isPart = operand.id != nothing && isDistinct(*packed, picked.rows);
+  Operand made = isPart ? operand : load(operand, place);
   made.type = picked;
   made.id = add({.kind = Code::Swizzle,
-                 .isAssignable = isOne && operand.isWritable,
+                 .isAssignable = isPart && operand.isWritable,
                  .type = picked,
                  .index = *packed,
                  .place = place,

@@ -72,7 +72,7 @@ Operand Parser::makeBinary(Operator op, Operand left, Operand right, Location pl
   }
   const bool areAbstract = left.isAbstract() && right.isAbstract();
   const bool fits = isShift(op) || unify(left, right);
-  if (areAbstract && isShift(op)) right.type.base = Base::Uint;
+  if (areAbstract && isShift(op) && right.type.base == Base::Int) right.type.base = Base::Uint;
   const auto type = fits && !a.isPointer() && !b.isPointer()
                         ? typeOfBinary(op, left.type, right.type)
                         : std::nullopt;

@@ -129,9 +129,9 @@ StatementId Parser::jump() {
         token.place, voidType, "discard is for fragments; a warp moves vertices and discards none");
     return evaluate(fails.id, token.place);
   }
-  if (token.is("break") ? !loops_ && !switches_ : !loops_)
-    fail(token.place, quoted(token.text) + " is outside of a loop");
-  if (isContinuing_ && !switches_)
+  const bool isInside = loops_ || (switches_ && token.is("break"));
+  if (!isInside && !isContinuing_) fail(token.place, quoted(token.text) + " is outside of a loop");
+  if (!isInside)
     fail(token.place, peek().is("if") ? "break if must be the last statement of a continuing block"
                                       : quoted(token.text) +
                                             " is not allowed in a continuing block; write "

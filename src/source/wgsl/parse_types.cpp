@@ -1,4 +1,5 @@
 // Types, and their names in messages.
+#include <algorithm>
 #include <array>
 
 #include "source/wgsl/parser.hpp"
@@ -140,13 +141,20 @@ Type Parser::arrayType(Location place) {
 
 Parser::DeclaredType Parser::pointerType() {
   expect("<", "ptr");
-  const std::string_view space = take().text;
+  const Token word = take();
+  const std::string_view space = word.text;
+  constexpr std::array spaces{std::string_view("function"), std::string_view("private"),
+                              std::string_view("workgroup"), std::string_view("uniform"),
+                              std::string_view("storage")};
+  if (std::find(spaces.begin(), spaces.end(), space) == spaces.end())
+    fail(word.place, "there is no address space " + quoted(space));
   expect(",", "the address space of a ptr");
   DeclaredType made = declaredType();
   std::string_view access;
   if (accept(",")) access = take().text;
   expect(">", "the type of a ptr");
   made.isPointer = true;
+  made.space = space;
   made.isWritable = space == "function" || space == "private";
   if (space == "workgroup" || access == "read_write" || access == "write") {
     made.unsupported = "a pointer to memory that shaders share cannot be used in a warp";

@@ -97,6 +97,13 @@ StatementId Parser::letStatement() {
   if (declared && declared->isPointer)
     fail(name.place,
          "expected a pointer as the value of " + quoted(name.text) + ", got " + describe(start));
+  const bool isHandle =
+      start.type.base == Base::Sampler ||
+      (start.type == voidType && tree_.expressions[start.id].kind == Code::Variable);
+  if (isHandle) {
+    declare(name, {.kind = Entity::Kind::Value, .value = start});
+    return nothing;
+  }
   const Type type = initialType(declared, start, name.place, name.text);
   return declareLocal(name, type, Variable::Kind::Local, convert(start, type, name.place), false);
 }

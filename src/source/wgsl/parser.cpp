@@ -1,6 +1,8 @@
 // Tokens, names, and the order in which declarations are parsed.
 #include "source/wgsl/parser.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "source/nearest.hpp"
@@ -62,10 +64,33 @@ bool Parser::goDeeper() {
 void Parser::attributes() {
   while (accept("@")) {
     const Token name = peek();
-    if (name.kind != Token::Kind::Name)
+    constexpr std::array plain{std::string_view("compute"),  std::string_view("const"),
+                               std::string_view("fragment"), std::string_view("invariant"),
+                               std::string_view("must_use"), std::string_view("vertex")};
+    constexpr std::array withArguments{std::string_view("align"),
+                                       std::string_view("binding"),
+                                       std::string_view("blend_src"),
+                                       std::string_view("builtin"),
+                                       std::string_view("color"),
+                                       std::string_view("diagnostic"),
+                                       std::string_view("group"),
+                                       std::string_view("id"),
+                                       std::string_view("input_attachment_index"),
+                                       std::string_view("interpolate"),
+                                       std::string_view("location"),
+                                       std::string_view("size"),
+                                       std::string_view("workgroup_size")};
+    const bool isPlain = std::find(plain.begin(), plain.end(), name.text) != plain.end();
+    const bool isKnown = isPlain || std::find(withArguments.begin(), withArguments.end(),
+                                              name.text) != withArguments.end();
+    if (name.kind != Token::Kind::Name || !isKnown)
       return fail(name.place, "expected the name of an attribute after @, " + describeNext());
     take();
-    if (!peek().is("(")) continue;
+    if (isPlain) continue;
+    if (!peek().is("(")) {
+      expect("(", "@" + std::string(name.text));
+      return;
+    }
     int open = 0;
     do {
       if (peek().kind == Token::Kind::End) return fail(name.place, "this attribute has no )");

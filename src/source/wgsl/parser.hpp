@@ -39,6 +39,7 @@ class Parser {
   struct DeclaredType {
     Type type{};
     bool isPointer = false, isWritable = false;
+    std::string_view space{};
     bool isSampler = false;
     // What a texture consists of.
     Type texel{};
@@ -209,6 +210,8 @@ class Parser {
   Operand callTexture(const Token& name, Operands operands);
   Operand withStructure(const Token& name, const Operand& operand);
   Operand bitcast(const Token& name);
+  void checkLimits(const BuiltIn& row, const Operands& operands, Location place);
+  Operand asFloats(const Operand& operand, Location place);
   std::optional<Found> matchBuiltIn(std::string_view name, const Operands& operands,
                                     std::vector<Type>& types) const;
   std::string typesOf(const Operands& operands) const;
