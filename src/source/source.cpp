@@ -2,6 +2,12 @@
 
 namespace warpjet::source {
 
+namespace {
+
+constexpr int maxRounds = 4;
+
+}  // namespace
+
 std::string Source::problem() const {
   return parsed_.problems.any() ? parsed_.problems.text(parsed_.text->separate) : "";
 }
@@ -29,10 +35,15 @@ Listing Source::lower(int function, int maxIterations) {
   auto& [text, problems, tree] = parsed_;
   if (problems.any()) return {};
   Lowered lowered = Lowering(tree, problems, maxIterations).lower(function);
-  if (problems.any()) return {};
-  auto once = calledOnce(lowered.recorder, lowered.routines, lowered.results);
-  if (!once.empty())
-    lowered = Lowering(tree, problems, maxIterations, std::move(once)).lower(function);
+  // A function whose calls have been inlined may be long enough to remain one, and called once,
+  // too.
+  std::set<RoutineKey> inlined;
+  for (int round = 0; round < maxRounds && !problems.any(); ++round) {
+    const auto once = calledOnce(lowered.recorder, lowered.routines, lowered.results);
+    if (once.empty()) break;
+    inlined.insert(once.begin(), once.end());
+    lowered = Lowering(tree, problems, maxIterations, inlined).lower(function);
+  }
   if (problems.any()) return {};
   return list(lowered, tree.types);
 }
