@@ -37,7 +37,7 @@ const imageSizes: Record<Target, (image: string) => string> = {
 
 export const imageSizeText = (target: Target, image: string) => imageSizes[target](image)
 
-/** Returns expressions that convert a variable of another type to floats, or one 16-bit half of its integers. */
+/** Returns expressions that convert a variable, or with `half` the low or high 16 bits of its integers, to floats. */
 export function textsAsFloats(
   name: string,
   type: string,
