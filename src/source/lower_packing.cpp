@@ -5,7 +5,7 @@ namespace warpjet::source {
 
 namespace {
 
-// The largest number of so many bits.
+// Returns the largest number with that number of bits.
 double ones(double bits) {
   return static_cast<double>((std::uint64_t{1} << static_cast<int>(bits)) - 1);
 }

@@ -1,4 +1,4 @@
-// What fuzz targets of the source front ends check: any text results in one message with its
+// Checks of the fuzz targets of source front ends: any text results in one message with its
 // location, or in listings whose operands precede their use.
 #pragma once
 

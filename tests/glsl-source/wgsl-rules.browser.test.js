@@ -19,7 +19,7 @@ after(async () => {
 
 /** Cases where we differ on purpose. */
 const known = [
-  // What only other stages have, in the function itself.
+  // The function itself uses a feature of other stages.
   /statement: (?:discard|let x = dpdx)/,
   // A warp needs loops that end.
   /statement: while true \{ \}/,

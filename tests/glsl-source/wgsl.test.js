@@ -128,7 +128,7 @@ test('differentiate writes WGSL, and GLSL if asked', () => {
     differentiate(source, { language: 'wgsl', target: 'glsl300' }),
     /^vec3 waveGradient\(vec2 p, float t\) \{/,
   )
-  // What it writes can be read again.
+  // The derived source can be read again.
   assert.match(
     differentiate(wgsl, { language: 'wgsl', by: 't' }),
     /^fn waveGradientJacobian\(p: vec2f, t: f32\) -> vec3f \{/,

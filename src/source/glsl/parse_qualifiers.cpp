@@ -17,7 +17,7 @@ struct QualifierRow {
   Role role;
 };
 
-constexpr std::array rows{
+constexpr std::array qualifierRows{
     QualifierRow{"invariant", Role::Invariant},  QualifierRow{"flat", Role::Interpolation},
     QualifierRow{"smooth", Role::Interpolation}, QualifierRow{"layout", Role::Layout},
     QualifierRow{"const", Role::Const},          QualifierRow{"centroid", Role::Centroid},
@@ -43,9 +43,9 @@ Qualifiers Parser::qualifiers() {
   Qualifiers found;
   for (;;) {
     const Token token = peek();
-    const auto row = std::find_if(rows.begin(), rows.end(),
+    const auto row = std::find_if(qualifierRows.begin(), qualifierRows.end(),
                                   [&](const QualifierRow& each) { return token.is(each.word); });
-    if (row == rows.end() || isDeclared(token)) return found;
+    if (row == qualifierRows.end() || isDeclared(token)) return found;
     requireVersion(token.text, token.place);
     if (scope_.isGlobal() && token.is("in"))
       requireVersion("in before a global variable", token.place);

@@ -1,4 +1,5 @@
-// What may follow a statement: WGSL, section 9.7. A function with a result must not reach its end.
+// Determines which statements end a function: WGSL, section 9.7. One with a result must not reach
+// its end.
 #include "source/wgsl/parser.hpp"
 
 namespace warpjet::source::wgsl {

@@ -1,4 +1,4 @@
-// What a name of WGSL means.
+// The meaning of a name in WGSL.
 #pragma once
 
 #include <map>

@@ -24,7 +24,7 @@ struct Operand {
   std::vector<double> known{};
   // The host's name of a uniform, a storage buffer or a part of one: `lights[2].color`.
   std::string host{};
-  // What a texture consists of.
+  // The type of a texture's texels.
   Type texel{};
 
   bool isAbstract() const { return !known.empty(); }

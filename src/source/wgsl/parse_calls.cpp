@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t maxOperands = 5;
 constexpr const char* noValue = "this function has no value for these arguments";
 
-// What to write instead of a function of GLSL.
+// A function of GLSL, and its counterpart in WGSL.
 struct Advice {
   std::string_view name, instead;
 };

@@ -41,7 +41,7 @@ class Parser {
     bool isPointer = false, isWritable = false;
     std::string_view space{};
     bool isSampler = false;
-    // What a texture consists of.
+    // The type of a texture's texels.
     Type texel{};
     // Why a warp can't have a value of the type; empty if it can.
     std::string unsupported{};
