@@ -1,22 +1,15 @@
-// Types, and their names in messages.
+// Types.
 #include <algorithm>
 #include <array>
 
 #include "source/wgsl/parser.hpp"
+#include "source/wgsl/scalar_names.hpp"
 
 namespace warpjet::source::wgsl {
 
 namespace {
 
 constexpr std::int32_t maxArrayLength = 65536;
-
-struct ScalarName {
-  std::string_view word;
-  char suffix;
-  Type type;
-};
-constexpr std::array scalars{ScalarName{"f32", 'f', floatType}, ScalarName{"i32", 'i', intType},
-                             ScalarName{"u32", 'u', uintType}, ScalarName{"bool", '\0', boolType}};
 
 int digitOf(char c) { return c >= '2' && c <= '4' ? c - '0' : 0; }
 
@@ -35,12 +28,12 @@ constexpr const char* noHalf = "f16 is not supported; write f32";
 
 // Types with a suffix, such as vec3f, and scalars.
 std::optional<Type> Parser::shorthand(std::string_view word) const {
-  for (const ScalarName& each : scalars)
+  for (const ScalarName& each : scalarNames)
     if (each.word == word) return each.type;
   const auto [columns, rows] = shapeOf(word);
   if (columns == 0) return std::nullopt;
   const std::string_view suffix = word.substr(columns > 1 ? 6 : 4);
-  for (const ScalarName& each : scalars) {
+  for (const ScalarName& each : scalarNames) {
     if (suffix.size() != 1 || suffix[0] != each.suffix) continue;
     if (columns > 1)
       return each.type == floatType ? std::optional(matrixType(columns, rows)) : std::nullopt;
@@ -249,45 +242,6 @@ Type Parser::type() {
          isHalf ? noHalf : "there is no type " + quoted(word.text) + nearestName(word.text));
     return floatType;
   });
-}
-
-std::string Parser::nameOf(Type type) const {
-  if (type.isArray()) {
-    const Type element = type.element();
-    return "array<" + nameOf(element) + (type.length ? ", " + std::to_string(type.length) : "") +
-           ">";
-  }
-  if (type.base == Base::Struct) {
-    const Structure& made = tree_.types.structure(type);
-    return made.name.empty() ? nameOf(made.fields[0].type) : std::string(made.name);
-  }
-  if (type.base == Base::Void) return "nothing";
-  if (type.base == Base::Sampler) return "texture_2d<f32>";
-  for (const ScalarName& each : scalars) {
-    if (each.type.base != type.base) continue;
-    if (type.isScalar()) return std::string(each.word);
-    const std::string name =
-        type.isMatrix() ? "mat" + std::to_string(type.columns) + "x" + std::to_string(type.rows)
-                        : "vec" + std::to_string(type.rows);
-    return each.suffix ? name + each.suffix : name + "<bool>";
-  }
-  return "nothing";
-}
-
-std::string Parser::nameOf(const Operand& operand) const {
-  if (operand.isPointer()) return "pointer to " + nameOf(operand.type);
-  if (!operand.isAbstract()) return nameOf(operand.type);
-  const std::string scalar = operand.type.base == Base::Int ? "abstract int" : "abstract float";
-  if (operand.type.isScalar()) return scalar;
-  if (operand.type.isArray()) return "array of abstract numbers";
-  return "vec" + std::to_string(operand.type.rows) + " of " + scalar + "s";
-}
-
-std::string Parser::withArticle(const std::string& name) const {
-  if (name == "nothing") return name;
-  const bool isVowel = std::string_view("aeioAEIO").find(name[0]) != std::string_view::npos ||
-                       name.starts_with("f32");
-  return (isVowel ? "an " : "a ") + name;
 }
 
 }  // namespace warpjet::source::wgsl

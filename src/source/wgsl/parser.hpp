@@ -70,12 +70,14 @@ class Parser {
   void findGlobals();
   void skipTo(std::string_view end);
   void global(Global& found);
-  Entity globalVariable();
-  Entity globalConstant();
-  Entity overrideConstant();
   Entity structure();
   Entity alias();
   void constAssert();
+
+  // parse_global_variables.cpp
+  Entity globalVariable();
+  Entity globalConstant();
+  Entity overrideConstant();
   void declareGlobally(VariableId variable, ExpressionId start);
   Type initialType(const std::optional<DeclaredType>& declared, const Operand& value,
                    Location place, std::string_view name);
@@ -94,6 +96,8 @@ class Parser {
   bool startsType(std::size_t ahead = 0);
   bool isGenerator(std::string_view word) const;
   std::int32_t arrayLength();
+
+  // type_names.cpp
   std::string nameOf(Type type) const;
   std::string nameOf(const Operand& operand) const;
   std::string withArticle(const std::string& name) const;
@@ -206,16 +210,20 @@ class Parser {
   Operand call(const Token& name);
   Operand callFunction(const Token& name, FunctionId function, const Operands& operands);
   Operand callBuiltIn(const Token& name, Operands operands);
-  Operand callOther(const Token& name, const Operands& operands);
-  Operand callTexture(const Token& name, Operands operands);
-  Operand withStructure(const Token& name, const Operand& operand);
-  Operand bitcast(const Token& name);
   void checkLimits(const BuiltIn& row, const Operands& operands, Location place);
   Operand asFloats(const Operand& operand, Location place);
   std::optional<Found> matchBuiltIn(std::string_view name, const Operands& operands,
                                     std::vector<Type>& types) const;
   std::string typesOf(const Operands& operands) const;
   Operand foldBuiltIn(const BuiltIn& row, const Operands& operands, Type type, Location place);
+
+  // parse_other_calls.cpp
+  Operand callOther(const Token& name, const Operands& operands);
+  Operand withStructure(const Token& name, const Operand& operand);
+  Operand bitcast(const Token& name);
+
+  // parse_textures.cpp
+  Operand callTexture(const Token& name, Operands operands);
 
   std::vector<Token> tokens_;
   Problems& problems_;
