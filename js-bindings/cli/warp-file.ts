@@ -54,8 +54,13 @@ export async function readWarp(
   choice: GlslChoice = {},
   values: object = {},
 ): Promise<WarpFile> {
-  if (isSource(file))
-    return { offset: await readSource(file, choice), uniforms: uniformsOfText(values) }
+  if (isSource(file)) {
+    const offsetOf = isWgsl(file) ? wgslOffset : glslOffset
+    return {
+      offset: offsetOf(await readText(file), removeUndefined(choice)),
+      uniforms: uniformsOfText(values),
+    }
+  }
   const module: Record<string, unknown> = await load(file)
   const uniforms = module.uniforms as UniformOptions | undefined
   const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
@@ -78,9 +83,6 @@ const uniformsOfText = (values: object) =>
 export const isWgsl = (file: string) => /\.wgsl$/i.test(file)
 
 const isSource = (file: string) => isWgsl(file) || /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
-
-const readSource = async (file: string, choice: GlslChoice) =>
-  (isWgsl(file) ? wgslOffset : glslOffset)(await readText(file), removeUndefined(choice))
 
 /** Removes options that are `undefined`. */
 export const removeUndefined = (options: object) =>

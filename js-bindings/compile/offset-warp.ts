@@ -18,6 +18,8 @@ import type { Place } from '../options/place.js'
 import { type FrameConstants, frameOf } from './frame.js'
 import type { DrawInput, Host } from './host.js'
 import { HostUniforms } from './host-uniforms.js'
+import { stageFor } from './normal-stage.js'
+import type { NormalStage, NormalsOption } from './normals-option.js'
 import { type RecordedWarp, type Result, recordWarp, resultNumber } from './recorded-warp.js'
 import { shaderNames } from './shader-names.js'
 import { type RecordOptions, type TextOptions, settingsOf } from './warp-options.js'
@@ -83,6 +85,15 @@ export class OffsetWarp {
   /** Returns the numbers of uniforms and of the draw call's inputs that the warped position of a vertex depends on. */
   state(given: DrawValues): number[] {
     return this.inputsRead().flatMap((variable) => this.stateOf(variable, given))
+  }
+
+  /** Returns where the normal is computed, which `'auto'` leaves to the warp. */
+  stageOfNormals(option: NormalsOption): NormalStage {
+    return option === 'auto'
+      ? stageFor(this.recorded, this.isFrameConstant, ({ name }) =>
+          this.byLabel().get(name)?.numbers(),
+        )
+      : option
   }
 
   text(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {

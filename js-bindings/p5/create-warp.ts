@@ -1,5 +1,10 @@
 /** `createWarp`: calls the offset function once, and returns the function that a sketch calls to draw with the warp. */
-import { HostWarp, type OffsetFunction, type UniformOverrides } from '../compile/hosts.js'
+import {
+  HostWarp,
+  type NormalStage,
+  type OffsetFunction,
+  type UniformOverrides,
+} from '../compile/hosts.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
@@ -19,7 +24,7 @@ import {
   sketchOf,
   stateOf,
 } from './host.js'
-import { type CreateWarpOptions, type WarpSettings, readOptions } from './settings.js'
+import { type CreateWarpOptions, type GivenSettings, readOptions } from './settings.js'
 import { checkShader, copyUniforms } from './own-shader.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { applyStrokeShaders } from './strokes.js'
@@ -33,7 +38,11 @@ const place = new Place('createWarp')
  * Applies the warp to the shapes drawn next: to fills, and to strokes as the option `stroke` says. The argument overrides values of
  * the option `uniforms` for this call only; uniforms that `defs` declares keep the values set here.
  */
-export type Distort<Uniforms = {}> = (uniforms?: UniformOverrides<Uniforms> & WarpUniforms) => void
+export interface Distort<Uniforms = {}> {
+  (uniforms?: UniformOverrides<Uniforms> & WarpUniforms): void
+  /** Where normals are computed, as the option `normals` says or, for `'auto'`, as the warp makes advisable. */
+  readonly normals: NormalStage
+}
 
 /** Maps a shader in use to a function that applies its warp again, after the sketch changed the material. */
 const reapply = new WeakMap<Shader, () => void>()
@@ -64,8 +73,8 @@ function warnIfMadeInDraw(sketch: Canvas) {
 }
 
 function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarpOptions): Distort {
-  const settings = readOptions(options)
-  const offset = offsetFor(canvas, userOffset, settings)
+  const given = readOptions(options)
+  const offset = offsetFor(canvas, userOffset, given)
   if (!rendererOf(canvas))
     throw new WarpError(
       canvas._renderer?.isP3D
@@ -76,7 +85,8 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
           }.`
         : 'createWarp: a warp needs a 3D canvas; call createCanvas(width, height, WEBGL) first.',
     )
-  const warp = warpFor(canvas, offset, settings)
+  const warp = warpFor(canvas, offset, given)
+  const settings = { ...given, stage: warp.stageOfNormals(given.normals) }
   let shaders = shadersFor(canvas, warp, settings)
 
   function apply(uniforms: WarpUniforms) {
@@ -103,7 +113,7 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
     bakeIntoGeometry({ canvas, warp, settings }, shader, uniforms, values)
   }
 
-  const distort: Distort = (uniforms = {}) =>
+  const distort = (uniforms: WarpUniforms = {}) =>
     withSketchLine(() => {
       if (uniforms === null || typeof uniforms !== 'object' || Array.isArray(uniforms))
         throw new WarpError(
@@ -111,14 +121,15 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
         )
       apply(uniforms)
     })
-  return rememberWarp(distort, { canvas, warp, settings })
+  Object.defineProperty(distort, 'normals', { value: settings.stage, enumerable: true })
+  return rememberWarp(distort as Distort, { canvas, warp, settings })
 }
 
 /** Returns the offset function with its operators translated, and with p5's number functions guarded while it runs. */
 function offsetFor(
   canvas: Canvas,
   userOffset: OffsetFunction,
-  { returns, scope }: WarpSettings,
+  { returns, scope }: GivenSettings,
 ): OffsetFunction {
   callback.read(userOffset, place)
   if (scope && !(operatorsKey in globalThis))
@@ -138,7 +149,7 @@ function offsetFor(
 }
 
 /** Calls the offset function, once for all shaders. */
-function warpFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettings): HostWarp {
+function warpFor(canvas: Canvas, offset: OffsetFunction, settings: GivenSettings): HostWarp {
   const { style } = styleFor(canvas)
   checkShader(settings, style, rendererOf(canvas)!)
   return new HostWarp(place, offset, {

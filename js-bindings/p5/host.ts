@@ -41,6 +41,7 @@ export interface Shader {
   readonly _fragSrc?: string
   bindShader?: (...args: unknown[]) => void
   vertSrc(): string
+  fragSrc(): string
   modify(hooks: Modifications): Shader
   /** Takes a canvas on 1.11. */
   ensureCompiledOnContext?(canvas: object): void
@@ -104,10 +105,10 @@ export interface BuiltShape extends Shape {
 /** On 1.11 the material's fields are in the renderer itself, on 2.x in its `states`. */
 export interface Renderer extends MaterialState {
   readonly isP3D?: boolean
-  readonly GL?: unknown
+  readonly GL?: { readonly MAX_VARYING_VECTORS: number; getParameter(name: number): number }
   readonly webglVersion?: string
   /** WebGPU only. */
-  readonly device?: unknown
+  readonly device?: { readonly limits?: { readonly maxInterStageShaderVariables?: number } }
   readonly states?: States
   /** 1.11 only. */
   readonly _doStroke?: boolean

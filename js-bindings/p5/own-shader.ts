@@ -2,14 +2,14 @@
 import { WarpError, describe } from '../errors/errors.js'
 import type { Shader } from './host.js'
 import { type HookStyle, targetOf } from './hooks/styles.js'
-import type { WarpSettings } from './settings.js'
+import type { GivenSettings, WarpSettings } from './settings.js'
 
 /** Maps the sketch's shader to the uniforms that were set since it was passed to createWarp, for the warp's copies of the shader. */
 const values = new WeakMap<Shader, Map<string, unknown>>()
 
 /** Throws a `WarpError` if the warp cannot be added to the shader. */
 export function checkShader(
-  { shader, hooks }: WarpSettings,
+  { shader, hooks }: GivenSettings,
   style: HookStyle,
   renderer: Parameters<typeof targetOf>[0],
 ) {

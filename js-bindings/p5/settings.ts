@@ -1,5 +1,11 @@
 /** Reads the options of `createWarp`. */
-import type { UniformOptions, UniformValues } from '../compile/hosts.js'
+import {
+  type NormalStage,
+  type NormalsOption,
+  type UniformOptions,
+  type UniformValues,
+  normalsKind,
+} from '../compile/hosts.js'
 import { anything, boolean, oneOf, optional, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
@@ -29,6 +35,12 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * write functions in WGSL, but declare uniforms as in GLSL.
    */
   defs?: string
+  /**
+   * Where normals are computed: at `'vertex'` and interpolated between vertices, or exactly at each `'pixel'`. `'auto'` selects
+   * `'pixel'` if the offset contains noise or bends strongly within 0.25, and its normal takes at most 4,000 operations.
+   * @default 'auto'
+   */
+  normals?: NormalsOption
   /**
    * If true, the light of an offset that depends on normal or uv accounts for how these vary over the surface; if false, they count as
    * constant. Default: true.
@@ -60,12 +72,14 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   scope?: Readonly<Record<string, unknown>>
 }
 
-export interface WarpSettings {
+/** The options with their defaults. */
+export interface GivenSettings {
   /** The option as the sketch wrote it. */
   readonly uniforms: object | undefined
   readonly type: WarpType | undefined
   readonly space: WarpSpace
   readonly defs: string
+  readonly normals: NormalsOption
   readonly surfaceVariation: boolean | undefined
   readonly stroke: boolean | undefined
   readonly returns: 'offset' | 'position'
@@ -74,12 +88,18 @@ export interface WarpSettings {
   readonly scope: Readonly<Record<string, unknown>> | undefined
 }
 
+export interface WarpSettings extends GivenSettings {
+  /** The stage that `normals` means for the warp. */
+  readonly stage: NormalStage
+}
+
 const place = new Place('createWarp')
 const createWarpOptions = object({
   uniforms: anything<UniformOptions<UniformValues>>(),
   type: optional(oneOf(['specular', 'normal'])),
   space: oneOf(['local', 'world', 'camera'], 'local'),
   defs: text('a string of GLSL such as "uniform float size;"', undefined, { default: '' }),
+  normals: normalsKind,
   surfaceVariation: anything<boolean>(),
   stroke: optional(boolean()),
   returns: oneOf(['offset', 'position'], 'offset'),
@@ -92,7 +112,7 @@ const createWarpOptions = object({
   ),
 } satisfies KindsOf<CreateWarpOptions>)
 
-export function readOptions(options?: CreateWarpOptions): WarpSettings {
+export function readOptions(options?: CreateWarpOptions): GivenSettings {
   const read = createWarpOptions.read(options, place)
   const { type, shader, defs } = read
   if (shader !== undefined && type !== undefined)

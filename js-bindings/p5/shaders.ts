@@ -4,10 +4,11 @@ import { WarpError } from '../errors/errors.js'
 import { checkDefs } from './page/defs.js'
 import { readsVariation } from './variation/variation-text.js'
 import { hookStyleOf, isOfLines, namesFor, addWarp } from './hooks/hooks.js'
-import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
+import { obstacleFor, pixelTextOf } from './hooks/pixel-code.js'
+import { type Canvas, type Renderer, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings } from './settings.js'
 import { declaredInputs, declaredUniforms, defsFor, rejectUndeclared } from './sketch-uniforms.js'
-import { type MaterialKind, readsInstance, targetOf } from './hooks/styles.js'
+import { type MaterialKind, type PixelCode, readsInstance, targetOf } from './hooks/styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
@@ -19,6 +20,21 @@ export function styleFor(canvas: Canvas) {
 
 const normalShaderOf = (canvas: Canvas, target: Target) =>
   target === 'wgsl' ? canvas.baseColorShader() : canvas.baseNormalShader()
+
+/** The number of vectors that p5's material and our own hooks pass to pixels, beside the inputs of a warp. */
+const passedByP5 = 6
+
+function maxVaryingsOf({ GL, device }: Renderer): number {
+  const max = GL
+    ? GL.getParameter(GL.MAX_VARYING_VECTORS)
+    : (device?.limits?.maxInterStageShaderVariables ?? 16)
+  return max - passedByP5
+}
+
+const warnOfVertices = (obstacle: string) =>
+  console.warn(
+    `createWarp: the normals of this warp are computed at vertices, although its option "normals" is 'pixel': ${obstacle}.`,
+  )
 
 /** The shaders that draw warped lines and points. */
 export interface StrokeShaders {
@@ -33,27 +49,43 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const defs = defsFor(settings, target)
+  const uniformsOf = (text: HostText) => [
+    ...declaredInputs(text),
+    ...declaredUniforms(warp, text, settings, target),
+  ]
   const toWarpCode = (text: HostText, base: Shader) => {
     if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
-    const declared = declaredUniforms(warp, text, settings, target)
-    rejectUndeclared(warp, text, base, declared, defs, target)
+    const uniforms = uniformsOf(text)
+    rejectUndeclared(warp, text, base, uniforms, defs, target)
     const { space, hooks } = settings
-    return { text, space, defs, hooks, uniforms: [...declaredInputs(text), ...declared] }
+    return { target, text, space, defs, hooks, uniforms }
   }
   const names = namesFor(style)
   const warpCode = toWarpCode(
     warp.text(target, ['offset', 'position', 'normal'], { names }),
     own ?? material,
   )
+  const pixelText = lazily(() => pixelTextOf(warp, target))
+  /** Returns the code for pixels, or why the shader cannot run it. */
+  const pixelCodeFor = (base: Shader): PixelCode | string => {
+    const { text, varyings } = pixelText()
+    const pixel = { text, varyings, uniforms: uniformsOf(text) }
+    const isAfter = (hook: string) => style.isAfterWarp(hook, warpCode)
+    const maxVaryings = maxVaryingsOf(renderer)
+    return obstacleFor(pixel, base, { defs, isAfter, maxVaryings }) ?? pixel
+  }
   const shaders: Partial<Record<MaterialKind, Shader>> = {}
-  const shaderFor = (type: MaterialKind): Shader =>
-    (shaders[type] ??= addWarp(
-      own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material),
-      style,
-      warpCode,
-      type,
-    ))
+  const makeShader = (type: MaterialKind) => {
+    const base = own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material)
+    const pixel = settings.stage === 'pixel' ? pixelCodeFor(base) : undefined
+    if (typeof pixel === 'string') {
+      if (settings.normals === 'pixel') warnOfVertices(pixel)
+      return addWarp(base, style, warpCode, type)
+    }
+    return addWarp(base, style, { ...warpCode, pixel }, type)
+  }
+  const shaderFor = (type: MaterialKind): Shader => (shaders[type] ??= makeShader(type))
   if (defs.trim()) checkDefs(shaderFor(own ? 'own' : (settings.type ?? 'specular')), defs, renderer)
   return {
     renderer,

@@ -14,6 +14,7 @@
 #include "builder/builder.hpp"
 #include "embind.hpp"
 #include "emit/text.hpp"
+#include "eval/cost.hpp"
 #include "eval/program.hpp"
 #include "frame/frame.hpp"
 #include "noise/noise.hpp"
@@ -222,6 +223,8 @@ CpuProgram makeProgram(const Module& module, const Words& wanted) {
   return {{}, std::move(made.program->words), made.program->instructions, inputs(module)};
 }
 
+Cost cost(const Module& module, const Words& results) { return costOf(module, results); }
+
 // Returns for each input whether the program reads it. `sizes` are the counts of their numbers.
 std::vector<std::uint8_t> inputsOfProgramRead(const Words& words, std::uint32_t instructions,
                                               const Words& sizes) {
@@ -287,6 +290,10 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("words", &CpuProgram::words)
       .field("instructions", &CpuProgram::instructions)
       .field("inputs", &CpuProgram::inputs);
+  value_object<Cost>("Cost")
+      .field("operations", &Cost::operations)
+      .field("hasNoise", &Cost::hasNoise)
+      .field("needsGpu", &Cost::needsGpu);
 
   class_<Builder>("Session")
       .constructor<>()
@@ -316,7 +323,8 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("results", &results)
       .function("separate", &separate)
       .function("write", &writeText)
-      .function("program", &makeProgram);
+      .function("program", &makeProgram)
+      .function("cost", &cost);
 
   function("operationNames", &operationNames);
   function("operationFlags", &operationFlags);

@@ -40,11 +40,7 @@ std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots
 }
 
 ModuleProgram program(const Module& module, std::span<const std::uint32_t> results) {
-  std::vector<NodeId> roots;
-  for (const std::uint32_t number : results) {
-    const std::vector<NodeId>& components = module.outputs[number].components;
-    roots.insert(roots.end(), components.begin(), components.end());
-  }
+  const std::vector<NodeId> roots = module.roots(results);
   bool hasBodies = false;
   for (const NodeId id : reachable(module.graph, roots)) {
     if (isImage(module.graph, id)) return {};

@@ -39,6 +39,8 @@ struct Module {
   Comments comments;
 
   std::vector<NodeId> roots() const;
+  // The components of these results, given by number.
+  std::vector<NodeId> roots(std::span<const std::uint32_t> results) const;
 };
 
 // The numbers of the inputs that these results depend on, in ascending order.

@@ -256,6 +256,15 @@ std::vector<NodeId> Module::roots() const {
   return nodes;
 }
 
+std::vector<NodeId> Module::roots(std::span<const std::uint32_t> results) const {
+  std::vector<NodeId> roots;
+  for (const std::uint32_t result : results) {
+    const std::vector<NodeId>& components = outputs[result].components;
+    roots.insert(roots.end(), components.begin(), components.end());
+  }
+  return roots;
+}
+
 Definition readRecordedFunction(std::string_view name, std::uint32_t variables,
                                 std::vector<std::uint32_t> words, Library& library) {
   const Module module = load(words);

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { noiseFormulas } from '../../.scripts/reference/noise-formulas.mjs'
 import { compile } from '../../dist/warpjet.js'
+import { fractals } from '../operations/noise.js'
 import { add, dot, subtract, times } from '../support/linear.js'
 import * as plain from '../support/noise.js'
 import { evaluateFormula } from '../support/notation.js'
@@ -98,9 +99,7 @@ const partsOf = {
   simplex: triangle,
   worley: nearest,
   curl: three,
-  fbm: octaves,
-  ridged: octaves,
-  turbulence: octaves,
+  ...Object.fromEntries(fractals.map((name) => [name, octaves])),
 }
 
 const first = (name, result) => (name === 'worley' ? result[0] : result)

@@ -5,6 +5,7 @@ import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
 import { compile } from '../../dist/warpjet.js'
 import { brokenConventions, inDouble, problemsOf } from '../operations/check.js'
 import { conventions } from '../operations/conventions.js'
+import { noises } from '../operations/noise.js'
 import { forms, inputMakers, programOf, runOnCpu } from '../operations/program.js'
 import { cases } from '../operations/reference.js'
 import { expected, points, swizzleProgram, swizzles } from '../operations/swizzles.js'
@@ -14,19 +15,7 @@ const groups = [...new Set(cases.map(({ group }) => group))]
 const casesOf = (group) => cases.filter((operation) => operation.group === group)
 
 /** Other test files cover these. */
-const functions = [
-  'source',
-  'repeat',
-  'texture',
-  'noise',
-  'simplex',
-  'valueNoise',
-  'worley',
-  'curl',
-  'fbm',
-  'ridged',
-  'turbulence',
-]
+const functions = ['source', 'repeat', 'texture', ...noises]
 
 /** Methods that request results, and operations of a warp, which tests/compile/compile.test.js and tests/cpp/warp_test.cpp cover. */
 const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']

@@ -284,7 +284,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           setup: shapes
             .map(
               ([name, { setup = '', grain = unit }]) => `noStroke(); ${setup}
-              warps['${name}'] = createWarp(${offset.code(grain)}, { type: 'normal' })`,
+              warps['${name}'] = createWarp(${offset.code(grain)}, { type: 'normal', normals: 'vertex' })`,
             )
             .join('\n'),
           scenes: Object.fromEntries(scenes),

@@ -117,6 +117,17 @@ export const inputsReadBy = (
 export const resultsOf = (serialized: SerializedModule): Variable[] =>
   withModule(serialized, (module) => module.results())
 
+/** Estimates the work of computing results, given by number: operations on single floats, and whether there is noise among them. */
+export const costOf = (
+  serialized: SerializedModule,
+  results: readonly number[],
+  isFrameConstant?: IsFrameConstant,
+) =>
+  withModule(serialized, (module) => {
+    separateFrame(module, isFrameConstant)
+    return module.cost(results)
+  })
+
 /**
  * Makes the CPU program of results, given by number; `undefined` if it would call a function of the host. With `isFrameConstant`
  * it reads the vec4s of the frame.

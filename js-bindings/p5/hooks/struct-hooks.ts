@@ -1,11 +1,20 @@
 /** p5 2.x on WebGL: in each space, a hook takes and returns a vertex as one struct. */
 import { type HookStyle, type WarpCode, glslDeclarations } from './styles.js'
 import type { HookOrder } from './merge-hooks.js'
+import {
+  type ToView,
+  passInputs,
+  passViewPosition,
+  pixelDeclarations,
+  pixelHooks,
+  readsNormals,
+} from './pixel-normals.js'
 import { zeroNormalHooks } from './zero-normals.js'
 import {
   readsVariation,
-  variationInGlsl,
   variationDeclarations,
+  variationInGlsl,
+  variationVariables,
 } from '../variation/variation-text.js'
 import type { WarpSpace } from '../settings.js'
 
@@ -19,11 +28,33 @@ export const hookIn: Record<WarpSpace, string> = {
 export const orderInStruct = (name: string, { space, hooks }: WarpCode): HookOrder =>
   name.endsWith(hookIn[space]) ? hooks : name.startsWith('Vertex') ? 'first' : 'last'
 
+const vertexHooks = [...Object.values(hookIn).map((name) => `Vertex ${name}`), 'void afterVertex']
+
+export function isAfterWarpInStruct(
+  name: string,
+  { space, hooks }: Pick<WarpCode, 'space' | 'hooks'>,
+) {
+  const [hook, ours] = [name, `Vertex ${hookIn[space]}`].map((each) => vertexHooks.indexOf(each))
+  return hook === ours ? hooks === 'last' : hook! > ours!
+}
+
 /** `exactNormals` declares this global too. */
 const flat = 'bool warpjetNormalIsZero;'
 
 /** Maps a space to the matrix that transforms normals from the shape's own space to it. */
 export const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
+
+const matrixToView = (name: string): ToView => ({
+  matrix: ['mat3', name],
+  transform: (normal) => `${name} * ${normal}`,
+})
+
+/** p5 sets each of these matrices in both stages, whether its own text declares them or not. */
+const matricesToView: Record<WarpSpace, ToView> = {
+  local: matrixToView('uNormalMatrix'),
+  world: matrixToView('uCameraNormalMatrix'),
+  camera: { transform: (normal) => normal },
+}
 
 /**
  * p5's normal shader normalizes at the end of `main`, so we zero collapsed normals in `afterVertex`. Its lit shader interpolates
@@ -32,6 +63,7 @@ export const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 
 export const structHooks: HookStyle = {
   isOrdered: true,
   orderOf: orderInStruct,
+  isAfterWarp: isAfterWarpInStruct,
   names: {
     position: 'warpjetInputs.position',
     normal: 'warpjetInputs.normal',
@@ -40,26 +72,34 @@ export const structHooks: HookStyle = {
     instance: 'warpjetInstance',
   },
   fill(warpCode, _type, base) {
-    const { text, space } = warpCode
+    const { text, space, target } = warpCode
+    const pixel = readsNormals(base) ? warpCode.pixel : undefined
     const varies = readsVariation(text)
+    const names = { ...this.names, ...variationVariables }
+    const position = passViewPosition(pixel, base, 'warpjetInputs.position')
     return {
       vertexDeclarations: glslDeclarations(
         warpCode,
         !base.hooks.vertex.declarations?.includes(flat) && flat,
         varies && variationDeclarations,
+        pixelDeclarations(pixel, base),
       ),
-      [`Vertex ${hookIn[space]}`]: `(Vertex warpjetInputs) {
-${varies ? variationInGlsl(normalMatrices[space]) : ''}${text.code}
+      ...(position && space !== 'camera' && vertexHook('camera', position)),
+      ...vertexHook(
+        space,
+        `${varies ? variationInGlsl(normalMatrices[space]) : ''}${passInputs(pixel, names)}${text.code}
   warpjetNormalIsZero = warpjetNormal == vec3(0.0);
   warpjetInputs.position = warpjetPosition;
   warpjetInputs.normal = warpjetNormal;
-  return warpjetInputs;
-}`,
+${space === 'camera' ? position : ''}`,
+      ),
       'void afterVertex':
         'Inputs getPixelInputs' in base.hooks.fragment
           ? '() { vNormal = warpjetNormalIsZero ? vec3(0.0) : normalize(vNormal); }'
           : '() { if (warpjetNormalIsZero) vVertexNormal = vec3(0.0); }',
-      ...zeroNormalHooks(base),
+      ...(pixel
+        ? pixelHooks(warpCode, pixel, base, matricesToView[space])
+        : zeroNormalHooks(base, target)),
     }
   },
   stroke: (warpCode) => ({
@@ -67,6 +107,10 @@ ${varies ? variationInGlsl(normalMatrices[space]) : ''}${text.code}
     ...strokeHooks(warpCode),
   }),
 }
+
+const vertexHook = (space: WarpSpace, statements: string) => ({
+  [`Vertex ${hookIn[space]}`]: `(Vertex warpjetInputs) {\n${statements}  return warpjetInputs;\n}`,
+})
 
 /**
  * p5 computes the directions of a line from its attributes again in each space, discarding the results of earlier hooks. Globals keep

@@ -10,7 +10,10 @@ import type { WarpSpace, WarpType } from '../settings.js'
 
 /** A warp's code, and what a shader needs to contain it. */
 export interface WarpCode {
+  target: Target
   text: HostText
+  /** Present if normals are computed at pixels. */
+  pixel?: PixelCode | undefined
   space: WarpSpace
   /** Source by the sketch to insert above the code. */
   defs: string
@@ -20,12 +23,29 @@ export interface WarpCode {
   uniforms: readonly Declared[]
 }
 
+/** The code of the fragment stage that computes the normal at a pixel; see pixel-code.ts. */
+export interface PixelCode {
+  text: HostText
+  /** The inputs that the code reads, as varyings. */
+  varyings: readonly Varying[]
+  /** Uniforms that the fragment stage must declare. */
+  uniforms: readonly Declared[]
+}
+
+export interface Varying {
+  input: string
+  name: string
+  type: 'float' | 'vec2' | 'vec3' | 'vec4'
+}
+
 /** The material that a shader draws; `own` is a shader of the sketch. */
 export type MaterialKind = WarpType | 'own'
 
 export interface HookStyle {
   /** Returns when the sketch's hook runs, for a hook that the style has too. */
   orderOf(name: string, warpCode: WarpCode): HookOrder
+  /** Returns whether the sketch's hook of this name runs after the warp, and may change its normals. */
+  isAfterWarp(name: string, warpCode: Omit<WarpCode, 'pixel'>): boolean
   /** True if the sketch's hooks can also run after the warp. */
   isOrdered: boolean
   names: Record<'position' | 'normal' | 'uv' | 'color' | 'instance', string>
@@ -50,7 +70,10 @@ export const readsInstance = ({ uniforms }: HostText) =>
   uniforms.some(({ name }) => name === 'instance')
 
 /** Returns GLSL declarations to insert above the hooks. */
-export const glslDeclarations = ({ text, defs, uniforms }: WarpCode, ...own: (string | false)[]) =>
+export const glslDeclarations = (
+  { text, defs, uniforms }: WarpCode,
+  ...own: (string | false | undefined)[]
+) =>
   [
     ...own,
     readsInstance(text) && '#define warpjetInstance float(gl_InstanceID)',

@@ -6,11 +6,20 @@
  * `mat3(V)` (hence `vec4(n, 0.0)`).
  */
 import { sketchHook } from './merge-hooks.js'
+import {
+  type ToView,
+  passInputs,
+  passViewPosition,
+  pixelDeclarations,
+  pixelHooks,
+  readsNormals,
+} from './pixel-normals.js'
 import { zeroNormalHooks } from './zero-normals.js'
 import {
   readsVariation,
-  variationInGlsl,
   variationDeclarations,
+  variationInGlsl,
+  variationVariables,
 } from '../variation/variation-text.js'
 import type { WarpSpace } from '../settings.js'
 import { type HookStyle, glslDeclarations } from './styles.js'
@@ -19,6 +28,8 @@ export const valueHooks: HookStyle = {
   isOrdered: false,
   orderOf: (name, { space }) =>
     space !== 'camera' ? 'last' : name.endsWith('Position') ? 'first' : 'inside',
+  isAfterWarp: (name, { space }) =>
+    name === 'void afterVertex' || (space !== 'camera' && name === worldNormal),
   names: {
     position: 'warpjetRestPosition',
     normal: 'warpjetSharedNormal',
@@ -28,11 +39,14 @@ export const valueHooks: HookStyle = {
   },
   fill(warpCode, _type, base) {
     const { position, viewPosition } = positions[warpCode.space]
-    const { normal, viewNormal, matrix } = normals[warpCode.space]
+    const { normal, matrix, toView } = normals[warpCode.space]
+    const { transform } = toView
     const source = base.vertSrc()
     // In view space the sketch's hook runs first.
     const hasNormalHook = warpCode.space === 'camera' && base.hooks.modified.vertex[worldNormal]
     const varies = readsVariation(warpCode.text)
+    const pixel = readsNormals(base) ? warpCode.pixel : undefined
+    const names = { ...this.names, ...variationVariables }
     return {
       // p5's normal shader has medium precision, too little for a warp on phones that really use 16 bits.
       vertexDeclarations: glslDeclarations(
@@ -42,17 +56,21 @@ export const valueHooks: HookStyle = {
         hasNormalHook && `vec3 ${sketchHook(worldNormal)}(vec3);`,
         !source.includes('uniform mat4 uModelMatrix') && matrices(warpCode.space),
         varies && variationDeclarations,
+        pixelDeclarations(pixel, base),
       ),
       'vec3 getWorldPosition': `(vec3 warpjetViewPosition) {
   vec3 warpjetRestPosition = ${position.replace('aPosition.xyz', 'HOOK_getLocalPosition(aPosition)')};
   warpjetSharedNormal = ${hasNormalHook ? `${sketchHook(worldNormal)}(${normal})` : normal};
-${varies ? variationInGlsl(matrix) : ''}${warpCode.text.code}
-  warpjetSharedNormal = ${viewNormal};
-  return ${viewPosition};
+${varies ? variationInGlsl(matrix) : ''}${passInputs(pixel, names)}${warpCode.text.code}
+  warpjetSharedNormal = ${transform('warpjetNormal')};
+  warpjetViewPosition = ${viewPosition};
+${passViewPosition(pixel, base, 'warpjetViewPosition')}  return warpjetViewPosition;
 }`,
       'vec3 getWorldNormal':
         '(vec3 normal) { return warpjetSharedNormal == vec3(0.0) ? warpjetSharedNormal : normalize(warpjetSharedNormal); }',
-      ...zeroNormalHooks(base),
+      ...(pixel
+        ? pixelHooks(warpCode, pixel, base, toView)
+        : zeroNormalHooks(base, warpCode.target)),
     }
   },
   /**
@@ -139,20 +157,24 @@ const positions = {
   },
 }
 
-const normals = {
+const normals: Record<WarpSpace, { matrix: string; normal: string; toView: ToView }> = {
   local: {
     matrix: '',
     normal: 'HOOK_getLocalNormal(aNormal)',
-    viewNormal: 'uNormalMatrix * warpjetNormal',
+    toView: {
+      matrix: ['mat3', 'uNormalMatrix'],
+      transform: (normal: string) => `uNormalMatrix * ${normal}`,
+      isAbovePrecision: true,
+    },
   },
   world: {
     matrix: `mat3(${[0, 1, 2].map((i) => `(vec4(uNormalMatrix[${i}], 0.0) * uViewMatrix).xyz`).join(', ')})`,
     normal: '(vec4(uNormalMatrix * HOOK_getLocalNormal(aNormal), 0.0) * uViewMatrix).xyz',
-    viewNormal: '(uViewMatrix * vec4(warpjetNormal, 0.0)).xyz',
+    toView: { matrix: ['mat4', 'uViewMatrix'], transform: by('uViewMatrix') },
   },
   camera: {
     matrix: 'uNormalMatrix',
     normal: 'uNormalMatrix * HOOK_getLocalNormal(aNormal)',
-    viewNormal: 'warpjetNormal',
+    toView: { transform: same },
   },
 }

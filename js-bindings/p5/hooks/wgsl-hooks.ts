@@ -4,6 +4,7 @@
  */
 import {
   type Declared,
+  type HostText,
   type VariationInput,
   variationAttribute,
   variationNames,
@@ -12,8 +13,10 @@ import { WarpError } from '../../errors/errors.js'
 import { type TextOfVertex, variationIn, variationVariables } from '../variation/variation-text.js'
 import type { Modifications, Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { hookIn, orderInStruct } from './struct-hooks.js'
-import { type HookStyle, type WarpCode, readsInstance } from './styles.js'
+import { facingInWgsl } from './facing.js'
+import { passInputs, pixelVaryings, readInputs, toView } from './pixel-normals-wgsl.js'
+import { hookIn, isAfterWarpInStruct, orderInStruct } from './struct-hooks.js'
+import { type HookStyle, type MaterialKind, type WarpCode, readsInstance } from './styles.js'
 
 /** WGSL types of inputs and of the option `uniforms`. */
 const types: Partial<Record<Declared['type'], string>> = {
@@ -30,6 +33,7 @@ const types: Partial<Record<Declared['type'], string>> = {
 export const wgslHooks: HookStyle = {
   isOrdered: true,
   orderOf: orderInStruct,
+  isAfterWarp: isAfterWarpInStruct,
   names: {
     position: 'warpjetInputs.position',
     normal: 'warpjetInputs.normal',
@@ -37,17 +41,30 @@ export const wgslHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill: (warpCode, type, base) => ({
-    ...declarationsOf(
-      warpCode,
-      base,
-      'var<private> warpjetNormalIsZero: bool;',
-      ...privatesFor(attributesOf(warpCode)),
-    ),
-    varyingVariables: ['warpjetViewNormal: vec3<f32>', 'warpjetViewPosition: vec3<f32>'],
-    ...hooks('Vertex', fillHooks(warpCode)),
-    ...(type === 'normal' ? colors : 'Inputs getPixelInputs' in base.hooks.fragment && lit),
-  }),
+  fill(warpCode, type, base) {
+    const { pixel } = warpCode
+    return {
+      ...declarationsOf(
+        warpCode,
+        base,
+        'var<private> warpjetNormalIsZero: bool;',
+        ...privatesFor(attributesOf(warpCode)),
+      ),
+      fragmentDeclarations: [
+        ...(pixel ? [warpCode.defs, pixel.text.declarations] : []),
+        facingInWgsl,
+      ]
+        .filter(Boolean)
+        .join('\n'),
+      varyingVariables: [
+        'warpjetViewNormal: vec3<f32>',
+        'warpjetViewPosition: vec3<f32>',
+        ...pixelVaryings(pixel),
+      ],
+      ...hooks('Vertex', fillHooks(warpCode, { ...this.names, ...variationVariables })),
+      ...fragmentHooks(warpCode, type, base),
+    }
+  },
   finish: (shader, warpCode) =>
     addAttributes(
       shader,
@@ -65,25 +82,43 @@ export const wgslHooks: HookStyle = {
   }),
 }
 
-/** Lights collapsed surfaces, whose normal is zero, as if they faced the eye; see zero-normals.ts. */
-const lit = {
-  'Inputs getPixelInputs': `(warpjetOriginalInputs: Inputs) {
+/**
+ * Returns the hook that lights the normal or, like p5's normal shader on WebGL, draws it as a colour; on WebGPU p5 has no such shader. A
+ * collapsed surface, whose normal is zero, gets its geometric normal.
+ */
+function fragmentHooks(warpCode: WarpCode, type: MaterialKind, base: Shader): Modifications {
+  const { pixel, space } = warpCode
+  const isLit = 'Inputs getPixelInputs' in base.hooks.fragment
+  if (type !== 'normal' && !isLit) return {}
+  const statements = pixel
+    ? `${readInputs(pixel)}${statementsOf(pixel.text, pixel.uniforms)}
+  let warpjetShownNormal = ${toView('warpjetNormal', space, base)};`
+    : '  let warpjetShownNormal = warpjetViewNormal;'
+  const body = `  let warpjetFacingNormal = warpjetFacing(warpjetViewPosition);
+${statements}
+  let warpjetUnitNormal = select(normalize(warpjetShownNormal), warpjetFacingNormal, all(warpjetShownNormal == vec3<f32>()));`
+  if (type !== 'normal')
+    return {
+      'Inputs getPixelInputs': `(warpjetOriginalInputs: Inputs) {
   var warpjetInputs = warpjetOriginalInputs;
-  if (all(warpjetViewNormal == vec3<f32>())) { warpjetInputs.normal = normalize(-warpjetViewPosition); }
-  else { warpjetInputs.normal = normalize(warpjetViewNormal); }
+${body}
+  warpjetInputs.normal = warpjetUnitNormal;
   return warpjetInputs;
 }`,
-}
-
-/** Draws normals as colours, like p5's normal shader on WebGL; on WebGPU p5 has none. */
-const colors = {
-  'vec4<f32> getFinalColor': `(color: vec4<f32>, texCoord: vec2<f32>) {
-  return vec4<f32>(warpjetViewNormal, 1.0);
+    }
+  return {
+    'vec4<f32> getFinalColor': `(color: vec4<f32>, texCoord: vec2<f32>) {
+${body}
+  return vec4<f32>(warpjetUnitNormal, 1.0);
 }`,
+  }
 }
 
-function fillHooks(warpCode: WarpCode): Record<string, string> {
-  const warp = `${variationInWgsl(warpCode)}${warpStatements(warpCode)}
+function fillHooks(
+  warpCode: WarpCode,
+  names: Readonly<Record<string, string>>,
+): Record<string, string> {
+  const warp = `${variationInWgsl(warpCode)}${warpStatements(warpCode, passInputs(warpCode.pixel, names))}
   warpjetNormalIsZero = all(warpjetNormal == vec3<f32>());
   warpjetInputs.position = warpjetPosition;
   warpjetInputs.normal = warpjetNormal;\n`
@@ -173,13 +208,16 @@ function hooks(struct: string, bodies: Record<string, string>): Modifications {
 }
 
 /** Returns the code, below local variables that give uniforms the same names as in GLSL. */
-const warpStatements = ({ text, uniforms }: WarpCode) =>
+const warpStatements = ({ text, uniforms }: WarpCode, pass = '') =>
   (readsInstance(text) ? '  let warpjetInstance = f32(instanceID);\n' : '') +
+  pass +
+  statementsOf(text, uniforms)
+
+const statementsOf = (text: HostText, uniforms: readonly Declared[]) =>
   uniforms
     .filter(({ type }) => type !== 'sampler2D')
     .map(({ name }) => `  let ${name} = hooks.${name};\n`)
-    .join('') +
-  text.code
+    .join('') + text.code
 
 function declarationsOf({ text, defs, uniforms }: WarpCode, base: Shader, ...own: string[]) {
   const images = uniforms.filter(({ type }) => type === 'sampler2D')

@@ -1,13 +1,14 @@
+import type { Target } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
+import { facingInGlsl } from './facing.js'
 
-/**
- * Returns hooks that light a collapsed triangle as if it faced the eye. If a warp collapses a whole triangle, as `floor` does, its
- * normals are zero, and p5 would light it by normalize(vec3(0)).
- */
-export const zeroNormalHooks = ({ hooks }: Shader) =>
+/** Returns hooks that light a collapsed triangle, whose normals at vertices are zero, by its geometric normal. */
+export const zeroNormalHooks = ({ hooks }: Shader, target: Target) =>
   'Inputs getPixelInputs' in hooks.fragment && {
+    fragmentDeclarations: facingInGlsl(target),
     'Inputs getPixelInputs': `(Inputs inputs) {
-  if (vNormal == vec3(0.0)) inputs.normal = normalize(-vViewPosition);
+  vec3 warpjetFacingNormal = warpjetFacing(vViewPosition);
+  if (vNormal == vec3(0.0)) inputs.normal = warpjetFacingNormal;
   return inputs;
 }`,
   }

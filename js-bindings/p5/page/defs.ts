@@ -55,7 +55,7 @@ function messageFor(text: string, defs: string, complaints: readonly Complaint[]
 export function checkDefs(shader: Shader, defs: string, { GL, device }: Renderer) {
   const text = shader.vertSrc()
   if (GL) {
-    const failure = messageFor(text, defs, complaintsOf(GL as Gl, text))
+    const failure = messageFor(text, defs, complaintsOf(GL as unknown as Gl, text))
     if (failure) throw new WarpError(failure)
     return
   }

@@ -5,6 +5,7 @@ import { shaderNames, variationAttribute, variationNames } from '../../compile/h
 import { functionFor, parameterNames, parametersOf } from './function.js'
 import { type NodesByName, previousUniformsOf, uniformsOf } from './uniforms.js'
 import type { ThreeWarp, Turned } from '../three-warp.js'
+import { type Space, local, world } from './spaces.js'
 import { type AnyNode, type Call, tsl } from './tsl.js'
 
 /** The part of three's NodeBuilder that we use. It builds the shaders of an object. */
@@ -130,18 +131,6 @@ function orientFaces(warp: ThreeWarp, builder: Builder) {
     `( ${getFrontFacing()} == ( ${orientation.build(builder, 'float')} > 0.0 ) )`
 }
 
-/** Converts the vertex into the space of the warp and back. */
-interface Space {
-  isLocal: boolean
-  position: AnyNode
-  normal: () => AnyNode
-  tangent: () => AnyNode
-  /** The position in the frame before, without the warp. */
-  previous: () => AnyNode
-  assignPrevious: (position: AnyNode) => void
-  assign: (position: AnyNode, normal?: AnyNode, tangent?: AnyNode) => void
-}
-
 function moveVertex(warp: ThreeWarp, builder: Builder, space: Space) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
@@ -172,46 +161,6 @@ function moveVertex(warp: ThreeWarp, builder: Builder, space: Space) {
     turned === 'position' ? undefined : result.element(1),
     turned === 'tangent' ? result.element(2) : undefined,
   )
-}
-
-/** The space of three's `positionLocal`. */
-const local = (previous: AnyNode): Space => ({
-  isLocal: true,
-  position: tsl.positionLocal,
-  normal: () => tsl.normalLocal,
-  tangent: () => tsl.tangentLocal,
-  previous: () => previous,
-  assignPrevious: (position) => void tsl.positionPrevious.assign(position),
-  assign(position, normal, tangent) {
-    if (normal) tsl.normalLocal.assign(normal)
-    if (tangent) tsl.tangentLocal.assign(tangent)
-    tsl.positionLocal.assign(position)
-  },
-})
-
-/** The world. */
-function world(isPosed: boolean): Space {
-  const linear = () => tsl.mat3(tsl.modelWorldMatrix)
-  const transform = (matrix: AnyNode, position: AnyNode) => matrix.mul(tsl.vec4(position, 1)).xyz
-  const toWorldBefore = () => tsl.velocity.previousModelWorldMatrix
-  return {
-    isLocal: false,
-    position: transform(tsl.modelWorldMatrix, tsl.positionLocal),
-    // The length is 1, as for WebGLRenderer and rays; a zero normal stays zero.
-    normal() {
-      const normal = tsl.modelNormalMatrix.mul(tsl.normalLocal)
-      return normal.div(tsl.max(tsl.length(normal), 1e-30))
-    },
-    tangent: () => linear().mul(tsl.tangentLocal),
-    previous: () => transform(toWorldBefore(), isPosed ? tsl.positionPrevious : tsl.positionLocal),
-    assignPrevious: (position) =>
-      void tsl.positionPrevious.assign(transform(tsl.inverse(toWorldBefore()), position)),
-    assign(position, normal, tangent) {
-      if (normal) tsl.normalLocal.assign(linear().transpose().mul(normal))
-      if (tangent) tsl.tangentLocal.assign(tsl.mat3(tsl.modelWorldMatrixInverse).mul(tangent))
-      tsl.positionLocal.assign(transform(tsl.modelWorldMatrixInverse, position))
-    },
-  }
 }
 
 /** Makes the arguments that are neither position, normal nor tangent. */

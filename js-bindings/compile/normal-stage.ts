@@ -1,0 +1,135 @@
+/**
+ * Decides where a warp's normals are computed: at vertices, between which the host interpolates, or at pixels. The decision depends on
+ * the warp alone, so that it is the same for all shapes.
+ */
+import type { Variable } from '../core/expression/shapes.js'
+import {
+  type IsFrameConstant,
+  type Program,
+  costOf,
+  makeProgram,
+} from '../core/module/serialized-module.js'
+import { runInDouble } from '../cpu/double.js'
+import type { NormalStage } from './normals-option.js'
+import { type RecordedWarp, resultNumber } from './recorded-warp.js'
+
+/**
+ * With `'auto'`, the maximum number of operations on floats per pixel. The normal of a twist takes 40, of simplex noise in 3D 700, of
+ * fbm with five octaves of noise 1,600.
+ */
+export const maxOperations = 4000
+
+/** The usual length of an edge: that of p5's sphere, of radius 1 and with 24 segments. */
+const usualEdge = 0.25
+
+/** A warp bends strongly if interpolated normals are off by more than this at one of ten edges, in degrees. */
+const maxAngle = 1
+
+const edgeCount = 40
+
+/**
+ * Returns the stage that `'auto'` means: `'pixel'` if the normal takes at most `maxOperations` per pixel, and the warp contains noise
+ * or bends strongly. A warp that only the GPU can evaluate gets `'vertex'`. `numbersOf` returns the present numbers of a uniform.
+ */
+export function stageFor(
+  recorded: RecordedWarp,
+  isFrameConstant: IsFrameConstant | undefined,
+  numbersOf: (variable: Variable) => readonly number[] | undefined,
+): NormalStage {
+  const { module, settings } = recorded
+  const results = [resultNumber(recorded, 'normal', settings.surfaceVariation)]
+  const { operations, hasNoise, needsGpu } = costOf(module, results, isFrameConstant)
+  if (needsGpu || operations > maxOperations) return 'vertex'
+  if (hasNoise) return 'pixel'
+  const program = makeProgram(module, results)
+  return program && bendsStrongly(program, valuesOf(recorded, numbersOf)) ? 'pixel' : 'vertex'
+}
+
+/** Returns the numbers of an input at a point of the unit sphere. */
+type ValueAt = (variable: Variable, point: readonly number[]) => readonly number[]
+
+function valuesOf(
+  { inputs }: RecordedWarp,
+  numbersOf: (variable: Variable) => readonly number[] | undefined,
+): ValueAt {
+  const names = new Map(Object.entries(inputs).map(([name, number]) => [number, name]))
+  return (variable, point) => {
+    const [columns, rows] = variable.shape
+    const onSphere = valuesOnSphere[names.get(variable.number)!]
+    if (onSphere) return onSphere(point)
+    const numbers = numbersOf(variable) ?? Array<number>(columns * rows).fill(1)
+    // A strength that is 0 now would hide the warp.
+    return numbers.map((number) => number || 1)
+  }
+}
+
+const ofNormal = (axis: number) => (point: readonly number[]) =>
+  point.map((x, i) => (i === axis ? 1 : 0) - x * point[axis]!)
+
+const valuesOnSphere: Record<string, (point: readonly number[]) => number[]> = {
+  position: (point) => [...point],
+  normal: (point) => scale(point, 1 / Math.sqrt(dot(point, point))),
+  uv: ([x, y]) => [0.5 + 0.5 * x!, 0.5 + 0.5 * y!],
+  color: () => [1, 1, 1, 1],
+  tangent: () => [1, 0, 0, 1],
+  normalXGradient: ofNormal(0),
+  normalYGradient: ofNormal(1),
+  normalZGradient: ofNormal(2),
+  uGradient: () => [0.5, 0, 0],
+  vGradient: () => [0, 0.5, 0],
+}
+
+/** Tests whether the normals of `program` change strongly along edges of the usual length, of a sphere of radius 1. */
+function bendsStrongly(program: Program, valueAt: ValueAt): boolean {
+  const normalAt = (point: readonly number[]) =>
+    runInDouble(
+      program,
+      program.inputs.flatMap((variable) => valueAt(variable, point)),
+      3,
+    )
+  const angles = edges().map(([start, end]) => {
+    const middle = scale(add(start, end), 0.5)
+    return degreesBetween(add(normalAt(start), normalAt(end)), normalAt(middle))
+  })
+  const [decile] = angles.sort((a, b) => b - a).slice(edgeCount / 10)
+  return decile! > maxAngle
+}
+
+type Edge = readonly [start: number[], end: number[]]
+
+/** Returns edges that are spread over the unit sphere, in all directions: a Fibonacci lattice. */
+function edges(): Edge[] {
+  const goldenAngle = Math.PI * (3 - Math.sqrt(5))
+  return Array.from({ length: edgeCount }, (_, i): Edge => {
+    const z = 1 - (2 * i + 1) / edgeCount
+    const [longitude, direction] = [i * goldenAngle, i * goldenAngle * goldenAngle]
+    const start = onSphere(longitude, Math.asin(z))
+    const east = [-Math.sin(longitude), Math.cos(longitude), 0]
+    const north = cross(start, east)
+    const along = add(scale(east, Math.cos(direction)), scale(north, Math.sin(direction)))
+    return [start, add(scale(start, Math.cos(usualEdge)), scale(along, Math.sin(usualEdge)))]
+  })
+}
+
+const onSphere = (longitude: number, latitude: number) => [
+  Math.cos(latitude) * Math.cos(longitude),
+  Math.cos(latitude) * Math.sin(longitude),
+  Math.sin(latitude),
+]
+
+const add = (a: readonly number[], b: readonly number[]) => a.map((x, i) => x + b[i]!)
+const scale = (a: readonly number[], factor: number) => a.map((x) => x * factor)
+const dot = (a: readonly number[], b: readonly number[]) =>
+  a.reduce((sum, x, i) => sum + x * b[i]!, 0)
+const cross = ([x, y, z]: readonly number[], [u, v, w]: readonly number[]) => [
+  y! * w! - z! * v!,
+  z! * u! - x! * w!,
+  x! * v! - y! * u!,
+]
+
+/** Returns the angle, or 0 where a vector is zero or not finite. */
+function degreesBetween(a: readonly number[], b: readonly number[]): number {
+  const crossed = cross(a, b)
+  const angle = Math.atan2(Math.sqrt(dot(crossed, crossed)), dot(a, b))
+  return Number.isFinite(angle) ? (angle * 180) / Math.PI : 0
+}

@@ -1,0 +1,63 @@
+/**
+ * The code that computes a warp's normal at each pixel. The vertex stage passes the inputs of the warp, in the space of the offset, as
+ * varyings; the fragment stage runs the same warp on their interpolated values, but computes only the normal.
+ */
+import { type HostWarp, type Target, variationNames } from '../../compile/hosts.js'
+import type { Shader } from '../host.js'
+import { inputUniforms } from '../sketch-uniforms.js'
+import type { PixelCode, Varying } from './styles.js'
+
+/** Returns the fragment stage's name of an input. */
+export const nameOfPixel = (input: string) => `warpjetPixel_${input}`
+
+/** The names of inputs in the code. All are varyings but the normal, which is computed from one. */
+const names = {
+  ...Object.fromEntries(
+    ['position', 'normal', 'uv', 'color', 'instance', ...variationNames].map((input) => [
+      input,
+      nameOfPixel(input),
+    ]),
+  ),
+  ...inputUniforms,
+}
+
+/** A varying for the interpolated normal and its length, which interpolation shortens. */
+export const normalVarying = 'warpjetPixel_normalAndLength'
+
+/** Writes the code of the fragment stage, without the uniforms that it declares. */
+export function pixelTextOf(warp: HostWarp, target: Target) {
+  const text = warp.text(target, ['normal'], { names })
+  const inputs = [...text.attributes, ...text.uniforms.filter(({ name }) => name === 'instance')]
+  const varyings = inputs.map(({ name, type }): Varying =>
+    name === 'normal'
+      ? { input: name, name: normalVarying, type: 'vec4' }
+      : { input: name, name: nameOfPixel(name), type: type as Varying['type'] },
+  )
+  return { text, varyings }
+}
+
+/** Returns why the shader cannot compute the code at each pixel; `undefined` if it can. */
+export function obstacleFor(
+  { text, uniforms, varyings }: PixelCode,
+  base: Shader,
+  {
+    defs,
+    isAfter,
+    maxVaryings,
+  }: { defs: string; isAfter: (hook: string) => boolean; maxVaryings: number },
+): string | undefined {
+  const { vertex, modified } = base.hooks
+  const later = Object.keys(vertex).find(
+    (name) => modified.vertex[name] && isAfter(name) && /normal/i.test(name + vertex[name]!),
+  )
+  if (later) return `the hook ${later.split(' ')[1]} of its shader changes normals after the warp`
+  const ofVertex = /\b(a[A-Z]\w*|gl_(Position|VertexID|InstanceID))\b/.exec(defs)
+  if (ofVertex) return `"defs" reads ${ofVertex[1]}, which only vertices have`
+  const known = new Set(`${base.fragSrc()} ${defs}`.match(/\w+/g))
+  for (const { name } of uniforms) known.add(name)
+  const missing = text.parameters.find(({ name }) => !known.has(name))
+  if (missing) return `its fragment shader does not declare ${missing.name}`
+  if (varyings.length > maxVaryings)
+    return `it passes ${varyings.length} values to pixels, of which this browser has ${maxVaryings} left`
+  return undefined
+}

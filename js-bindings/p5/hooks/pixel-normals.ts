@@ -1,0 +1,95 @@
+/** Normals at each pixel in GLSL, for both versions of p5; see pixel-code.ts. */
+import type { Modifications, Shader } from '../host.js'
+import { facingInGlsl } from './facing.js'
+import { nameOfPixel, normalVarying } from './pixel-code.js'
+import { type PixelCode, type Varying, type WarpCode, glslDeclarations } from './styles.js'
+
+/** Transforms normals from the space of the offset to view space, by a matrix of p5 unless both are the same. */
+export interface ToView {
+  matrix?: readonly [type: 'mat3' | 'mat4', name: string]
+  transform: (normal: string) => string
+  /** True if the vertex shader declares the matrix above `precision highp float`, as the fragment shader must then do too. */
+  isAbovePrecision?: boolean
+}
+
+const hookOfLight = 'Inputs getPixelInputs'
+const hookOfColor = 'vec4 getFinalColor'
+
+/** Passes the position in view space to the fragments of a shader that does not. */
+const ownViewPosition = 'warpjetPixelViewPosition'
+
+const isLit = ({ hooks }: Shader) => hookOfLight in hooks.fragment
+
+/** Returns whether the shader lights normals or shows them as colours. */
+export const readsNormals = (base: Shader) =>
+  isLit(base) || base.fragSrc().includes('vVertexNormal')
+
+/** Returns the declarations of the vertex shader. */
+export const pixelDeclarations = (pixel: PixelCode | undefined, base: Shader) =>
+  !!pixel && declare('OUT', pixel, base)
+
+function declare(direction: 'IN' | 'OUT', { varyings }: PixelCode, base: Shader) {
+  const all = varyings.map(({ name, type, input }) =>
+    input === 'instance'
+      ? `flat ${direction} highp ${type} ${name};`
+      : `${direction} highp ${type} ${name};`,
+  )
+  if (!isLit(base)) all.push(`${direction} highp vec3 ${ownViewPosition};`)
+  return all.join('\n')
+}
+
+/** Returns statements that pass the inputs of the warp to pixels. `names` are the vertex shader's expressions for them. */
+export const passInputs = (
+  pixel: PixelCode | undefined,
+  names: Readonly<Record<string, string>>,
+): string => pixel?.varyings.map((varying) => `  ${passInput(varying, names)}\n`).join('') ?? ''
+
+function passInput({ input, name }: Varying, names: Readonly<Record<string, string>>) {
+  const value = names[input]!
+  return `${name} = ${input === 'normal' ? `vec4(${value}, length(${value}))` : value};`
+}
+
+/** Returns a statement that passes the position in view space, if pixels need it and p5 does not pass it. */
+export const passViewPosition = (pixel: PixelCode | undefined, base: Shader, position: string) =>
+  pixel && !isLit(base) ? `  ${ownViewPosition} = ${position};\n` : ''
+
+/** Returns the hooks and declarations of the fragment shader. */
+export function pixelHooks(
+  warpCode: WarpCode,
+  pixel: PixelCode,
+  base: Shader,
+  toView: ToView,
+): Modifications {
+  const { matrix: [type, name] = [], isAbovePrecision, transform } = toView
+  const isDeclared = !name || new RegExp(`uniform[^;]*\\b${name}\\b`).test(base.fragSrc())
+  const matrix = !isDeclared && `uniform ${type} ${name};`
+  const body = `  vec3 warpjetFacingNormal = warpjetFacing(${isLit(base) ? 'vViewPosition' : ownViewPosition});
+${readNormal(pixel)}${pixel.text.code}
+  vec3 warpjetShownNormal = warpjetNormal == vec3(0.0) ? warpjetFacingNormal : normalize(${transform('warpjetNormal')});`
+  const [parameters] = /\([^)]*\)/.exec(base.hooks.fragment[hookOfColor] ?? '()')!
+  return {
+    fragmentDeclarations: glslDeclarations(
+      { ...warpCode, text: pixel.text, uniforms: pixel.uniforms },
+      isAbovePrecision && matrix,
+      'precision highp float;',
+      !isAbovePrecision && matrix,
+      declare('IN', pixel, base),
+      facingInGlsl(warpCode.target),
+    ),
+    ...(isLit(base)
+      ? {
+          [hookOfLight]: `(Inputs inputs) {
+${body}
+  inputs.normal = warpjetShownNormal;
+  return inputs;
+}`,
+        }
+      : { [hookOfColor]: `${parameters} {\n${body}\n  return vec4(warpjetShownNormal, 1.0);\n}` }),
+  }
+}
+
+/** Returns statements that restore the length of the normal, which interpolation shortens. */
+function readNormal({ varyings }: PixelCode): string {
+  if (!varyings.some(({ name }) => name === normalVarying)) return ''
+  return `  vec3 ${nameOfPixel('normal')} = ${normalVarying}.xyz * (${normalVarying}.w / max(length(${normalVarying}.xyz), 1e-30));\n`
+}
