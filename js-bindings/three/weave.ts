@@ -6,10 +6,11 @@
  * `objectNormal` and runs these lines there instead. Where anyone else has changed a normal, it is led back from view space to the
  * object, warped, and led forth again.
  */
-import { shaderNames } from '../compile/hosts.js'
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
+import { type PixelNormals, markViewPosition, passViewPosition } from './pixel-normals.js'
 import type { ThreeWarp } from './three-warp.js'
-import { type Surface, WarpCode } from './warp-code.js'
+import { atObject, blockFor, orientBitangent } from './warp-block.js'
+import { WarpCode } from './warp-code.js'
 import { readsNormal, readsPosition, weaveAttributes, wrapMain } from './weave-attributes.js'
 import type { WeaveOptions } from './weave-options.js'
 
@@ -33,8 +34,13 @@ function splitAtAnchor(source: string) {
     : { top: source.slice(0, start), main: source.slice(start) }
 }
 
-/** A vertex shader with the warp in it. */
-export function weave(vertexShader: string, warp: ThreeWarp, options: WeaveOptions): string {
+/** Returns a vertex shader with the warp in it. With `pixel` it also passes what normals at each pixel need. */
+export function weave(
+  vertexShader: string,
+  warp: ThreeWarp,
+  options: WeaveOptions,
+  pixel?: PixelNormals,
+): string {
   const source = resolveIncludes(vertexShader)
   const parts = splitAtAnchor(source)
   if (!parts) return weaveAttributes(source, warp, options)
@@ -51,15 +57,39 @@ export function weave(vertexShader: string, warp: ThreeWarp, options: WeaveOptio
   const before = parts.main.slice(0, start)
   const isRest = warp.settings.space === 'rest'
   const isStock = isUnchanged(before)
-  const block = blockFor(code, isLit, isStock)
+  const block = blockFor(code, isLit, isStock, pixel)
   const kept = isStock ? withoutFirstRun(before) : before
-  const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block) : kept)}
+  const after = parts.main.slice(start)
+  const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block, pixel) : kept)}
 ${isRest ? once('WARPJET_POSITION_DONE', block) : block}
-${isRest ? afterPose(warp) : ''}${parts.main.slice(start)}`
+${isRest ? afterPose(warp) : ''}${pixel ? passToPixels(after, pixel) : after}`
   const top = markVaryings(parts.top)
-  return readsAttribute
-    ? wrapMain(`${top}\n${main}`, code, ['normal'], options)
-    : `${top}\n${code.declarations}\n${main}`
+  if (readsAttribute) return wrapMain(`${top}\n${main}`, code, ['normal'], options)
+  const declarations = pixel ? `${code.declarations}\n${pixel.varyings}` : code.declarations
+  return `${pixel ? markViewPosition(top) : top}\n${declarations}\n${main}`
+}
+
+const assignment = /\b(?:vNormal|vTangent|vBitangent)\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
+
+const projection = /\bgl_Position\s*=\s*projectionMatrix\s*\*\s*mvPosition\s*;/
+
+const passToPixels = (after: string, pixel: PixelNormals) =>
+  `${pixel.passMatrices}\n${after.replace(projection, `$&\n${passViewPosition}`)}`
+
+/** Returns why a vertex shader cannot leave the normals to the fragment shader; `undefined` if it can. */
+export function obstacleInVertex(vertexShader: string): string | undefined {
+  const source = resolveIncludes(vertexShader)
+  const { main = '' } = splitAtAnchor(source) ?? {}
+  const before = main.slice(0, anchor.exec(main)?.index)
+  if (
+    !/\btransformedNormal\b/.test(main) ||
+    !isUnchanged(before) ||
+    assignment.test(withoutChunks(source))
+  )
+    return 'its vertex shader changes normals by statements that three.js does not have'
+  return projection.test(main)
+    ? undefined
+    : "its vertex shader lacks three's line gl_Position = projectionMatrix * mvPosition;"
 }
 
 /** Lets the preprocessor know which variables there are, also where that depends on conditions. */
@@ -89,140 +119,20 @@ const withoutFirstRun = (main: string) =>
     .replace(chunkSource('defaultnormal_vertex'), 'vec3 transformedNormal = vec3( 0.0 );')
     .replace(chunkSource('normal_vertex'), '')
 
-/** The statements that warp `transformed` and the normals. */
-function blockFor(code: WarpCode, isLit: boolean, isUnchanged: boolean): string {
-  const lit = isUnchanged ? fromObject(code) : fromView(code)
-  const unlit = positionOnly(code)
-  const both = `#if defined( WARPJET_OBJECT_NORMAL ) && defined( WARPJET_TRANSFORMED_NORMAL ) && ! defined( WARPJET_NORMAL_DONE )
-${lit}
-#else
-${unlit}
-#endif`
-  return `{
-vec3 warpjetStart = transformed;
-${code.preparation}${code.guard(isLit ? both : unlit)}
-}`
-}
-
-const atObject: Surface = { normal: 'objectNormal', tangent: 'objectTangent' }
-
-/** Nothing but the position. An offset along the normal needs that after morph targets and bones. */
-function positionOnly(code: WarpCode) {
-  const { code: statements, position } = code.evaluate('warpjetStart', {
-    normal: code.movesByNormal ? 'warpjetObjectNormal' : 'vec3( normal )',
-    tangent: 'tangent.xyz',
-  })
-  const isRest = code.warp.settings.space === 'rest'
-  const posed = isRest
-    ? ''
-    : ['morphnormal_vertex', 'skinnormal_vertex'].map(chunkSource).join('\n')
-  const normal = `vec3 warpjetObjectNormal;
-#ifdef WARPJET_NORMAL_DONE
-warpjetObjectNormal = warpjetRestObjectNormal;
-#elif defined( WARPJET_OBJECT_NORMAL )
-warpjetObjectNormal = objectNormal;
-#else
-{
-${chunkSource('beginnormal_vertex')}
-${posed}
-warpjetObjectNormal = objectNormal;
-}
-#endif
-`
-  return `${code.movesByNormal ? normal : ''}${statements}\ntransformed = ${position};`
-}
-
-/** Position and normals, where only three's own lines have made the normal. */
-function fromObject(code: WarpCode) {
-  const { code: statements, position, ...surface } = code.evaluate('warpjetStart', atObject)
-  return `${statements}
-transformed = ${position};
-vec3 warpjetViewNormal;
-${toView(code, surface, true)}
-transformedNormal = warpjetViewNormal;`
-}
-
-/** Position and normals, where someone has changed a normal: each of them is led back to the object by itself. */
-function fromView(code: WarpCode) {
-  const moved = code.evaluate('warpjetStart', atObject)
-  const back = (normal: string, tangent: string, hasVarying: boolean) => {
-    const { code: statements, ...surface } = code.evaluate('warpjetStart', {
-      normal: `warpjetFlip * ( ${normal} * warpjetObjectToView )`,
-      tangent: `inverse( warpjetObjectToView ) * ${tangent}`,
-    })
-    return `{\n${statements}\n${toView(code, surface, hasVarying)}\n}`
-  }
-  return `{
-${moved.code}
-transformed = ${moved.position};
-}
-mat3 warpjetObjectToView = mat3( modelViewMatrix );
-#ifdef USE_BATCHING
-warpjetObjectToView = warpjetObjectToView * mat3( batchingMatrix );
-#endif
-#if defined( USE_INSTANCING ) || defined( USE_INSTANCING_INDIRECT )
-warpjetObjectToView = warpjetObjectToView * mat3( instanceMatrix );
-#endif
-#ifdef FLIP_SIDED
-float warpjetFlip = -1.0;
-#else
-float warpjetFlip = 1.0;
-#endif
-vec3 warpjetViewNormal;
-#ifdef WARPJET_VARYING_NORMAL
-${back('vNormal', 'vTangent', true)}
-#endif
-${back('transformedNormal', 'transformedTangent', false)}
-transformedNormal = warpjetViewNormal;`
-}
-
-/** Runs three's own lines from the normal of the object to that of the view, with the results of an evaluation. */
-const toView = ({ warp }: WarpCode, { normal, tangent }: Surface, hasVarying: boolean) => `{
-vec3 objectNormal = ${normal};
-#ifdef USE_TANGENT
-vec3 objectTangent = ${tangent};
-#endif
-${chunkSource('defaultnormal_vertex')}
-${avoidNaN}
-${
-  hasVarying
-    ? `#ifdef WARPJET_VARYING_NORMAL
-${chunkSource('normal_vertex')}
-vNormal *= mix( 1.0, 1e-6, warpjetFlat );
-${orientBitangent(warp)}
-#endif`
-    : ''
-}
-warpjetViewNormal = transformedNormal;
-}`
-
-/**
- * A warp that collapses the surface makes its normal zero, and three.js would normalize that to NaN. Such a vertex is lit as if it faced
- * the eye, with so little weight that its neighbors decide wherever they have a normal. Branches that differ from vertex to
- * vertex would make the whole frame 3% slower on SwiftShader.
- */
-const avoidNaN = `float warpjetFlat = float( transformedNormal == vec3( 0.0 ) );
-transformedNormal.z += warpjetFlat;
-#ifdef USE_TANGENT
-transformedTangent.x += float( transformedTangent == vec3( 0.0 ) );
-#endif`
-
-/** Three.js takes the side of the bitangent from the attribute. */
-const orientBitangent = ({ mirrors }: ThreeWarp) =>
-  mirrors === false
-    ? ''
-    : `#ifdef USE_TANGENT
-vBitangent *= ${shaderNames.orientation};
-#endif`
-
 /** Puts the warp in front of morph targets and bones. */
-function weaveAtRest(before: string, code: WarpCode, isLit: boolean, block: string): string {
+function weaveAtRest(
+  before: string,
+  code: WarpCode,
+  isLit: boolean,
+  block: string,
+  pixel: PixelNormals | undefined,
+): string {
   const { code: statements, normal, tangent } = code.evaluate('warpjetStart', atObject)
   const normals = `vec3 warpjetRestObjectNormal = objectNormal;
 {
 vec3 warpjetStart = vec3( position );
 ${code.preparation}${statements}
-objectNormal = ${normal};
+${pixel ? `${pixel.pass(code.names)}\n` : ''}objectNormal = ${normal};
 #ifdef USE_TANGENT
 objectTangent = ${tangent};
 #endif
