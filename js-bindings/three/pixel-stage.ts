@@ -14,6 +14,7 @@ type Shader = WebGLProgramParametersWithUniforms & {
   flatShading?: boolean
   vertexTangents?: boolean
   envMap?: boolean
+  shaderID?: string
   defines?: object
 }
 
@@ -58,13 +59,15 @@ const isRaw = (material: Material) =>
 
 interface Flags {
   isShaderMaterial?: boolean
-  isMeshBasicMaterial?: boolean
 }
 
 /** Tests whether a shader shows normals at all. */
-function isLit({ fragmentShader, vertexShader, envMap }: Shader, material: Material & Flags) {
+function isLit(
+  { fragmentShader, vertexShader, shaderID, envMap }: Shader,
+  material: Material & Flags,
+) {
   if (material.isShaderMaterial) return readsNormal(vertexShader)
-  return readsVaryingNormal(fragmentShader) && (!material.isMeshBasicMaterial || envMap === true)
+  return readsVaryingNormal(fragmentShader) && (shaderID !== 'basic' || envMap === true)
 }
 
 function matricesFor(

@@ -67,7 +67,7 @@ function sabotagedRenderer(sabotage) {
 /** Counts the pixels that differ between the warp and the motion → { differing, moved, covered }. */
 export function compare(
   name,
-  { light = 'directional', space, sabotage, map = 'PCF', options = {} },
+  { light = 'directional', space, normals, sabotage, map = 'PCF', options = {} },
 ) {
   const make = scenes.shapes[name]
   renderer = sabotage ? sabotagedRenderer(sabotage) : rendererFor(options)
@@ -80,7 +80,7 @@ export function compare(
   free(reference)
   const object = scenes.unmoved(make)
   const scene = scenes.sceneOf(object, light)
-  const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
+  const warped = warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms() })
   warped.update(1000)
   const shown = draw(scene)
   warped.dispose()
@@ -97,7 +97,7 @@ export function compare(
  * The same where the motion mirrors, of materials that show both sides, the matrix known when the warp is made or by uniforms
  * alone → also how many pixels differ with normals on the inner side.
  */
-export function mirror(name, { light = 'directional', space, isKnown = false }) {
+export function mirror(name, { light = 'directional', space, normals, isKnown = false }) {
   const make = scenes.shapes[name]
   renderer = rendererFor({})
   renderer.shadowMap.type = THREE.PCFShadowMap
@@ -113,8 +113,8 @@ export function mirror(name, { light = 'directional', space, isKnown = false }) 
   const expected = pictureOf(scenes.withOtherBitangents(doubleSided(reference)))
   const object = doubleSided(scenes.unmoved(make))
   const warped = isKnown
-    ? warp(object, scenes.constantOffset(mirroredMotion), { space })
-    : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
+    ? warp(object, scenes.constantOffset(mirroredMotion), { space, normals })
+    : warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms(mirroredMotion) })
   warped.update(1000)
   const shown = pictureOf(object)
   warped.dispose()

@@ -23,14 +23,19 @@ export function mover(offset) {
 }
 
 /**
- * Returns the normal, not normalized; null near a kink. `gradients` are those of the components of the normal and of u and v, in the
- * order of the attributes.
+ * Returns the normal, and the tangent if there is one, not normalized; null near a kink. `gradients` are those of the components of the
+ * normal and of u and v, in the order of the attributes.
  */
-export function exactNormal(move, { position, normal, uv, gradients }) {
+export function exactVertex(move, { position, normal, uv, gradients, tangent }) {
   const n = normalize(normal)
-  const axis = [0, 1, 2].map((k) => Number(Math.abs(n[k]) === Math.min(...n.map(Math.abs))))
-  const first = normalize(cross(axis, n))
-  const moved = [first, cross(n, first)].map((direction) => {
+  const least = n.map(Math.abs).indexOf(Math.min(...n.map(Math.abs)))
+  const first = normalize(
+    cross(
+      [0, 1, 2].map((k) => Number(k === least)),
+      n,
+    ),
+  )
+  const derivative = (direction) => {
     const along = gradients.map((gradient) => dot(gradient, direction))
     const at = (step) =>
       move(
@@ -45,8 +50,13 @@ export function exactNormal(move, { position, normal, uv, gradients }) {
     const [coarse, fine] = [slope(h), slope(h / 2)]
     const isSmooth = coarse.every((x, k) => Math.abs(x - fine[k]) < roughness)
     return isSmooth ? fine.map((x, k) => (4 * x - coarse[k]) / 3) : null
-  })
-  return moved.includes(null) ? null : cross(...moved)
+  }
+  const [u, v] = [first, cross(n, first)].map(derivative)
+  const along = tangent && derivative(tangent.slice(0, 3))
+  if (!u || !v || along === null) return null
+  const warped = normalize(cross(u, v))
+  // A tangent stays at a right angle to the normal.
+  return { normal: warped, tangent: along && add(along, scale(warped, -dot(along, warped))) }
 }
 
 export const degreesBetween = (a, b) =>

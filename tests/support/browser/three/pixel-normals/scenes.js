@@ -32,6 +32,8 @@ function place(object, isPlane) {
   return object
 }
 
+const turn = new THREE.Euler(0.3, 0.7, 0)
+
 /** Bones that turn the whole geometry. */
 function skinned(geometry, material) {
   const { count } = geometry.attributes.position
@@ -42,12 +44,12 @@ function skinned(geometry, material) {
   const bone = new THREE.Bone()
   mesh.add(bone)
   mesh.bind(new THREE.Skeleton([bone]))
-  bone.rotation.set(0.3, 0.7, 0)
+  bone.rotation.copy(turn)
   bone.updateMatrixWorld()
   return mesh
 }
 
-const boneMatrix = () => new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(0.3, 0.7, 0))
+const boneMatrix = () => new THREE.Matrix4().makeRotationFromEuler(turn)
 
 /** A morph target that adds to positions and normals. */
 function morphed(geometry, material) {
@@ -72,13 +74,13 @@ function morphsOf({ attributes }) {
 
 /** Two instances whose matrices are uneven. */
 export const instances = [
-  [-0.6, 0.2],
-  [0.6, -0.3],
+  [-0.8, 0.2],
+  [0.8, -0.3],
 ].map(([x, y], i) =>
   new THREE.Matrix4().compose(
     new THREE.Vector3(x, y, 0),
     new THREE.Quaternion().setFromEuler(new THREE.Euler(0.4 * i, 0.6, 0.3)),
-    new THREE.Vector3(0.5, 0.7, 0.4 + 0.2 * i),
+    new THREE.Vector3(0.4, 0.6, 0.35 + 0.1 * i),
   ),
 )
 
@@ -108,8 +110,7 @@ export const kinds = {
   },
   skin: {
     make: skinned,
-    posed: (name, numbers) =>
-      transformed(numbers, name === 'position' ? boneMatrix() : boneMatrix()),
+    posed: (_, numbers) => transformed(numbers, boneMatrix()),
   },
   morphs: {
     make: morphed,
@@ -144,13 +145,12 @@ export function objectFor(kind, shape, material) {
 export function seenOf(kind, geometry, part) {
   const { count } = geometry.attributes.position
   const numbers = new Float32Array(4 * count)
-  const attribute =
-    geometry.attributes[
-      part === 'normal' || part === 'position' || part === 'uv' ? part : variationAttributes[part]
-    ]
+  const attribute = geometry.attributes[variationAttributes[part] ?? part]
   if (!attribute) return numbers
   const plain = Float32Array.from({ length: count * attribute.itemSize }, (_, i) =>
-    attribute.getComponent((i / attribute.itemSize) | 0, i % attribute.itemSize),
+    attribute[['getX', 'getY', 'getZ', 'getW'][i % attribute.itemSize]](
+      (i / attribute.itemSize) | 0,
+    ),
   )
   const { posed } = kinds[kind]
   const values =
@@ -158,9 +158,17 @@ export function seenOf(kind, geometry, part) {
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < attribute.itemSize; k++)
       numbers[4 * i + k] = values[attribute.itemSize * i + k]
-    numbers[4 * i + 3] = Math.hypot(...numbers.subarray(4 * i, 4 * i + 3))
+    if (part === 'position') numbers[4 * i + 3] = 1
+    if (part === 'normal') numbers[4 * i + 3] = Math.hypot(...numbers.subarray(4 * i, 4 * i + 3))
   }
   return numbers
 }
 
-export const parts = ['position', 'normal', 'uv', ...Object.keys(variationAttributes)]
+/** Collapse the surface, so that its normal is zero. */
+export const collapses = {
+  floor: ({ position }) => position.mult(3).floor().div(3).sub(position),
+  pinch: ({ glsl, position }) =>
+    glsl.vec3(0, 1.2, 0).sub(position).mult(glsl.step(0.3, position.y())),
+}
+
+export const parts = ['position', 'normal', 'uv', 'tangent', ...Object.keys(variationAttributes)]
