@@ -1,5 +1,6 @@
 // Decides whether a shader of WebGLRenderer computes normals at each pixel, where the warp's option asks for it.
 import type { Material, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
+import { warnOfVertices } from './notes.js'
 import { PixelNormals, type Matrices } from './pixel-normals.js'
 import type { ThreeWarp } from './three-warp.js'
 import { readsNormal } from './weave-attributes.js'
@@ -17,8 +18,6 @@ type Shader = WebGLProgramParametersWithUniforms & {
   shaderID?: string
   defines?: object
 }
-
-const warned = new WeakSet<ThreeWarp>()
 
 /** Returns what a shader needs for normals at each pixel; `undefined` if it gets those of vertices. `name` is for the message. */
 export function pixelNormalsFor(
@@ -41,7 +40,8 @@ export function pixelNormalsFor(
       ? `it passes ${pixel.varyingCount} vectors to pixels, of which this browser has ${left} left`
       : undefined)
   if (!obstacle) return pixel
-  if (warp.settings.normals === 'pixel' && isLit(shader, material)) warn(warp, name, obstacle)
+  if (warp.settings.normals === 'pixel' && isLit(shader, material))
+    warnOfVertices(warp, name, obstacle)
   return undefined
 }
 
@@ -94,12 +94,4 @@ function varyingsOfThree(shader: Shader): number {
   const ofShadows = shadows.reduce((sum, [, count]) => sum + (count as number), 0)
   // Two of two components share a vector.
   return others + Math.ceil(uvs.length / 2) + ofShadows
-}
-
-function warn(warp: ThreeWarp, name: string, obstacle: string) {
-  if (warned.has(warp)) return
-  warned.add(warp)
-  console.warn(
-    `${warp.settings.method}: the normals of ${name} are computed at vertices, although the option normals is 'pixel': ${obstacle}.`,
-  )
 }

@@ -1,5 +1,6 @@
 // Compares shown normals with exact ones at each pixel. `draw(scene, camera)` returns a picture's numbers, four for each pixel from the
-// bottom left; `normalMaterial` shows normals, and `seenMaterial` the attribute `seen`.
+// bottom left; `normalMaterial` shows normals, whose colours `decode` makes those of WebGLRenderer, and
+// `seenMaterial` the attribute `seen`.
 import * as THREE from 'three'
 import { addSurfaceVariation, warp } from 'warpjet/three'
 import { degreesBetween, exactVertex, mover, quantile } from './exact.js'
@@ -21,7 +22,7 @@ function mapOf(direction) {
 
 /** `map`: the direction of a normal map, in the frame of vertex tangents. */
 export async function measure(
-  { draw, normalMaterial, seenMaterial },
+  { draw, decode = (picture) => picture, normalMaterial, seenMaterial },
   {
     kind = 'plain',
     shape = 'sphere',
@@ -52,7 +53,7 @@ export async function measure(
     view.updateMatrixWorld()
   }
   const warped = warp(object, offset, { normals, ...(space && { space }) })
-  const shown = await draw(scene, view)
+  const shown = decode(await draw(scene, view))
   object.material = seenMaterial(options)
   const seen = {}
   for (const part of parts) {

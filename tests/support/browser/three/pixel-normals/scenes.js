@@ -2,7 +2,8 @@
 import * as THREE from 'three'
 import { variationAttributes } from './attributes.js'
 
-export const size = 72
+/** A row of floats is a multiple of 256 bytes, as WebGPU wants it. */
+export const size = 80
 
 export const camera = () => {
   const made = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 20)
