@@ -12,6 +12,7 @@ export interface Builder {
   material: Material
   renderer: {
     backend: {
+      gl?: WebGL2RenderingContext
       isWebGPUBackend?: boolean
       device?: { limits?: { maxInterStageShaderVariables?: number } }
     }

@@ -3,7 +3,7 @@
  * material's own nodes for normals run, the normal of the geometry is replaced by that of the warp at the interpolated inputs, so that
  * maps, both sides and clearcoats follow.
  */
-import { BackSide, DoubleSide } from 'three'
+import { BackSide, DoubleSide, type Texture } from 'three'
 import { shaderNames } from '../../compile/hosts.js'
 import { nameOf, nameOfMaterial } from '../describe.js'
 import { warnOfVertices } from '../notes.js'
@@ -11,6 +11,7 @@ import type { Stage, ThreeWarp } from '../three-warp.js'
 import type { Builder } from './builder.js'
 import { inputsOfStage, parameterNames, parametersOf } from './function.js'
 import { instanceMatrixOf, instancesOf, isSkinned } from './instances.js'
+import { PackedVaryings, type VectorSize } from './packed-varyings.js'
 import { type AnyNode, tsl } from './tsl.js'
 import { nodesOf } from './warp-nodes.js'
 
@@ -60,34 +61,43 @@ function beforeNormals({ context }: Builder, work: () => void) {
   }
 }
 
-/** The number of vectors that three's own nodes pass to pixels. */
-const passedByThree = 6
+/** Returns the maximum number of varyings that the material's own nodes have, or an estimate if there are nodes of the user. */
+function varyingsOfThree(material: NormalMaterial, hasTangents: boolean): number {
+  const textures = Object.values(material).filter((value) => (value as Partial<Texture>)?.isTexture)
+  const channels = new Set(textures.map(({ channel }: Texture) => channel))
+  // Positions, the normal, colours, the first uv, and one for the user; the tangent and the bitangent; other uvs.
+  return 6 + (hasTangents ? 2 : 0) + Math.max(0, channels.size - 1)
+}
 
 function obstacleFor(
   warp: ThreeWarp,
-  { object, geometry, renderer }: Builder,
-  { positionNode }: NormalMaterial,
+  { object, geometry, renderer: { backend } }: Builder,
+  material: NormalMaterial,
   pixel: PixelNormals,
 ): string | undefined {
-  const isChanged = isSkinned(object) || geometry.morphAttributes.normal || positionNode
+  const isChanged = isSkinned(object) || geometry.morphAttributes.normal || material.positionNode
   if (warp.settings.space === 'rest' && isChanged)
     return "bones, morph targets or a positionNode change normals after a warp in the space 'rest'"
   if (warp.settings.space !== 'world' && instancesOf(object) && !instanceMatrixOf(object))
     return 'its shader has no room for the matrices of instances'
-  const left = (renderer.backend.device?.limits?.maxInterStageShaderVariables ?? 16) - passedByThree
+  const left = maxVaryings(backend) - varyingsOfThree(material, pixel.hasTangents)
   return pixel.varyingCount > left
     ? `it passes ${pixel.varyingCount} vectors to pixels, of which this device has ${left} left`
     : undefined
 }
 
+const maxVaryings = ({ device, gl }: Builder['renderer']['backend']): number =>
+  device?.limits?.maxInterStageShaderVariables ??
+  (gl ? (gl.getParameter(gl.MAX_VARYING_VECTORS) as number) : 16)
+
 export class PixelNormals {
   private readonly stage: Stage
   private readonly isWebGPU: boolean
-  private readonly hasTangents: boolean
-  /** Maps an input → the varying that carries it. The normal has its length as the fourth component: interpolation shortens it. */
-  private readonly varyings: ReadonlyMap<string, AnyNode>
-  /** The columns of an instance's matrix. */
-  private readonly columns: AnyNode[] | undefined
+  readonly hasTangents: boolean
+  /** The inputs. The normal has its length as the fourth component: interpolation shortens it. */
+  private readonly varyings: PackedVaryings
+  /** The columns of an instance's matrix, which is constant in each. */
+  private readonly matrix: PackedVaryings | undefined
 
   constructor(
     private readonly warp: ThreeWarp,
@@ -107,34 +117,43 @@ export class PixelNormals {
         maps.anisotropyNode
       )
     this.stage = this.hasTangents ? 'tangent of pixel' : 'normal of pixel'
-    this.varyings = new Map(
-      inputsOfStage(warp, this.stage, this.isWebGPU).map(([input, type]) => [
-        input,
-        tsl.varyingProperty(input === 'normal' ? 'vec4' : type, `warpjetPixel_${input}`),
-      ]),
+    this.varyings = new PackedVaryings(
+      'warpjetPixel',
+      new Map(
+        inputsOfStage(warp, this.stage, this.isWebGPU).map(([input, type]) => [
+          input,
+          input === 'normal' ? 4 : sizes[type]!,
+        ]),
+      ),
     )
-    const hasMatrix = warp.settings.space !== 'world' && instancesOf(object)
-    if (hasMatrix)
-      this.columns = [0, 1, 2].map((i) => tsl.varyingProperty('vec3', `warpjetPixelColumn${i}`))
+    if (warp.settings.space !== 'world' && instancesOf(object))
+      this.matrix = new PackedVaryings('warpjetInstance', columnSizes)
   }
 
   get varyingCount(): number {
-    return this.varyings.size + (this.columns?.length ?? 0)
+    return this.varyings.count + (this.matrix?.count ?? 0)
   }
 
   /** Passes the inputs, in the vertex stage. */
-  pass(inputs: Record<string, unknown>) {
-    for (const [input, varying] of this.varyings) {
-      const value = inputs[parameterNames[input]!]
-      varying.assign(input === 'normal' ? tsl.vec4(value, tsl.length(value)) : value)
-    }
+  pass(inputs: Readonly<Record<string, unknown>>) {
+    const read = inputsOfStage(this.warp, this.stage, this.isWebGPU)
+    this.varyings.pass(
+      new Map(
+        read.map(([input]) => {
+          const value = inputs[parameterNames[input]!] as AnyNode
+          return [input, input === 'normal' ? tsl.vec4(value, tsl.length(value)) : value]
+        }),
+      ),
+    )
   }
 
   /** Passes the matrix of the instance, in the vertex stage, after three.js has applied it. */
   passMatrix() {
-    if (!this.columns) return
-    const matrix = instanceMatrixOf(this.builder.object)!()
-    this.columns.forEach((column, i) => column.assign(matrix.element(i).xyz))
+    if (!this.matrix) return
+    const matrix = instanceMatrixOf(this.builder.object)!().toVar()
+    this.matrix.pass(
+      new Map([...columnSizes.keys()].map((name, i) => [name, matrix.element(i).xyz])),
+    )
   }
 
   /** Replaces the normals of the geometry in front of the material's own nodes for normals. */
@@ -170,8 +189,8 @@ export class PixelNormals {
   private call(): AnyNode {
     const nodes = nodesOf(this.warp)
     const inputs: Record<string, unknown> = { ...nodes.uniforms }
-    for (const [input, varying] of this.varyings)
-      inputs[parameterNames[input]!] = input === 'normal' ? withLength(varying) : varying
+    for (const [input, value] of this.varyings.read())
+      inputs[parameterNames[input]!] = input === 'normal' ? withLength(value.toVar()) : value
     const names = parametersOf(this.warp, this.stage, this.isWebGPU).map(([name]) => name)
     const call = nodes.call(this.stage, this.isWebGPU)
     return call(Object.fromEntries(names.map((name) => [name, inputs[name]])))
@@ -179,7 +198,7 @@ export class PixelNormals {
 
   private toView(normal: AnyNode): AnyNode {
     if (this.warp.settings.space === 'world') return tsl.mat3(tsl.cameraViewMatrix).mul(normal)
-    if (!this.columns) return tsl.transformNormalToView(normal)
+    if (!this.matrix) return tsl.transformNormalToView(normal)
     const [x, y, z] = this.columns as [AnyNode, AnyNode, AnyNode]
     // Up to its scale, the matrix that transforms normals consists of the cofactors.
     const cofactors = tsl.mat3(y.cross(z), z.cross(x), x.cross(y))
@@ -189,8 +208,12 @@ export class PixelNormals {
 
   private tangentToView(tangent: AnyNode): AnyNode {
     if (this.warp.settings.space === 'world') return tsl.mat3(tsl.cameraViewMatrix).mul(tangent)
-    const ofInstance = this.columns ? tsl.mat3(...this.columns).mul(tangent) : tangent
+    const ofInstance = this.matrix ? tsl.mat3(...this.columns).mul(tangent) : tangent
     return tsl.modelViewMatrix.mul(tsl.vec4(ofInstance, 0)).xyz
+  }
+
+  private get columns(): AnyNode[] {
+    return [...this.matrix!.read().values()]
   }
 
   private onBack(vector: AnyNode): AnyNode {
@@ -204,9 +227,16 @@ export class PixelNormals {
   }
 }
 
+const sizes: Record<string, VectorSize> = { vec2: 2, vec3: 3, vec4: 4 }
+const columnSizes = new Map<string, VectorSize>([
+  ['x', 3],
+  ['y', 3],
+  ['z', 3],
+])
+
 /** Returns the vector with length 1, or `other` for one that is zero or not finite. */
 const normalized = (vector: AnyNode, other: AnyNode) =>
   tsl.select(vector.dot(vector).greaterThan(0), vector.normalize(), other)
 
-const withLength = (varying: AnyNode) =>
-  varying.xyz.mul(varying.w.div(tsl.max(tsl.length(varying.xyz), 1e-30)))
+const withLength = (normal: AnyNode) =>
+  normal.xyz.mul(normal.w.div(tsl.max(tsl.length(normal.xyz), 1e-30)))

@@ -22,6 +22,8 @@ export interface AnyNode {
   mod(value: unknown): AnyNode
   add(value: unknown): AnyNode
   x: AnyNode
+  y: AnyNode
+  z: AnyNode
   xyz: AnyNode
   w: AnyNode
 }
@@ -79,6 +81,7 @@ interface Nodes {
   length(value: unknown): AnyNode
   max(...values: unknown[]): AnyNode
   inverse(matrix: unknown): AnyNode
+  vec2(...values: unknown[]): AnyNode
   vec3(...values: unknown[]): AnyNode
   vec4(...values: unknown[]): AnyNode
   mat3(...values: unknown[]): AnyNode
