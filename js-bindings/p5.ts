@@ -9,6 +9,7 @@ export type { Loading, Warping } from './p5/addon.js'
 export type { Distort } from './p5/create-warp.js'
 export type { LoadModelOptions, ModelOf, WarpModel } from './p5/geometry/load-model.js'
 export type { CreateWarpOptions, WarpSpace, WarpType } from './p5/settings.js'
+export type { NormalStage, NormalsOption } from './compile/hosts.js'
 export { registerGlobally } from './p5/page/register.js'
 export type { WarpUniforms } from './p5/sketch-uniforms.js'
 

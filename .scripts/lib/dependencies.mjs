@@ -1,6 +1,7 @@
 // The dependency rules of src and js-bindings. The ARCHITECTURE.md of each explains them; .dependency-cruiser.cjs has those of
 // js-bindings.
 import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
 import { dirname } from 'node:path/posix'
 import { path, walk } from './files.mjs'
 import { run } from './run.mjs'
@@ -69,9 +70,12 @@ const textsIn = (source) =>
     .replace(/\/\*[\s\S]*?\*\/|(?<=^|\s)\/\/.*/g, '')
     .match(/'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`/g) ?? []
 
+const { forbidden } = createRequire(import.meta.url)(path('.dependency-cruiser.cjs'))
+const { from } = forbidden.find(({ name }) => name === 'adapters-use-host-layer')
+
 /** A host's adapter has to speak the language of its host: p5's shaders are GLSL, and so are three's. */
 const isAdapter = (file) =>
-  /^js-bindings\/(p5|three|babylon)\/|^js-bindings\/glsl-source\/function-text\.ts$/.test(file)
+  new RegExp(from.path).test(file) || file === 'js-bindings/glsl-source/function-text.ts'
 
 /** Finds shader source outside dialects and adapters. */
 const shaderTextProblems = () =>

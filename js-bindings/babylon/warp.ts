@@ -8,53 +8,18 @@ import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture
 import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
-import {
-  HostWarp,
-  type OffsetFunction,
-  type UniformOptions,
-  type UniformValues,
-  shaderNames,
-} from '../compile/hosts.js'
+import { HostWarp, type OffsetFunction, type UniformValues, shaderNames } from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { noteApproximation } from '../errors/notes.js'
-import { anything, kind, optional } from '../options/kinds.js'
-import { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
 import { registerCopies, remember } from './copies.js'
 import { refreshMesh } from './mesh.js'
+import { type BabylonWarpOptions, place, rejectUnwarpable, settings } from './options.js'
 import { type PassWarp, codeDefine, installPasses, pluginName } from './passes.js'
 import { settableValues } from './settable-values.js'
 import { declarationsOf, fragmentCode, names, variationDefines, vertexCode } from './shader.js'
 import { type NumberSetter, type ShaderParts, sendNumbers } from './uniforms.js'
 import { babylon } from './values.js'
 import { variationKinds } from './variation.js'
-
-const place = new Place('BabylonWarp')
-
-export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValues> {
-  /** The values that the offset function reads as `uniforms`: numbers, lists of numbers, `Vector3`s, textures, or functions
-   * that return them. */
-  uniforms?: UniformOptions<Uniforms>
-  /** `false` accepts that normal and uv count as constant over a surface without `addSurfaceVariation`, without a note. */
-  surfaceVariation?: false
-}
-
-const settings = object({
-  uniforms: anything<UniformOptions<UniformValues>>(),
-  surfaceVariation: optional(
-    kind<false>('only false', (given) => given === false, {
-      advice: () => 'addSurfaceVariation(mesh) computes how a mesh varies',
-    }),
-  ),
-} satisfies KindsOf<BabylonWarpOptions>)
-
-/** Maps the class of a material that does not call plugins → what to write instead. */
-const remedies: Partial<Record<string, string>> = {
-  MultiMaterial: 'warp its subMaterials',
-  NodeMaterial: 'use a StandardMaterial or a PBRMaterial',
-  BackgroundMaterial: 'use a StandardMaterial or a PBRMaterial',
-  ShaderMaterial: 'put the code of compileWarp into its shader',
-}
 
 /** Maps the code of warps → its number. */
 const codeNumbers = new Map<string, number>()
@@ -94,17 +59,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     private readonly offset: OffsetFunction<NoInfer<Uniforms>>,
     private readonly options: BabylonWarpOptions<Uniforms> = {},
   ) {
-    if (typeof (material as Partial<Material>)?.getEffect !== 'function')
-      throw place.expected('a material of Babylon.js', describe(material))
-    const remedy = remedies[material.getClassName()]
-    if (remedy)
-      throw place.error(
-        `the ${material.getClassName()} "${material.name}" takes no plugins; ${remedy}.`,
-      )
-    if (material.pluginManager?.getPlugin(pluginName))
-      throw place.error(
-        `the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
-      )
+    rejectUnwarpable(material)
     const { uniforms, surfaceVariation } = settings.read(options, place)
     const warp = new HostWarp(place, offset as OffsetFunction, {
       host: babylon,

@@ -4,6 +4,7 @@ import { type Target, targetKind } from '../core/module/serialized-module.js'
 import { noteApproximation } from '../errors/notes.js'
 import { Place } from '../options/place.js'
 import type { OffsetWarp } from './offset-warp.js'
+import type { NormalStage, NormalsOption } from './normals-option.js'
 import type { Result } from './recorded-warp.js'
 import { type RecordOptions, type TextOptions, textOptions } from './warp-options.js'
 import type { WarpText } from './warp-text.js'
@@ -16,6 +17,16 @@ export interface Emits {
    */
   emit(target: Target, options?: TextOptions): WarpText
   /**
+   * Writes the statements for a fragment shader that compute the normal at a pixel, `vec3 warpedNormal`, and with `tangents: true`
+   * `vec4 warpedTangent`. Their inputs are the position, normal, uv and color before the warp, and the gradients of
+   * `surfaceVariation`, as the vertex shader passes them to pixels: in the space of the offset, interpolated, the normal with its
+   * length restored. Only what the normal needs is among the statements. Use `highp` in GLSL ES 1.00. Default: the language and the
+   * names of the options of `compileWarp`. Throws a `WarpError` for a warp with `normals: false`.
+   */
+  emitFragment(target?: Target, options?: TextOptions): WarpText
+  /** Where normals are computed: as the option says or, for `'auto'`, as the warp makes advisable. `false` if they are left out. */
+  readonly normals: NormalStage | false
+  /**
    * With the option `perFrame`: returns values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. `inputs` are
    * those that are constant during a frame, such as `{ millis: performance.now() }`, and values that replace those of the option
    * `uniforms`. Throws a `WarpError` for a missing or wrong value.
@@ -24,29 +35,42 @@ export interface Emits {
 }
 
 const emitPlace = new Place('emit')
+const fragmentPlace = new Place('emitFragment')
 const framePlace = new Place('frameUniforms')
 
+function stageOf(warp: OffsetWarp, option: boolean | NormalsOption): NormalStage | false {
+  if (option === false) return false
+  return option === true ? 'vertex' : warp.stageOfNormals(option)
+}
+
 export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Emits {
-  const { target, normals, tangents } = options
-  const results: Result[] = [
-    'offset',
-    'position',
-    ...(normals ? (['normal'] as const) : []),
-    ...(tangents ? (['tangent'] as const) : []),
-  ]
-  const write = (target: Target, names?: TextOptions): WarpText => {
+  const { target } = options
+  const normals = stageOf(warp, options.normals!)
+  const ofNormal: Result[] = ['normal', ...(options.tangents ? (['tangent'] as const) : [])]
+  const results: Result[] = ['offset', 'position', ...(normals === 'vertex' ? ofNormal : [])]
+  const write = (results: readonly Result[], target: Target, names?: TextOptions): WarpText => {
     const { parameters: _, frame: __, ...text } = warp.text(target, results, names)
     return text
   }
-  const text = write(target!)
+  const text = write(results, target!)
   if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
   return {
     ...text,
+    normals,
     emit: (target, names) =>
       write(
+        results,
         targetKind.read(target, emitPlace.part('the target')),
         textOptions.read(names, emitPlace),
       ),
+    emitFragment(given = target!, names) {
+      if (!normals)
+        throw fragmentPlace.error(
+          'the warp was compiled with "normals: false", which leaves normals out; compile it without.',
+        )
+      const read = targetKind.read(given, fragmentPlace.part('the target'))
+      return write(ofNormal, read, textOptions.read(names, fragmentPlace))
+    },
     frameUniforms(given = {}) {
       checkUniforms(framePlace, given, warp.variableNames())
       const constants = Object.entries(warp.frame(given, framePlace))

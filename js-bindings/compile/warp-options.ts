@@ -3,9 +3,10 @@ import { type InputName, inputSizes, variationInputs } from '../core/inputs/inpu
 import { type Target, targetKind, targets } from '../core/module/serialized-module.js'
 import type { CompileOptions } from '../core/module/result.js'
 import type { UniformOptions, UniformValues } from '../core/types/types.js'
-import { anything, boolean, optional, text } from '../options/kinds.js'
+import { anything, boolean, kind, optional, text } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
+import type { NormalsOption } from './normals-option.js'
 import { shaderNames } from './shader-names.js'
 
 /** Maps an input → the host shader's expression for it. Default: the input's own name. */
@@ -33,27 +34,31 @@ export interface WarpOptions<
   names?: InputNames
   /** Names for the results, as in `{ position: 'moved' }`. */
   outputs?: OutputNames
-  /** `false` leaves the normal out. */
-  normals?: boolean
+  /**
+   * Where normals are computed: `true` or `'vertex'` in `code`, `'pixel'` only in the code of `emitFragment`, for you to insert in the
+   * fragment shader, and `'auto'` at one of both, depending on the warp: see `normals` of the result. `false` leaves normals out.
+   * @default true
+   */
+  normals?: boolean | NormalsOption
   /** `true` also transforms the tangent, a vec4 as in glTF. */
   tangents?: boolean
   /**
    * `true`: the shader has the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
    * `vGradient`, vec3s that say how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes
-   * them; the code reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` accepts that
+   * them; the code reads only those that the normal of this offset needs. Otherwise normal and uv count as constant; `false` accepts that
    * without a warning.
    */
   surfaceVariation?: boolean
   /**
    * `true`: everything that is constant during a frame is computed on the CPU, in double precision, by `frameUniforms`, and the
-   * code reads it as uniforms `warpjetFrame0`, …: float32 then keeps its digits however long a page runs.
+   * code reads it as uniforms `warpjetFrame0`, …: so float32 stays precise even if a page runs for weeks.
    */
   perFrame?: boolean
   /** `true`: comments say which lines of your code each statement comes from. */
   debug?: boolean
 }
 
-/** Names that replace those of the options in one text. */
+/** Names that replace those of the options in one piece of shader code. */
 export interface TextOptions {
   names?: InputNames | undefined
   outputs?: OutputNames | undefined
@@ -62,7 +67,8 @@ export interface TextOptions {
 /** The options that decide what is recorded and written. */
 export interface RecordOptions extends TextOptions {
   target?: Target | undefined
-  normals?: boolean | undefined
+  /** `false` leaves the normal out of the recording; everything else is the same to it. */
+  normals?: boolean | NormalsOption | undefined
   tangents?: boolean | undefined
   surfaceVariation?: boolean | undefined
   debug?: boolean | undefined
@@ -92,7 +98,11 @@ const warpOptions = object({
   uniforms: anything<UniformOptions<UniformValues>>(),
   target: targetKind,
   ...textKinds,
-  normals: boolean(true),
+  normals: kind<boolean | NormalsOption>(
+    "true, false, 'vertex', 'pixel' or 'auto'",
+    (given) => [true, false, 'vertex', 'pixel', 'auto'].includes(given as boolean),
+    { default: true },
+  ),
   tangents: boolean(false),
   surfaceVariation: optional(boolean()),
   perFrame: boolean(false),
@@ -112,7 +122,8 @@ export type Settings = ReturnType<typeof settingsOf>
 
 export function settingsOf(place: Place, options: RecordOptions, defaults = publicOutputs) {
   const { target = targets[0]!, debug = false, jacobian = false } = options
-  const { normals = true, tangents = false, surfaceVariation = false } = options
+  const { tangents = false, surfaceVariation = false } = options
+  const normals = options.normals !== false
   const isAccepted = options.surfaceVariation === false
   const results = { normals, tangents, surfaceVariation }
   const names = namesOf(results, options.names)
@@ -143,7 +154,7 @@ function namesOf({ tangents, surfaceVariation }: ResultFlags, given: InputNames 
   return names
 }
 
-/** Names an input that the code does not read, though the CPU may. User code has no such name. */
+/** Returns the name of an input that the shader code does not read, although the CPU may. User code never has such a name. */
 const hiddenName = (name: string) => `_warpjet_${name}`
 
 /** Removes options that are `undefined`. */

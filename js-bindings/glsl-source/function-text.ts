@@ -1,5 +1,6 @@
 // Writes code that the compiler does not generate, in each language: whole functions, and the size of an image.
-import type { Target } from '../core/module/serialized-module.js'
+import { type Target, targets } from '../core/module/serialized-module.js'
+import { languages } from '../wasm/tables.js'
 import type { Named } from './listing.js'
 
 export interface FunctionParts {
@@ -33,16 +34,15 @@ export function functionText(target: Target, parts: FunctionParts): string {
 /** The input `instance` in GLSL. */
 export const instanceID = 'gl_InstanceID'
 
-/** Expressions for the size of an image in texels; WebGL 1 needs a size uniform. */
-const imageSizes: Record<Target, (image: string) => string> = {
-  glsl300: (image) => `vec2(textureSize(${image}, 0))`,
-  glsl100: (image) => `${image}Size`,
-  wgsl: (image) => `vec2f(textureDimensions(${image}))`,
+/** An expression for the size of an image in texels; WebGL 1 needs a size uniform. */
+export function imageSizeText(target: Target, image: string) {
+  if (target === 'glsl100') return `${image}Size`
+  return languages[target] === 'wgsl'
+    ? `vec2f(textureDimensions(${image}))`
+    : `vec2(textureSize(${image}, 0))`
 }
 
-export const imageSizeText = (target: Target, image: string) => imageSizes[target](image)
-
-/** Returns expressions that convert a variable of another type to floats, or one 16-bit half of its integers. */
+/** Returns expressions that convert a variable, or with `half` the low or high 16 bits of its integers, to floats. */
 export function textsAsFloats(
   name: string,
   type: string,
@@ -59,5 +59,9 @@ export function textsAsFloats(
   }
   const glsl = `${size ? `vec${size}` : 'float'}(${part((number, isUnsigned) => `${number}${isUnsigned ? 'u' : ''}`, isUnsigned)})`
   const wgsl = `${size ? `vec${size}f` : 'f32'}(${part(wgslNumber, true)})`
-  return { glsl300: glsl, glsl100: glsl, wgsl }
+  const texts = { glsl, wgsl }
+  return Object.fromEntries(targets.map((target) => [target, texts[languages[target]]])) as Record<
+    Target,
+    string
+  >
 }

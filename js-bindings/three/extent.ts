@@ -1,27 +1,13 @@
 // Computes boxes and spheres around warped objects, for culling. They are never too small, and are computed again when something has
 // changed.
-import {
-  type BatchedMesh,
-  Box3,
-  type BufferAttribute,
-  type InstancedMesh,
-  Matrix4,
-  Sphere,
-  Vector3,
-} from 'three'
-import type { ThreeWarp } from './three-warp.js'
-import {
-  type Warpable,
-  isMoved,
-  poseState,
-  posedBox,
-  posedFrom,
-  restBox,
-  restSphere,
-} from './pose.js'
+import { Box3, type BufferAttribute, Matrix4, Sphere, Vector3 } from 'three'
+import { instanceState, instancesOf } from './instances.js'
+import { type Warpable, isMoved, poseState } from './pose.js'
+import { boundsState, posedBox, posedFrom, restBox, restSphere } from './posed-bounds.js'
 import { remembered } from './remembered.js'
 import type { WarpSpace } from './settings.js'
 import { fillOf } from './surface.js'
+import type { ThreeWarp } from './three-warp.js'
 
 const everything = () =>
   new Box3(new Vector3().setScalar(-Infinity), new Vector3().setScalar(Infinity))
@@ -77,55 +63,12 @@ export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
 
 /** Numbers that change when an object moves or is deformed before the warp. */
 function placeState(object: Warpable, space: WarpSpace): number[] {
-  const { instanceMatrix, count } = object as InstancedMesh
   return [
     ...poseState(object),
+    ...boundsState(object),
     ...(space === 'world' ? object.matrixWorld.elements : []),
-    ...(instanceMatrix ? [instanceMatrix.version, count] : []),
-    ...batchState(object as BatchedMesh),
-    // @three.ez/instanced-mesh has no version, so that its instances count as moved each time.
-    ...(isInstancedMesh2(object) ? [NaN] : []),
+    ...instanceState(object),
   ]
-}
-
-/** Tests for an object of @three.ez/instanced-mesh. */
-export const isInstancedMesh2 = (object: Warpable) =>
-  (object as { isInstancedMesh2?: boolean }).isInstancedMesh2 === true
-
-/** A batch keeps the matrices of its instances in a texture, and which of them are visible beside it. */
-function batchState(object: BatchedMesh) {
-  if (!object.isBatchedMesh) return []
-  const { _matricesTexture: matrices } = object as unknown as {
-    _matricesTexture?: { version: number }
-  }
-  return [matrices?.version ?? NaN, ...idsOf(object)]
-}
-
-/** The matrix of each instance; the identity for an object without instances. */
-export function instancesOf(object: Warpable): {
-  matrices: Matrix4[]
-  ids: (number | undefined)[]
-} {
-  const { isInstancedMesh, count } = object as InstancedMesh
-  const { isBatchedMesh } = object as BatchedMesh
-  if (!isInstancedMesh && !isBatchedMesh) return { matrices: [new Matrix4()], ids: [undefined] }
-  const ids = isInstancedMesh ? Array.from({ length: count }, (_, i) => i) : idsOf(object)
-  const matrices = ids.map((i) => {
-    const matrix = new Matrix4()
-    ;(object as InstancedMesh).getMatrixAt(i, matrix)
-    return matrix
-  })
-  return { matrices, ids }
-}
-
-/** The visible instances of a batch that were not deleted. Three.js 0.159 keeps them in a list of their own. */
-function idsOf(object: Warpable): number[] {
-  const { _instanceInfo, _active = [] } = object as unknown as {
-    _instanceInfo?: { active: boolean; visible: boolean }[]
-    _active?: boolean[]
-  }
-  const isThere = _instanceInfo?.map(({ active, visible }) => active && visible) ?? _active
-  return isThere.flatMap((is, i) => (is ? i : []))
 }
 
 /** A box and a sphere that bound the same points. */

@@ -1,7 +1,8 @@
 // One warped object: what renderers, culling, rays and clones meet while it is warped.
 import type { BatchedMesh, Box3, InstancedMesh, Mesh, Object3D } from 'three'
 import { batchProperties } from './batch.js'
-import { extentOf, isInstancedMesh2 } from './extent.js'
+import { extentOf } from './extent.js'
+import { isInstancedMesh2 } from './instances.js'
 import type { Warpable } from './pose.js'
 import { computedProperty, asProperties, replaceProperties, wrapMethod } from './properties.js'
 import { type Raycast, raycastOf } from './rays.js'

@@ -13,9 +13,11 @@ import {
   type Vector3,
 } from 'three'
 import { withOtherSide } from './faces.js'
-import { instancesOf, sphereAround, stateOf, warpedBox } from './extent.js'
+import { sphereAround, stateOf, warpedBox } from './extent.js'
+import { instancesOf } from './instances.js'
 import type { ThreeWarp } from './three-warp.js'
-import { type Warpable, posedBox } from './pose.js'
+import type { Warpable } from './pose.js'
+import { posedBox } from './posed-bounds.js'
 import { remembered } from './remembered.js'
 import { warpedGeometry } from './surface.js'
 

@@ -1,4 +1,4 @@
-/** The statements in a vertex shader of WebGLRenderer that warp a vertex and its normals: see weave.ts. */
+// Writes the statements that warp the vertex and its normals in a vertex shader of WebGLRenderer.
 import { shaderNames } from '../compile/hosts.js'
 import type { PixelNormals } from './pixel-normals.js'
 import { chunkSource } from './shader-source.js'
@@ -6,7 +6,7 @@ import type { ThreeWarp } from './three-warp.js'
 import type { Surface, WarpCode } from './warp-code.js'
 
 /** The statements that warp `transformed` and the normals. */
-export function blockFor(
+export function warpBlock(
   code: WarpCode,
   isLit: boolean,
   isUnchanged: boolean,

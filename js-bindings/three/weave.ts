@@ -9,7 +9,7 @@
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
 import { type PixelNormals, markViewPosition, passViewPosition } from './pixel-normals.js'
 import type { ThreeWarp } from './three-warp.js'
-import { atObject, blockFor, orientBitangent } from './warp-block.js'
+import { atObject, orientBitangent, warpBlock } from './warp-block.js'
 import { WarpCode } from './warp-code.js'
 import { readsNormal, readsPosition, weaveAttributes, wrapMain } from './weave-attributes.js'
 import type { WeaveOptions } from './weave-options.js'
@@ -57,7 +57,7 @@ export function weave(
   const before = parts.main.slice(0, start)
   const isRest = warp.settings.space === 'rest'
   const isStock = isUnchanged(before)
-  const block = blockFor(code, isLit, isStock, pixel)
+  const block = warpBlock(code, isLit, isStock, pixel)
   const kept = isStock ? withoutFirstRun(before) : before
   const after = parts.main.slice(start)
   const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block, pixel) : kept)}

@@ -181,7 +181,7 @@ const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
   return found == products_.end() ? nullptr : &*found;
 }
 
-// A sine or cosine with a variable of its own.
+// A sine or cosine with its own variable.
 bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }
@@ -223,6 +223,15 @@ Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
     if (together + margin <= row) return {Form::Operation, together};
   }
   return {Form::Row, row};
+}
+
+int Packs::gainOf(const Lanes& lanes, int length) const {
+  // The length of a statement without its expression: `  float t12 = ;` and the line's end, or
+  // `  vec3 …`.
+  constexpr int frame = 15;
+  int gain = -frame - length;
+  for (const NodeId id : lanes) gain += frame + lengthOfStatement(id);
+  return gain;
 }
 
 }  // namespace warpjet

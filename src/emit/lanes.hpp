@@ -52,7 +52,7 @@ class Packs {
         numbers_(graph.size(), none),
         places_(graph.size(), none) {}
 
-  // Gives the node a statement of its own. `number` identifies it among the statements that may be
+  // Gives the node its own statement. `number` identifies it among the statements that may be
   // packed; `never` excludes it.
   void addStatement(NodeId id, std::uint32_t number) {
     numbers_[index(id)] = number;
@@ -87,6 +87,9 @@ class Packs {
   };
   Layout chooseLayout(const Lanes& lanes, As as, int levels = Lengths::maxLevels) const;
   int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::maxLevels); }
+
+  // The characters saved by one statement of this length in place of one per lane.
+  int gainOf(const Lanes& lanes, int length) const;
 
   // The vector and component that a node is read from, as four times the vector's key plus the
   // component; less than four if it isn't a component of a vector.

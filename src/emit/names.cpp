@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "module/syntax.hpp"
 #include "ops/rows.hpp"
@@ -29,11 +30,14 @@ constexpr auto listCalled(ops::Language language) {
   return list;
 }
 
-constexpr auto called300 = listCalled(ops::Language::Glsl300),
-               called100 = listCalled(ops::Language::Glsl100),
-               calledWgsl = listCalled(ops::Language::Wgsl);
-constexpr std::array<WordSet, ops::languageCount> called{called300.data(), called100.data(),
-                                                         calledWgsl.data()};
+template <ops::Language language>
+constexpr auto calledIn = listCalled(language);
+
+template <std::size_t... languages>
+constexpr auto setsOf(std::index_sequence<languages...>) {
+  return std::array{WordSet(calledIn<static_cast<ops::Language>(languages)>.data())...};
+}
+constexpr auto called = setsOf(std::make_index_sequence<ops::languageCount>());
 
 bool isCalledByUs(const Dialect& dialect, std::string_view word) {
   return called[static_cast<std::size_t>(dialect.language)].holds(word);

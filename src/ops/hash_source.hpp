@@ -1,6 +1,8 @@
 // The source of the hash function in each language.
 #pragma once
 
+#include <algorithm>
+
 #include "ops/row.hpp"
 
 namespace warpjet::ops {
@@ -29,5 +31,8 @@ highp float warpjetHash(highp float h, highp float i) {
   return f32(n * n % 4091u * n % 4091u);
 }
 )"};
+static_assert(std::none_of(hashHelpers.begin(), hashHelpers.end(),
+                           [](std::string_view source) { return source.empty(); }),
+              "each language needs one");
 
 }  // namespace warpjet::ops

@@ -40,13 +40,13 @@ struct Spelling {
 
 enum class Language : std::uint8_t { Glsl300, Glsl100, Wgsl };
 
-inline constexpr int languageCount = 3;
+inline constexpr int languageCount = static_cast<int>(Language::Wgsl) + 1;  // Wgsl is the last one
 
 // The spelling in each language; the same in all for most operations.
 struct Spellings {
   std::array<Spelling, languageCount> byLanguage;
 
-  constexpr Spellings(Spelling spelling) : byLanguage{spelling, spelling, spelling} {}
+  constexpr Spellings(Spelling spelling) : byLanguage{} { byLanguage.fill(spelling); }
 
   constexpr const Spelling& in(Language language) const {
     return byLanguage[static_cast<std::size_t>(language)];

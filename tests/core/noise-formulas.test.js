@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { noiseFormulas } from '../../.scripts/reference/noise-formulas.mjs'
 import { compile } from '../../dist/warpjet.js'
+import { fractals } from '../operations/noise.js'
 import { add, dot, subtract, times } from '../support/linear.js'
 import * as plain from '../support/noise.js'
 import { evaluateFormula } from '../support/notation.js'
@@ -46,7 +47,7 @@ function triangle(p) {
   return { count: 3, s: 99.2043, o, g, r: o.map((away) => Math.max(0.5 - dot(away, away), 0)) }
 }
 
-/** Locates the nearest point by its distances from three places around it. */
+/** Locates the nearest feature point, from the distances to it at three places. */
 function nearest(p) {
   const places = [0, 1, 2].map((i) =>
     p.map(
@@ -98,9 +99,7 @@ const partsOf = {
   simplex: triangle,
   worley: nearest,
   curl: three,
-  fbm: octaves,
-  ridged: octaves,
-  turbulence: octaves,
+  ...Object.fromEntries(fractals.map((name) => [name, octaves])),
 }
 
 const first = (name, result) => (name === 'worley' ? result[0] : result)

@@ -2,12 +2,10 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
+import { bases, fractals, noises } from '../operations/noise.js'
 import * as plain from '../support/noise.js'
 
 const dimensions = { worley: [1, 2, 3], curl: [3, 4] }
-const fractals = ['fbm', 'ridged', 'turbulence']
-const bases = ['noise', 'simplex', 'valueNoise']
-const kinds = [...bases, 'worley', 'curl', ...fractals]
 
 /** Points around the origin, also on borders of cells, multiplied by a factor. */
 function pointsOf(n, scale) {
@@ -44,7 +42,7 @@ function difference(kind, points, options) {
 const bounds = { 1: 1e-12, 1000: 2e-10 }
 
 describe('the plain noise is the compiled one:', () => {
-  for (const kind of kinds)
+  for (const kind of noises)
     for (const n of dimensions[kind] ?? [1, 2, 3, 4])
       test(`${kind}, ${n}D`, () => {
         for (const options of optionsOf(kind))

@@ -1,16 +1,19 @@
 // The kinds of noise, and the points at which tests evaluate them.
 import { randomOf } from '../random/generate.js'
 
-const names = ['noise', 'simplex', 'valueNoise', 'worley', 'curl', 'fbm', 'ridged', 'turbulence']
+/** Noises from which others can be composed. */
+export const bases = ['noise', 'simplex', 'valueNoise']
+export const fractals = ['fbm', 'ridged', 'turbulence']
+export const noises = [...bases, 'worley', 'curl', ...fractals]
 
 const dimensionsOf = { worley: [1, 2, 3], curl: [3, 4] }
 
 /** { kind, dimensions } of each noise. */
-export const kindsOfNoise = names.flatMap((kind) =>
+export const kindsOfNoise = noises.flatMap((kind) =>
   (dimensionsOf[kind] ?? [1, 2, 3, 4]).map((dimensions) => ({ kind, dimensions })),
 )
 
-export const isFractal = (kind) => ['fbm', 'ridged', 'turbulence'].includes(kind)
+export const isFractal = (kind) => fractals.includes(kind)
 
 /** Options other than the defaults. */
 export const settingsOf = (kind) =>

@@ -8,6 +8,7 @@ import type { Builder } from './builder.js'
 import { parameterNames, parametersOf } from './function.js'
 import { instancesOf, isPosed, isSkinned, withoutInstances } from './instances.js'
 import { type NormalMaterial, type PixelNormals, pixelNormalsFor } from './pixel.js'
+import { type Space, local, world } from './spaces.js'
 import { type AnyNode, tsl } from './tsl.js'
 import type { NodesByName } from './uniforms.js'
 import { nodesOf } from './warp-nodes.js'
@@ -59,18 +60,6 @@ function orientFaces(warp: ThreeWarp, builder: Builder) {
     `( ${getFrontFacing()} == ( ${orientation.build(builder, 'float')} > 0.0 ) )`
 }
 
-/** Converts the vertex into the space of the warp and back. */
-interface Space {
-  isLocal: boolean
-  position: AnyNode
-  normal: () => AnyNode
-  tangent: () => AnyNode
-  /** The position in the frame before, without the warp. */
-  previous: () => AnyNode
-  assignPrevious: (position: AnyNode) => void
-  assign: (position: AnyNode, normal?: AnyNode, tangent?: AnyNode) => void
-}
-
 function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, pixel?: PixelNormals) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
@@ -103,46 +92,6 @@ function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, pixel?: Pix
     turned === 'position' ? undefined : result.element(1),
     turned === 'tangent' ? result.element(2) : undefined,
   )
-}
-
-/** The space of three's `positionLocal`. */
-const local = (previous: AnyNode): Space => ({
-  isLocal: true,
-  position: tsl.positionLocal,
-  normal: () => tsl.normalLocal,
-  tangent: () => tsl.tangentLocal,
-  previous: () => previous,
-  assignPrevious: (position) => void tsl.positionPrevious.assign(position),
-  assign(position, normal, tangent) {
-    if (normal) tsl.normalLocal.assign(normal)
-    if (tangent) tsl.tangentLocal.assign(tangent)
-    tsl.positionLocal.assign(position)
-  },
-})
-
-/** The world. */
-function world(isPosed: boolean): Space {
-  const linear = () => tsl.mat3(tsl.modelWorldMatrix)
-  const transform = (matrix: AnyNode, position: AnyNode) => matrix.mul(tsl.vec4(position, 1)).xyz
-  const toWorldBefore = () => tsl.velocity.previousModelWorldMatrix
-  return {
-    isLocal: false,
-    position: transform(tsl.modelWorldMatrix, tsl.positionLocal),
-    // The length is 1, as for WebGLRenderer and rays; a zero normal stays zero.
-    normal() {
-      const normal = tsl.modelNormalMatrix.mul(tsl.normalLocal)
-      return normal.div(tsl.max(tsl.length(normal), 1e-30))
-    },
-    tangent: () => linear().mul(tsl.tangentLocal),
-    previous: () => transform(toWorldBefore(), isPosed ? tsl.positionPrevious : tsl.positionLocal),
-    assignPrevious: (position) =>
-      void tsl.positionPrevious.assign(transform(tsl.inverse(toWorldBefore()), position)),
-    assign(position, normal, tangent) {
-      if (normal) tsl.normalLocal.assign(linear().transpose().mul(normal))
-      if (tangent) tsl.tangentLocal.assign(tsl.mat3(tsl.modelWorldMatrixInverse).mul(tangent))
-      tsl.positionLocal.assign(transform(tsl.modelWorldMatrixInverse, position))
-    },
-  }
 }
 
 /** Makes the arguments that are neither position, normal nor tangent. */

@@ -1,0 +1,50 @@
+// What a `BabylonWarp` accepts: its options, and the materials that it can warp.
+import type { Material } from '@babylonjs/core/Materials/material.js'
+import type { UniformOptions, UniformValues } from '../compile/hosts.js'
+import { describe } from '../errors/errors.js'
+import { anything, kind, optional } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
+import { pluginName } from './passes.js'
+
+export const place = new Place('BabylonWarp')
+
+export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValues> {
+  /** The values that the offset function reads as `uniforms`: numbers, lists of numbers, `Vector3`s, textures, or functions
+   * that return them. */
+  uniforms?: UniformOptions<Uniforms>
+  /** `false` accepts that normal and uv count as constant over a surface without `addSurfaceVariation`, without a note. */
+  surfaceVariation?: false
+}
+
+export const settings = object({
+  uniforms: anything<UniformOptions<UniformValues>>(),
+  surfaceVariation: optional(
+    kind<false>('only false', (given) => given === false, {
+      advice: () => 'addSurfaceVariation(mesh) computes how a mesh varies',
+    }),
+  ),
+} satisfies KindsOf<BabylonWarpOptions>)
+
+/** Maps the class of a material that does not call plugins → what to write instead. */
+const remedies: Partial<Record<string, string>> = {
+  MultiMaterial: 'warp its subMaterials',
+  NodeMaterial: 'use a StandardMaterial or a PBRMaterial',
+  BackgroundMaterial: 'use a StandardMaterial or a PBRMaterial',
+  ShaderMaterial: 'put the code of compileWarp into its shader',
+}
+
+/** Throws for a material that takes no warp. */
+export function rejectUnwarpable(material: Material) {
+  if (typeof (material as Partial<Material>)?.getEffect !== 'function')
+    throw place.expected('a material of Babylon.js', describe(material))
+  const remedy = remedies[material.getClassName()]
+  if (remedy)
+    throw place.error(
+      `the ${material.getClassName()} "${material.name}" takes no plugins; ${remedy}.`,
+    )
+  if (material.pluginManager?.getPlugin(pluginName))
+    throw place.error(
+      `the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
+    )
+}

@@ -1,0 +1,182 @@
+// Boxes and spheres around an object before it is warped: at rest, and with its morph targets and bones.
+import {
+  Box3,
+  type BufferAttribute,
+  type BufferGeometry,
+  type InstancedBufferGeometry,
+  type InstancedMesh,
+  Matrix4,
+  type Mesh,
+  type SkinnedMesh,
+  Sphere,
+  Vector3,
+} from 'three'
+import { attributeNumbers } from '../compile/hosts.js'
+import {
+  type Attribute,
+  type Warpable,
+  isMoved,
+  isSkinned,
+  morphTextureOf,
+  versionOf,
+} from './pose.js'
+
+/** Numbers that change when the geometry gets other bounds of its own. */
+export function boundsState({ geometry }: Warpable): number[] {
+  const sphere = ownBounds(geometry)?.sphere
+  return sphere ? [...sphere.center.toArray(), sphere.radius] : []
+}
+
+/** Maps positions of geometries to their bounds at rest, for one version. */
+const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
+
+const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
+
+/** Bounds of the geometry. Where instances of an InstancedBufferGeometry are, as of text, is known only to who sets its bounds. */
+export const restBox = ({ geometry }: Warpable): Box3 =>
+  ownBounds(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
+export const restSphere = ({ geometry }: Warpable): Sphere =>
+  ownBounds(geometry)?.sphere ?? boundsAtRest(geometry.attributes.position as Attribute).sphere
+
+function ownBounds(geometry: BufferGeometry) {
+  const { isInstancedBufferGeometry } = geometry as Partial<InstancedBufferGeometry>
+  const { boundingBox, boundingSphere } = geometry
+  if (!isInstancedBufferGeometry || !boundingSphere) return undefined
+  return { box: boundingBox ?? boundingSphere.getBoundingBox(new Box3()), sphere: boundingSphere }
+}
+
+function boundsAtRest(attribute: Attribute) {
+  const version = versionOf(attribute)
+  const known = boxes.get(attribute)
+  if (known?.version === version) return known
+  const positions = attributeNumbers(attribute, 3)
+  const box = new Box3().setFromArray(positions)
+  const center = box.getCenter(new Vector3())
+  const sphere = new Sphere(center, box.isEmpty() ? -1 : farthest(positions, center))
+  const made = { version, box, sphere }
+  boxes.set(attribute, made)
+  return made
+}
+
+// Plain numbers: of a large mesh this is a good part of the first frame.
+function farthest(positions: Float32Array, from: Vector3): number {
+  let most = 0
+  for (let i = 0; i < positions.length; i += 3) {
+    const x = positions[i]! - from.x
+    const y = positions[i + 1]! - from.y
+    const z = positions[i + 2]! - from.z
+    most = Math.max(most, x * x + y * y + z * z)
+  }
+  return Math.sqrt(most)
+}
+
+/** Bounds everything that morph targets make of the points in `box`, for all instances: never too small. */
+function boxOfMorphs(object: Warpable, box: Box3): Box3 {
+  const all = new Box3()
+  for (const influences of influencesOf(object)) all.union(morphedBox(object, box, influences))
+  return all
+}
+
+/** The influences of each instance; without instances those of the object. */
+function influencesOf(object: Warpable): number[][] {
+  if (!morphTextureOf(object)) return [(object as Mesh).morphTargetInfluences ?? []]
+  const { count } = object as InstancedMesh
+  const targets = object.geometry.morphAttributes.position ?? []
+  return Array.from({ length: count }, (_, i) => {
+    const target = { morphTargetInfluences: targets.map(() => 0) }
+    ;(object as InstancedMesh).getMorphAt(i, target as never)
+    return target.morphTargetInfluences
+  })
+}
+
+function morphedBox({ geometry }: Warpable, box: Box3, influences: number[]): Box3 {
+  const { morphAttributes, morphTargetsRelative } = geometry
+  const targets = morphAttributes.position ?? []
+  const used = targets.map((_, i) => influences[i] ?? 0)
+  const base = morphTargetsRelative ? 1 : 1 - used.reduce((sum, influence) => sum + influence, 0)
+  const grown = scaleBox(box, base)
+  targets.forEach((target, i) => {
+    if (used[i] === 0) return
+    const by = scaleBox(boxOf(target as BufferAttribute), used[i]!)
+    grown.min.add(by.min)
+    grown.max.add(by.max)
+  })
+  return grown
+}
+
+const scaleBox = ({ min, max }: Box3, factor: number) => {
+  const [a, b] = [min.clone().multiplyScalar(factor), max.clone().multiplyScalar(factor)]
+  return new Box3(a.clone().min(b), a.max(b))
+}
+
+const place = new Vector3()
+
+/** Maps bones to boxes around the vertices at rest that they move; `undefined` if weights do not sum to 1. */
+const bonesOf = new WeakMap<
+  BufferGeometry,
+  { version: string; boxes: Map<number, Box3> | undefined }
+>()
+
+function boxesOfBones(geometry: BufferGeometry) {
+  const { position, skinIndex, skinWeight } = geometry.attributes as Record<string, Attribute>
+  const version = [position, skinIndex, skinWeight].map(versionOf).join()
+  const known = bonesOf.get(geometry)
+  if (known?.version === version) return known.boxes
+  let boxes: Map<number, Box3> | undefined = new Map<number, Box3>()
+  const [indices, weights] = [attributeNumbers(skinIndex!, 4), attributeNumbers(skinWeight!, 4)]
+  for (let i = 0; i < position!.count && boxes; i++) {
+    place.fromBufferAttribute(position as BufferAttribute, i)
+    let sum = 0
+    for (let k = 4 * i; k < 4 * i + 4; k++) {
+      sum += weights[k]!
+      if (weights[k] === 0) continue
+      const bone = indices[k]!
+      if (!boxes.has(bone)) boxes.set(bone, new Box3())
+      boxes.get(bone)!.expandByPoint(place)
+    }
+    if (Math.abs(sum - 1) > 1e-3) boxes = undefined
+  }
+  bonesOf.set(geometry, { version, boxes })
+  return boxes
+}
+
+const toBone = new Matrix4()
+
+/** Bounds the object after morph targets and bones, before its own matrix: never too small. */
+export function posedBox(object: Warpable): Box3 {
+  const rest = restBox(object)
+  if (!isSkinned(object)) return isMoved(object) ? boxOfMorphs(object, rest) : rest
+  const isMorphed = !!object.geometry.morphAttributes.position?.length
+  const boxes = isMorphed ? undefined : boxesOfBones(object.geometry)
+  if (boxes) return throughBones(object, boxes)
+  const box = new Box3()
+  for (let i = 0; i < object.geometry.attributes.position!.count; i++)
+    box.expandByPoint(object.getVertexPosition(i, place))
+  return box
+}
+
+/** Bounds everything that morph targets and bones make of the points in a box. */
+export function posedFrom(object: Warpable, box: Box3): Box3 {
+  const morphed = boxOfMorphs(object, box)
+  if (!isSkinned(object)) return morphed
+  const boxes = boxesOfBones(object.geometry)
+  const bones = boxes ? [...boxes.keys()] : object.skeleton.bones.map((_, i) => i)
+  return throughBones(object, new Map(bones.map((bone) => [bone, morphed])))
+}
+
+function throughBones(
+  { skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh,
+  boxes: Map<number, Box3>,
+) {
+  const all = new Box3()
+  for (const [i, box] of boxes) {
+    const bone = skeleton.bones[i]
+    if (!bone) continue
+    toBone
+      .multiplyMatrices(bone.matrixWorld, skeleton.boneInverses[i]!)
+      .premultiply(bindMatrixInverse)
+      .multiply(bindMatrix)
+    all.union(box.clone().applyMatrix4(toBone))
+  }
+  return all
+}

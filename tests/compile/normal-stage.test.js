@@ -1,0 +1,120 @@
+// Where normals are computed: what 'auto' selects, and the code for pixels.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import * as deformers from '../../dist/deformers.js'
+import { compileWarp } from '../../dist/warpjet.js'
+import { throwsWarpError } from '../support/warp-errors.js'
+
+const along = (height) => (inputs) => inputs.position.mult(height(inputs))
+const fbm = along(({ glsl, position }) => glsl.fbm(position.mult(2)).mult(0.3))
+const waves = ({ glsl, position: { x, y, z } }) =>
+  glsl.vec3(y().mult(7).sin(), z().mult(7).sin(), x().mult(7).sin()).mult(0.05)
+const stageOf = (offset, options) => compileWarp(offset, { normals: 'auto', ...options }).normals
+
+describe("'auto' computes normals at pixels", () => {
+  test('for noise, of any frequency', () => {
+    assert.equal(stageOf(fbm), 'pixel')
+    assert.equal(stageOf(along(({ glsl, position }) => glsl.simplex(position.div(200)))), 'pixel')
+  })
+
+  test('for waves that bend within the length of an edge, but not for long ones', () => {
+    assert.equal(stageOf(waves), 'pixel')
+    assert.equal(
+      stageOf(({ glsl, position }) => glsl.vec3(0, 0, position.x().mult(0.5).sin().mult(0.2))),
+      'vertex',
+    )
+  })
+
+  test('whatever the strength is when the warp is made', () => {
+    const offset = (inputs) => waves(inputs).mult(inputs.uniforms.strength)
+    assert.equal(stageOf(offset, { uniforms: { strength: 0 } }), 'pixel')
+  })
+
+  test('for an offset of uv or normal that bends', () => {
+    const flag = ({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(30).sin().mult(0.05))
+    assert.equal(stageOf(flag, { surfaceVariation: true }), 'pixel')
+    const blob = ({ normal, position }) => normal.mult(position.x().mult(9).sin().mult(0.1))
+    assert.equal(stageOf(blob, { surfaceVariation: true }), 'pixel')
+  })
+})
+
+describe("'auto' computes normals at vertices", () => {
+  test('for a twist of 1.5 radians per unit, and without a warp', () => {
+    assert.equal(stageOf(deformers.twist({ angle: 1.5 })), 'vertex')
+    assert.equal(
+      stageOf(({ glsl }) => glsl.vec3(0)),
+      'vertex',
+    )
+  })
+
+  test('for noise that takes more than 4,000 operations', () => {
+    const heavy = along(({ glsl, position }) => {
+      let sum = glsl.fbm(position.mult(2))
+      for (let i = 1; i < 5; i++) sum = sum.add(glsl.fbm(position.mult(2 + i), { octaves: 8 }))
+      return sum
+    })
+    assert.equal(stageOf(heavy), 'vertex')
+  })
+
+  test('for a warp that only the GPU can evaluate', () => {
+    const offset = ({ glsl, position }) => {
+      const f = glsl.fn({
+        name: 'f',
+        arity: 1,
+        source: 'float f(float x) { return sin(x * 99.0); }',
+        derivatives: [(x) => x.mult(99).cos().mult(99)],
+      })
+      // The normal of f(x) needs the derivative alone.
+      return glsl.vec3(0, 0, f(f(position.x())))
+    }
+    assert.equal(stageOf(offset), 'vertex')
+  })
+})
+
+test('the option says where normals are computed', () => {
+  assert.equal(compileWarp(fbm).normals, 'vertex')
+  assert.equal(compileWarp(fbm, { normals: true }).normals, 'vertex')
+  assert.equal(compileWarp(fbm, { normals: false }).normals, false)
+  assert.equal(compileWarp(waves, { normals: 'pixel' }).normals, 'pixel')
+  throwsWarpError(
+    () => compileWarp(waves, { normals: 'pixels' }),
+    /^compileWarp: expected true, false, 'vertex', 'pixel' or 'auto' for the option "normals", got the text "pixels"\.$/,
+  )
+})
+
+describe('the code for pixels', () => {
+  test('has the normal alone, and the code for vertices then lacks it', () => {
+    const { code, emitFragment } = compileWarp(waves, { normals: 'pixel' })
+    assert.doesNotMatch(code, /warpedNormal|cos/)
+    const fragment = emitFragment()
+    assert.match(fragment.code, /^vec3 warpedNormal;/)
+    assert.doesNotMatch(fragment.code, /warpedPosition|offset/)
+  })
+
+  test('has names, outputs and a language of its own, and the tangent on demand', () => {
+    const warp = compileWarp(waves, { tangents: true, names: { position: 'aPosition' } })
+    const { code } = warp.emitFragment('wgsl', {
+      names: { position: 'vRest' },
+      outputs: { normal: 'n', tangent: 't' },
+    })
+    assert.match(code, /^var n: vec3f;\nvar t: vec4f;|^var n: vec3<f32>;/)
+    assert.match(code, /vRest/)
+    assert.doesNotMatch(code, /aPosition/)
+    assert.match(warp.emitFragment().code, /aPosition/)
+  })
+
+  test('reads the same frame constants as the code for vertices', () => {
+    const moving = ({ glsl, position, millis }) =>
+      glsl.vec3(0, 0, position.x().mult(7).add(millis.div(900)).sin())
+    const warp = compileWarp(moving, { perFrame: true })
+    const frame = ({ uniforms }) => uniforms.map(({ name }) => name)
+    assert.deepEqual(frame(warp.emitFragment()), frame(warp))
+  })
+
+  test('needs normals', () => {
+    throwsWarpError(
+      () => compileWarp(waves, { normals: false }).emitFragment(),
+      /^emitFragment: the warp was compiled with "normals: false", which leaves normals out; compile it without\.$/,
+    )
+  })
+})

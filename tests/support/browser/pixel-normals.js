@@ -1,0 +1,111 @@
+// Warps and meshes whose normals at pixels are compared with exact ones, in all hosts.
+import { compileWarp } from '../../../dist/warpjet.js'
+import * as noise from '../noise.js'
+import { angleBetween, warpVertex } from './oracle.js'
+import { restPlaces } from './rest-places.js'
+
+const { cos, sin } = Math
+const scale = (p, factor) => p.map((x) => x * factor)
+const along = (height) => (p) => scale(p, height(p))
+
+/**
+ * Maps a name → `offset`, source of an offset function for a mesh of radius 1, and `at`, the same in numbers. Offsets of normal and uv
+ * have no `at`: their normals depend on how these vary over the mesh.
+ */
+export const pixelWarps = {
+  fbm: {
+    offset: `({ glsl, position }) => position.mult(glsl.fbm(position.mult(2)).mult(0.3))`,
+    at: along((p) => 0.3 * noise.fbm(scale(p, 2))),
+  },
+  simplex: {
+    offset: `({ glsl, position }) => position.mult(glsl.simplex(position.mult(2)).mult(0.2))`,
+    at: along((p) => 0.2 * noise.simplex(scale(p, 2))),
+  },
+  worley: {
+    offset: `({ glsl, position }) => position.mult(glsl.worley(position.mult(2)).x().mult(0.2))`,
+    at: along((p) => 0.2 * noise.worley(scale(p, 2))[0]),
+  },
+  waves: {
+    offset: `({ glsl, position }) => glsl.vec3(position.y().mult(7).sin(), position.z().mult(7).sin(), position.x().mult(7).sin()).mult(0.05)`,
+    at: ([x, y, z]) => scale([sin(7 * y), sin(7 * z), sin(7 * x)], 0.05),
+  },
+  twist: {
+    offset: `({ glsl, position }) => glsl.rotateY(position.y().mult(1.5)).mult(position).sub(position)`,
+    at([x, y, z]) {
+      const [c, s] = [cos(1.5 * y), sin(1.5 * y)]
+      return [c * x + s * z - x, 0, c * z - s * x - z]
+    },
+  },
+  flag: {
+    offset: `({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(12).sin().mult(uv.y()).mult(0.05))`,
+  },
+  blob: {
+    offset: `({ normal, position }) => normal.mult(position.x().mult(5).sin().add(position.y().mult(4).cos()).mult(0.06))`,
+  },
+}
+
+const names = ['normalXGradient', 'normalYGradient', 'normalZGradient', 'uGradient', 'vGradient']
+const three = (numbers, at) => numbers.slice(at, at + 3)
+
+/**
+ * Returns { pixel, normal }, the exact outward normal in the mesh's own space, for about `count` of the pixels that the warped mesh
+ * covers. A mesh has `vertices`, `normals`, `uvs`, `faces` and, for offsets of normal or uv, `gradients`. `toScreen` maps a warped
+ * position to [x, y, depth, w]. `restAt` returns position, normal and uv at a pixel as the GPU interpolated them, nine numbers, since GPUs
+ * snap vertices to fractions of a pixel; pixels where they are not near ours, at silhouettes, are left out.
+ */
+export function exactNormals(name, mesh, { toScreen, restAt, width, height, count = 1200 }) {
+  const { offset, at } = pixelWarps[name]
+  const { vertices, normals, uvs, faces, gradients = names.map(() => []) } = mesh
+  // Pages get the same source.
+  const warp = compileWarp((0, eval)(offset), { surfaceVariation: true })
+  const values = vertices.map((p, i) => [
+    ...p,
+    ...normals[i],
+    uvs[2 * i] ?? 0,
+    uvs[2 * i + 1] ?? 0,
+    ...gradients.flatMap((list) => [0, 1, 2].map((k) => list[3 * i + k] ?? 0)),
+  ])
+  const moved = warp.evaluate(arraysOf(values)).positions
+  const corners = vertices.map((_, i) => toScreen([...moved.subarray(3 * i, 3 * i + 3)]))
+  const places = restPlaces({ corners, values, faces }, width, height)
+  const sample = places.filter((_, i) => i % Math.max(1, Math.floor(places.length / count)) === 0)
+  const seen = sample.flatMap(({ pixel, values }) => {
+    const rest = restAt(pixel)
+    const distance = Math.hypot(...three(rest, 0).map((x, i) => x - values[i]))
+    const length = Math.hypot(...three(rest, 3))
+    for (let k = 3; k < 6; k++) rest[k] /= length
+    return distance < 0.05 ? [{ pixel, values: [...rest.slice(0, 8), ...values.slice(8)] }] : []
+  })
+  const share = seen.length / sample.length
+  const exact = at ? seen.map((place) => exactNormal(at, place)) : interpolatedNormals(warp, seen)
+  // At a kink there is no normal.
+  return { share, exact: exact.filter(({ normal }) => normal) }
+}
+
+const arraysOf = (all) => ({
+  positions: new Float64Array(all.flatMap((v) => three(v, 0))),
+  normals: new Float64Array(all.flatMap((v) => three(v, 3))),
+  uvs: new Float64Array(all.flatMap((v) => v.slice(6, 8))),
+  ...Object.fromEntries(
+    names.map((each, k) => [`${each}s`, new Float64Array(all.flatMap((v) => three(v, 8 + 3 * k)))]),
+  ),
+})
+
+function exactNormal(at, { pixel, values }) {
+  const vertex = { position: three(values, 0), normal: three(values, 3) }
+  return { pixel, normal: warpVertex(at, vertex, {}, 1e-4).normal }
+}
+
+/** Evaluates on the CPU, where other tests compare normals with differences. */
+function interpolatedNormals(warp, places) {
+  const { normals } = warp.evaluate(arraysOf(places.map(({ values }) => values)))
+  return places.map(({ pixel }, i) => ({ pixel, normal: [...normals.subarray(3 * i, 3 * i + 3)] }))
+}
+
+/** Returns { median, most, count }: the angles in degrees, `most` at 99.9% of the pixels. `shownAt` returns the normal of a pixel. */
+export function anglesOf(exact, shownAt) {
+  const angles = exact.map(({ pixel, normal }) => angleBetween(shownAt(pixel), normal))
+  angles.sort((a, b) => a - b)
+  const at = (share) => angles[Math.min(angles.length - 1, Math.floor(share * angles.length))]
+  return { median: at(0.5), most: at(0.999), count: angles.length }
+}
