@@ -13,7 +13,7 @@ import { Variant } from './variant.js'
 export interface Warped<Uniforms = {}> {
   /** As in three.js: `warped.uniforms.amount.value = 2`. */
   readonly uniforms: UniformHandles<Uniforms>
-  /** Where normals are computed: what the option of this name says, or what its `'auto'` has chosen. */
+  /** The stage that computes normals: the value of the option, or the choice of `'auto'`. */
   readonly normals: 'vertex' | 'pixel'
   /** Sets `millis`, which the offset may read: `renderer.setAnimationLoop((time) => warped.update(time))`. */
   update(millis?: number): void

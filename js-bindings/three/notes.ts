@@ -1,4 +1,4 @@
-// What a user should know, said once per warp.
+// Warnings on the console, once per warp.
 import type { ThreeWarp } from './three-warp.js'
 
 const warned = new WeakSet<ThreeWarp>()

@@ -9,7 +9,7 @@ import { byTangent, uniformsInGlsl } from './glsl.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /**
- * How normals get from the space of the offset to view space. `'uniform'`: by the matrix of the object, or of the camera for a warp
+ * The matrix that transforms normals from the space of the offset to view space. `'uniform'`: by the matrix of the object, or of the camera for a warp
  * of the world. `'flat'`: by matrices that are constant in each instance. `'smooth'`: by those of bones, which vary.
  */
 export type Matrices = 'uniform' | 'flat' | 'smooth'

@@ -25,7 +25,7 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    * textures of three.js, or functions that return one of them, called once per frame. */
   uniforms?: Uniforms
   /**
-   * Where normals are computed: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'` chooses
+   * The stage that computes normals: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'` chooses
    * `'pixel'` for a warp that contains noise or bends strongly, unless that takes too many operations per pixel. A shader whose normals
    * are changed after the warp, or that lights none of three's, keeps those of vertices.
    * @default 'auto'

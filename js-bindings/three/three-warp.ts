@@ -19,7 +19,7 @@ import { three } from './values.js'
 /** The last of position, normal and tangent that a text computes. */
 export type Turned = 'position' | 'normal' | 'tangent'
 
-/** The same, or what the fragment stage computes. */
+/** The results of a text in the vertex stage, or in the fragment stage. */
 export type Stage = Turned | 'normal of pixel' | 'tangent of pixel'
 
 const resultsOf: Record<Stage, readonly Result[]> = {
@@ -39,7 +39,7 @@ interface Box {
 export class ThreeWarp extends HostWarp {
   /** Maps the user's names to uniforms, as three.js has them. */
   readonly handles: Readonly<Record<string, UniformHandle<unknown>>>
-  /** Where normals are computed. */
+  /** The stage that computes normals. */
   readonly normals: NormalStage
   /** In milliseconds. */
   readonly millis = { value: 0 }

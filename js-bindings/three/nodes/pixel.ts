@@ -174,15 +174,15 @@ export class PixelNormals {
       ? [result.element(0), result.element(1)]
       : [result, undefined]
     const viewNormal = this.toView(normal).toVar()
-    const facing = normalized(tsl.normalFlat, tsl.vec3(0, 0, 1))
+    const facing = normalizeOr(tsl.normalFlat, tsl.vec3(0, 0, 1))
     // Three.js negates the normals of back faces later.
-    tsl.normalViewGeometry.assign(normalized(viewNormal, this.onBack(facing)))
+    tsl.normalViewGeometry.assign(normalizeOr(viewNormal, this.onBack(facing)))
     if (!tangent) return
     const viewTangent = this.tangentToView(tangent).toVar()
     const side = tsl.tangentGeometry.w.mul(this.orientation)
     const viewBitangent = viewNormal.cross(viewTangent).mul(side)
-    tsl.tangentView.assign(this.onBack(normalized(viewTangent, tsl.vec3(1, 0, 0))))
-    tsl.bitangentView.assign(this.onBack(normalized(viewBitangent, tsl.vec3(0, 1, 0))))
+    tsl.tangentView.assign(this.onBack(normalizeOr(viewTangent, tsl.vec3(1, 0, 0))))
+    tsl.bitangentView.assign(this.onBack(normalizeOr(viewBitangent, tsl.vec3(0, 1, 0))))
   }
 
   /** The normal, and the tangent, in the space of the offset. */
@@ -235,7 +235,7 @@ const columnSizes = new Map<string, VectorSize>([
 ])
 
 /** Returns the vector with length 1, or `other` for one that is zero or not finite. */
-const normalized = (vector: AnyNode, other: AnyNode) =>
+const normalizeOr = (vector: AnyNode, other: AnyNode) =>
   tsl.select(vector.dot(vector).greaterThan(0), vector.normalize(), other)
 
 const withLength = (normal: AnyNode) =>
