@@ -100,7 +100,8 @@ const maps = {
   'both sides': () => ({ normalMap: bumps(), side: THREE.DoubleSide }),
   clearcoat: () => ({ clearcoat: 1, clearcoatNormalMap: bumps() }),
   anisotropy: () => ({ anisotropy: 1 }),
-  transmission: () => ({ transmission: 1, thickness: 1 }),
+  // Behind it is nothing to refract: half of the light is diffuse.
+  transmission: () => ({ transmission: 0.5, thickness: 1 }),
   tangents: () => ({ normalMap: bumps() }),
 }
 export const mapNames = Object.keys(maps)
