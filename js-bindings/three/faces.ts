@@ -22,7 +22,8 @@ export function orientFaces(fragmentShader: string, warp: ThreeWarp): string {
   if (!declaration) return fragmentShader
   const source = resolveIncludes(fragmentShader)
   const oriented = source.replaceAll(/\bgl_FrontFacing\b/g, isFront)
-  return oriented === source ? fragmentShader : `${declaration}\n${oriented}`
+  const readsOrientation = new RegExp(`\\b${shaderNames.orientation}\\b`).test(oriented)
+  return readsOrientation ? `${declaration}\n${oriented}` : fragmentShader
 }
 
 const others = new Map<Side, Side>([

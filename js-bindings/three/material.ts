@@ -13,6 +13,8 @@ import { Variant } from './variant.js'
 export interface Warped<Uniforms = {}> {
   /** As in three.js: `warped.uniforms.amount.value = 2`. */
   readonly uniforms: UniformHandles<Uniforms>
+  /** The stage that computes normals: the value of the option, or the choice of `'auto'`. */
+  readonly normals: 'vertex' | 'pixel'
   /** Sets `millis`, which the offset may read: `renderer.setAnimationLoop((time) => warped.update(time))`. */
   update(millis?: number): void
   /** Frees everything that was created, and restores everything as it was before. */
@@ -66,6 +68,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
     customDepthMaterial: view(depth),
     customDistanceMaterial: view(new MeshDistanceMaterial()),
     uniforms: warp.handles as never,
+    normals: warp.normals,
     update: updateOf(warp),
     dispose() {
       for (const release of releases.splice(0)) release()
@@ -82,7 +85,7 @@ function weaveInto(material: Material, warp: ThreeWarp, surface: WovenSurface): 
   const { onBeforeCompile, customProgramCacheKey } = material
   material.onBeforeCompile = function (shader, renderer) {
     onBeforeCompile.call(this, shader, renderer)
-    weaver.weave(shader, material)
+    weaver.weave(shader, material, renderer)
   }
   material.customProgramCacheKey = function () {
     return `${weaver.key} ${customProgramCacheKey.call(this)}`

@@ -1,5 +1,11 @@
 // Reads the options of `warp` and `warpMaterial`.
-import type { UniformExpressions, Vec3, WarpInputs } from '../compile/hosts.js'
+import {
+  type NormalsOption,
+  type UniformExpressions,
+  type Vec3,
+  type WarpInputs,
+  normalsKind,
+} from '../compile/hosts.js'
 import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
@@ -18,6 +24,13 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
   /** The values that the offset function reads as `uniforms`: numbers, lists of numbers, vectors, colours, matrices or
    * textures of three.js, or functions that return one of them, called once per frame. */
   uniforms?: Uniforms
+  /**
+   * The stage that computes normals: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'` chooses
+   * `'pixel'` for a warp that contains noise or bends strongly, unless that takes too many operations per pixel. A shader whose normals
+   * are changed after the warp, or that lights none of three's, keeps those of vertices.
+   * @default 'auto'
+   */
+  normals?: 'auto' | 'vertex' | 'pixel'
   /** `true` warps the material on every mesh that uses it. */
   share?: boolean
   /** `false` accepts that normal and uv count as constant over the surface, without a note. */
@@ -39,6 +52,7 @@ export interface Settings {
   method: string
   space: WarpSpace
   uniforms: object | undefined
+  normals: NormalsOption
   isShared: boolean
   surfaceVariation: false | undefined
 }
@@ -46,6 +60,7 @@ export interface Settings {
 const options = object({
   space: oneOf(['local', 'rest', 'world'], 'local'),
   uniforms: anything<object>(),
+  normals: normalsKind,
   share: boolean(false),
   surfaceVariation: optional(
     kind<false>('only false', (given) => given === false, {

@@ -1,11 +1,19 @@
 // Puts a warp into the shaders of a material, at the end of its `onBeforeCompile`.
-import type { Material, RawShaderMaterial, WebGLProgramParametersWithUniforms } from 'three'
+import type {
+  Material,
+  RawShaderMaterial,
+  WebGLProgramParametersWithUniforms,
+  WebGLRenderer,
+} from 'three'
 import { shaderNames } from '../compile/hosts.js'
 import { orientFaces } from './faces.js'
+import type { PixelNormals } from './pixel-normals.js'
+import { pixelNormalsFor } from './pixel-stage.js'
 import { fillOf } from './surface.js'
 import type { ThreeWarp } from './three-warp.js'
 import { inShader } from './uniforms.js'
 import { weave } from './weave.js'
+import { weavePixelNormals, weaveVertexNormals } from './weave-fragment.js'
 
 type Shader = WebGLProgramParametersWithUniforms
 
@@ -30,16 +38,21 @@ export class ShaderWeaver {
     private readonly warp: ThreeWarp,
     private readonly of: WovenSurface,
   ) {
-    this.key = `warpjet ${warp.key} ${of.hasColors}`
+    this.key = `warpjet ${warp.key} ${warp.normals} ${of.hasColors}`
     this.uniforms = uniformsFor(warp, of.surface)
   }
 
   /** If the warp does not fit into the shader, the shader stays as it is: an error here would leave `render()`. */
-  weave(shader: Shader, material: Material) {
+  weave(shader: Shader, material: Material, renderer: WebGLRenderer) {
+    const { warp } = this
     Object.assign(shader.uniforms, this.uniforms)
     try {
-      shader.vertexShader = this.weaveVertex(shader, material)
-      shader.fragmentShader = orientFaces(shader.fragmentShader, this.warp)
+      const pixel = pixelNormalsFor(shader, material, renderer, warp, this.of.name)
+      shader.vertexShader = this.weaveVertex(shader, material, pixel)
+      const fragmentShader = pixel
+        ? weavePixelNormals(shader.fragmentShader, pixel, shader.precision)
+        : weaveVertexNormals(shader.fragmentShader)
+      shader.fragmentShader = orientFaces(fragmentShader, warp)
     } catch (error) {
       console.error(
         `${this.warp.settings.method}: ${this.of.name} is drawn without the warp: ${(error as Error).message}`,
@@ -47,7 +60,11 @@ export class ShaderWeaver {
     }
   }
 
-  private weaveVertex({ vertexShader, vertexTangents = true }: Shader, material: Material) {
+  private weaveVertex(
+    { vertexShader, vertexTangents = true }: Shader,
+    material: Material,
+    pixel: PixelNormals | undefined,
+  ) {
     const { isRawShaderMaterial, isShaderMaterial, glslVersion } =
       material as Partial<RawShaderMaterial>
     const options = {
@@ -57,10 +74,10 @@ export class ShaderWeaver {
       isRaw: isRawShaderMaterial === true,
       isGlsl100: isRawShaderMaterial === true && glslVersion !== '300 es',
     }
-    const before = `${Object.values(options).join()} ${vertexShader}`
+    const before = `${Object.values(options).join()} ${pixel?.options.matrices} ${vertexShader}`
     if (!woven.has(this.warp)) woven.set(this.warp, new Map())
     const known = woven.get(this.warp)!
-    if (!known.has(before)) known.set(before, weave(vertexShader, this.warp, options))
+    if (!known.has(before)) known.set(before, weave(vertexShader, this.warp, options, pixel))
     return known.get(before)!
   }
 }

@@ -3,6 +3,7 @@ import {
   type FrameConstants,
   type HostText,
   HostWarp,
+  type NormalStage,
   type OffsetFunction,
   type Result,
   type Target,
@@ -18,10 +19,15 @@ import { three } from './values.js'
 /** The last of position, normal and tangent that a text computes. */
 export type Turned = 'position' | 'normal' | 'tangent'
 
-const resultsOf: Record<Turned, readonly Result[]> = {
+/** The results of a text in the vertex stage, or in the fragment stage. */
+export type Stage = Turned | 'normal of pixel' | 'tangent of pixel'
+
+const resultsOf: Record<Stage, readonly Result[]> = {
   position: ['offset', 'position'],
   normal: ['offset', 'position', 'normal'],
   tangent: ['offset', 'position', 'normal', 'tangent'],
+  'normal of pixel': ['normal'],
+  'tangent of pixel': ['normal', 'tangent'],
 }
 
 interface Box {
@@ -33,6 +39,8 @@ interface Box {
 export class ThreeWarp extends HostWarp {
   /** Maps the user's names to uniforms, as three.js has them. */
   readonly handles: Readonly<Record<string, UniformHandle<unknown>>>
+  /** The stage that computes normals. */
+  readonly normals: NormalStage
   /** In milliseconds. */
   readonly millis = { value: 0 }
   /** `true` if it mirrors all of space with the present uniforms. */
@@ -57,9 +65,10 @@ export class ThreeWarp extends HostWarp {
       surfaceVariation: settings.surfaceVariation ?? true,
     })
     this.handles = handlesOf(settings.method, this.uniforms)
+    this.normals = this.stageOfNormals(settings.normals)
   }
 
-  textFor(target: Target, turned: Turned, names: Record<string, string>): HostText {
+  textFor(target: Target, turned: Stage, names: Record<string, string>): HostText {
     const key = JSON.stringify([target, turned, names])
     let text = this.texts.get(key)
     if (!text) this.texts.set(key, (text = this.text(target, resultsOf[turned], { names })))

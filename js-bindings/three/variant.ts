@@ -56,7 +56,7 @@ export class Variant extends ForwardingMaterial {
       if (added.length) this.added = addedUniformsOf(original)
       this.added?.note(added, shader.uniforms, original, renderer)
     }
-    this.weaver.weave(shader, original)
+    this.weaver.weave(shader, original, renderer)
   }
 
   customProgramCacheKey() {

@@ -1,12 +1,18 @@
 // Writes the statements that warp the vertex and its normals in a vertex shader of WebGLRenderer.
 import { shaderNames } from '../compile/hosts.js'
+import type { PixelNormals } from './pixel-normals.js'
 import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 import type { Surface, WarpCode } from './warp-code.js'
 
 /** The statements that warp `transformed` and the normals. */
-export function warpBlock(code: WarpCode, isLit: boolean, isUnchanged: boolean): string {
-  const lit = isUnchanged ? fromObject(code) : fromView(code)
+export function warpBlock(
+  code: WarpCode,
+  isLit: boolean,
+  isUnchanged: boolean,
+  pixel: PixelNormals | undefined,
+): string {
+  const lit = isUnchanged ? fromObject(code, pixel) : fromView(code)
   const unlit = positionOnly(code)
   const both = `#if defined( WARPJET_OBJECT_NORMAL ) && defined( WARPJET_TRANSFORMED_NORMAL ) && ! defined( WARPJET_NORMAL_DONE )
 ${lit}
@@ -15,7 +21,7 @@ ${unlit}
 #endif`
   return `{
 vec3 warpjetStart = transformed;
-${code.preparation}${code.guard(isLit ? both : unlit)}
+${code.preparation}${code.isWorld && pixel ? `${pixel.clear}\n` : ''}${code.guard(isLit ? both : unlit)}
 }`
 }
 
@@ -48,10 +54,10 @@ warpjetObjectNormal = objectNormal;
 }
 
 /** Position and normals, where only three's own lines have made the normal. */
-function fromObject(code: WarpCode) {
+function fromObject(code: WarpCode, pixel: PixelNormals | undefined) {
   const { code: statements, position, ...surface } = code.evaluate('warpjetStart', atObject)
   return `${statements}
-transformed = ${position};
+${pixel ? `${pixel.pass(code.names)}\n` : ''}transformed = ${position};
 vec3 warpjetViewNormal;
 ${toView(code, surface, true)}
 transformedNormal = warpjetViewNormal;`

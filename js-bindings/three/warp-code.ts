@@ -7,6 +7,7 @@ import {
   variationNames,
 } from '../compile/hosts.js'
 import { declareOrientation } from './faces.js'
+import { byTangent, uniformsInGlsl } from './glsl.js'
 import type { ThreeWarp, Turned } from './three-warp.js'
 
 /** A normal and a tangent in the units of the object, before the warp. */
@@ -35,7 +36,7 @@ interface CodeOptions {
 }
 
 export class WarpCode {
-  private readonly isWorld: boolean
+  readonly isWorld: boolean
   /** With tangents and without, or only the position. */
   private readonly texts: readonly HostText[]
 
@@ -56,12 +57,11 @@ export class WarpCode {
   get declarations(): string {
     const { warp, texts } = this
     const variation = variationNames.filter((name) => this.reads(name))
-    const frame = new Set(texts.flatMap(({ frame }) => frame))
+    const [millis, ...uniforms] = uniformsInGlsl(warp, texts)
     return [
-      `uniform highp float ${shaderNames.millis};`,
+      millis,
       'uniform highp vec4 warpjetFill;',
-      ...warp.uniforms.inShader.map(({ label, type }) => `uniform highp ${type} ${label};`),
-      ...[...frame].map((name) => `uniform highp vec4 ${name};`),
+      ...uniforms,
       ...declareOrientation(warp),
       ...variation.map((name) => `attribute vec3 ${variationAttribute(name)};`),
       ...(this.options.hasColors ? [declareColor] : []),
@@ -134,7 +134,8 @@ if ( warpjetLength > 0.0 ) warpjetRestNormal /= warpjetLength;`
     return this.warp.textFor(this.options.target ?? 'glsl300', turned, this.names)
   }
 
-  private get names(): Record<string, string> {
+  /** Maps an input → its expression in the statements. */
+  get names(): Record<string, string> {
     const variation = variationNames.map((name) => [
       name,
       this.isWorld ? `warpjet_${name}` : variationAttribute(name),
@@ -154,11 +155,6 @@ function turnedBy({ isLit, mayHaveTangents }: CodeOptions): Turned[] {
   if (!isLit) return ['position']
   return mayHaveTangents ? ['tangent', 'normal'] : ['normal']
 }
-
-const byTangent = (texts: readonly HostText[], part: (text: HostText) => string) =>
-  texts.length === 1
-    ? part(texts[0]!)
-    : `#ifdef USE_TANGENT\n${part(texts[0]!)}\n#else\n${part(texts[1]!)}\n#endif`
 
 const declareColor = `#if ! defined( USE_COLOR ) && ! defined( USE_COLOR_ALPHA )
 attribute vec4 color;

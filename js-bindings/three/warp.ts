@@ -35,6 +35,7 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
   const tree = new WarpedTree(object, settings, () => new ThreeWarp(offset as never, settings))
   return {
     uniforms: tree.warp.handles as never,
+    normals: tree.warp.normals,
     update: updateOf(tree.warp),
     bounds: () => boundsOf(object, tree.parts),
     raycast: (raycaster, intersects) =>

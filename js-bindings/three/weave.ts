@@ -7,9 +7,10 @@
  * object, warped, and led forth again.
  */
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
+import { type PixelNormals, markViewPosition, passViewPosition } from './pixel-normals.js'
 import type { ThreeWarp } from './three-warp.js'
-import { WarpCode } from './warp-code.js'
 import { atObject, orientBitangent, warpBlock } from './warp-block.js'
+import { WarpCode } from './warp-code.js'
 import { readsNormal, readsPosition, weaveAttributes, wrapMain } from './weave-attributes.js'
 import type { WeaveOptions } from './weave-options.js'
 
@@ -33,8 +34,13 @@ function splitAtAnchor(source: string) {
     : { top: source.slice(0, start), main: source.slice(start) }
 }
 
-/** A vertex shader with the warp in it. */
-export function weave(vertexShader: string, warp: ThreeWarp, options: WeaveOptions): string {
+/** Returns a vertex shader with the warp in it. With `pixel` it also passes what normals at each pixel need. */
+export function weave(
+  vertexShader: string,
+  warp: ThreeWarp,
+  options: WeaveOptions,
+  pixel?: PixelNormals,
+): string {
   const source = resolveIncludes(vertexShader)
   const parts = splitAtAnchor(source)
   if (!parts) return weaveAttributes(source, warp, options)
@@ -51,15 +57,39 @@ export function weave(vertexShader: string, warp: ThreeWarp, options: WeaveOptio
   const before = parts.main.slice(0, start)
   const isRest = warp.settings.space === 'rest'
   const isStock = isUnchanged(before)
-  const block = warpBlock(code, isLit, isStock)
+  const block = warpBlock(code, isLit, isStock, pixel)
   const kept = isStock ? withoutFirstRun(before) : before
-  const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block) : kept)}
+  const after = parts.main.slice(start)
+  const main = `${markNormals(isRest ? weaveAtRest(before, code, isLit, block, pixel) : kept)}
 ${isRest ? once('WARPJET_POSITION_DONE', block) : block}
-${isRest ? afterPose(warp) : ''}${parts.main.slice(start)}`
+${isRest ? afterPose(warp) : ''}${pixel ? passToPixels(after, pixel) : after}`
   const top = markVaryings(parts.top)
-  return readsAttribute
-    ? wrapMain(`${top}\n${main}`, code, ['normal'], options)
-    : `${top}\n${code.declarations}\n${main}`
+  if (readsAttribute) return wrapMain(`${top}\n${main}`, code, ['normal'], options)
+  const declarations = pixel ? `${code.declarations}\n${pixel.varyings}` : code.declarations
+  return `${pixel ? markViewPosition(top) : top}\n${declarations}\n${main}`
+}
+
+const assignment = /\b(?:vNormal|vTangent|vBitangent)\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
+
+const projection = /\bgl_Position\s*=\s*projectionMatrix\s*\*\s*mvPosition\s*;/
+
+const passToPixels = (after: string, pixel: PixelNormals) =>
+  `${pixel.passMatrices}\n${after.replace(projection, `$&\n${passViewPosition}`)}`
+
+/** Returns why a vertex shader cannot leave the normals to the fragment shader; `undefined` if it can. */
+export function obstacleInVertex(vertexShader: string): string | undefined {
+  const source = resolveIncludes(vertexShader)
+  const { main = '' } = splitAtAnchor(source) ?? {}
+  const before = main.slice(0, anchor.exec(main)?.index)
+  if (
+    !/\btransformedNormal\b/.test(main) ||
+    !isUnchanged(before) ||
+    assignment.test(withoutChunks(source))
+  )
+    return 'its vertex shader changes normals by statements that three.js does not have'
+  return projection.test(main)
+    ? undefined
+    : "its vertex shader lacks three's line gl_Position = projectionMatrix * mvPosition;"
 }
 
 /** Lets the preprocessor know which variables there are, also where that depends on conditions. */
@@ -90,13 +120,19 @@ const withoutFirstRun = (main: string) =>
     .replace(chunkSource('normal_vertex'), '')
 
 /** Puts the warp in front of morph targets and bones. */
-function weaveAtRest(before: string, code: WarpCode, isLit: boolean, block: string): string {
+function weaveAtRest(
+  before: string,
+  code: WarpCode,
+  isLit: boolean,
+  block: string,
+  pixel: PixelNormals | undefined,
+): string {
   const { code: statements, normal, tangent } = code.evaluate('warpjetStart', atObject)
   const normals = `vec3 warpjetRestObjectNormal = objectNormal;
 {
 vec3 warpjetStart = vec3( position );
 ${code.preparation}${statements}
-objectNormal = ${normal};
+${pixel ? `${pixel.pass(code.names)}\n` : ''}objectNormal = ${normal};
 #ifdef USE_TANGENT
 objectTangent = ${tangent};
 #endif

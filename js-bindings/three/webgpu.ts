@@ -95,6 +95,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   return {
     material: carrying as Kind,
     uniforms: warp.handles as never,
+    normals: warp.normals,
     update: updateOf(warp),
     dispose() {
       release()
@@ -117,6 +118,7 @@ export function warpNode<const Uniforms extends ThreeUniforms = {}>(
   return {
     node: markNode(nodeFor(warp), warp) as unknown as Node,
     uniforms: warp.handles as never,
+    normals: warp.normals,
     update: updateOf(warp),
   }
 }

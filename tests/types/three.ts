@@ -60,6 +60,13 @@ warp(new Mesh(), ({ glsl, uniforms: { two } }) => glsl.vec3(two.z()), {
 })
 // @ts-expect-error the option has three values
 warp(new Group(), ({ position }) => position, { space: 'view' })
+const stage: 'vertex' | 'pixel' = warp(new Mesh(), ({ position }) => position, {
+  normals: 'pixel',
+}).normals
+warpMaterial(new MeshStandardMaterial(), ({ position }) => position, { normals: 'auto' })
+  .normals === stage
+// @ts-expect-error the option has three values
+warp(new Group(), ({ position }) => position, { normals: true })
 // @ts-expect-error three.js has no mouse
 warp(new Group(), ({ mouse, glsl }) => glsl.vec3(mouse, 0))
 // @ts-expect-error nor its components
@@ -74,6 +81,6 @@ made.material.roughness = 1
 export const options: WarpOptions = { space: 'world', surfaceVariation: false }
 new MeshStandardNodeMaterial().positionNode = warpNode(({ position }) => position.mult(2)).node
 
-createElement(Warp, { offset: ({ position }) => position, space: 'rest' })
+createElement(Warp, { offset: ({ position }) => position, space: 'rest', normals: 'vertex' })
 // @ts-expect-error there must be an offset
 createElement(Warp, {})

@@ -11,7 +11,8 @@ import type { Material, Object3D } from 'three'
 import { NodeMaterial, Renderer } from 'three/webgpu'
 import * as TSL from 'three/tsl'
 import type { AnyNode } from './tsl.js'
-import { type Builder, setupWarped } from './vertex.js'
+import type { Builder } from './builder.js'
+import { setupWarped } from './vertex.js'
 import type { ThreeWarp } from '../three-warp.js'
 
 /** Maps what is warped, an object or a material on all objects, → its warp. */
@@ -70,6 +71,7 @@ interface Drawing {
 /** The methods of NodeMaterial that are replaced, and what they use. */
 interface Methods {
   positionNode: unknown
+  setupNormal(builder: Builder): unknown
   setupPosition(builder: Builder): unknown
   setupPositionView(builder: Builder): unknown
   setupObserver(builder: Builder): { hasNode: boolean }

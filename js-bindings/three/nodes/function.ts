@@ -8,7 +8,7 @@
  * would gain nothing.
  */
 import { shaderNames, variationNames } from '../../compile/hosts.js'
-import type { ThreeWarp, Turned } from '../three-warp.js'
+import type { Stage, ThreeWarp } from '../three-warp.js'
 import { type Call, tsl } from './tsl.js'
 
 /** Maps an input of the warp → the name of its parameter. */
@@ -32,56 +32,72 @@ const wgslTypes: Record<string, string> = {
   sampler2D: 'texture_2d<f32>',
 }
 
-const textOf = (warp: ThreeWarp, turned: Turned, isWebGPU: boolean) =>
-  warp.textFor(isWebGPU ? 'wgsl' : 'glsl300', turned, {
+const isOfPixel = (stage: Stage) => stage.endsWith('of pixel')
+const hasTangents = (stage: Stage) => stage.startsWith('tangent')
+
+const textOf = (warp: ThreeWarp, stage: Stage, isWebGPU: boolean) =>
+  warp.textFor(isWebGPU ? 'wgsl' : 'glsl300', stage, {
     ...parameterNames,
     tangent: `${isWebGPU ? 'vec4f' : 'vec4'}(${parameterNames.tangent}, 1.0)`,
   })
 
+const vertexTypes: Record<string, string> = {
+  position: 'vec3',
+  normal: 'vec3',
+  tangent: 'vec3',
+  uv: 'vec2',
+  color: 'vec4',
+  ...Object.fromEntries(variationNames.map((name) => [name, 'vec3'])),
+}
+
+/** Returns the inputs of a vertex that the function has parameters for: in the vertex stage, also some that it does not read. */
+export function inputsOfStage(
+  warp: ThreeWarp,
+  stage: Stage,
+  isWebGPU: boolean,
+): [input: string, type: string][] {
+  const inputs = new Set(textOf(warp, stage, isWebGPU).attributes.map(({ name }) => name))
+  if (!isOfPixel(stage)) {
+    inputs.add('position')
+    if (stage !== 'position') inputs.add('normal')
+    if (stage === 'tangent') inputs.add('tangent')
+    if (stage === 'position') inputs.delete('normal')
+  }
+  return Object.entries(vertexTypes).filter(([input]) => inputs.has(input))
+}
+
 /** The names and types of the parameters. */
 export function parametersOf(
   warp: ThreeWarp,
-  turned: Turned,
+  stage: Stage,
   isWebGPU: boolean,
 ): [name: string, type: string][] {
-  const { attributes, frame } = textOf(warp, turned, isWebGPU)
-  const read = new Set(attributes.map(({ name }) => name))
-  const optional = [
-    ['uv', 'vec2'],
-    ['color', 'vec4'],
-    ...variationNames.map((name) => [name, 'vec3']),
-  ]
-  const vertex = [
-    ['position', 'vec3'],
-    ...(turned === 'position' ? [] : [['normal', 'vec3']]),
-    ...(turned === 'tangent' ? [['tangent', 'vec3']] : []),
-    ...optional.filter(([name]) => read.has(name!)),
-  ]
+  const { frame } = textOf(warp, stage, isWebGPU)
   return [
-    ...vertex.map(([name, type]): [string, string] => [parameterNames[name!]!, type!]),
+    ...inputsOfStage(warp, stage, isWebGPU).map(([input, type]): [string, string] => [
+      parameterNames[input]!,
+      type,
+    ]),
     [shaderNames.millis, 'float'],
     ...frame.map((name): [string, string] => [name, 'vec4']),
     ...warp.uniforms.inShader.map(({ label, type }): [string, string] => [label, type]),
   ]
 }
 
-/** The function. It returns the position, or a matrix with the columns position, normal and tangent. */
-export function functionFor(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): Call {
-  const { code, declarations } = textOf(warp, turned, isWebGPU)
-  const parameters = parametersOf(warp, turned, isWebGPU)
-  const name = `warpjet_${warp.key}_${turned}`
+/**
+ * The function. In the vertex stage it returns the position, or a matrix with the columns position, normal and tangent; for pixels the
+ * normal, or a matrix with the columns normal and tangent.
+ */
+export function functionFor(warp: ThreeWarp, stage: Stage, isWebGPU: boolean): Call {
+  const { code, declarations } = textOf(warp, stage, isWebGPU)
+  const parameters = parametersOf(warp, stage, isWebGPU)
+  const name = `warpjet_${warp.key}_${stage.replaceAll(' ', '_')}`
   const vec3 = isWebGPU ? 'vec3f' : 'vec3'
   const mat3 = isWebGPU ? 'mat3x3f' : 'mat3'
-  const type = turned === 'position' ? vec3 : mat3
-  // The normal is zero if the surface collapses. A short one in its place is never NaN, and its neighbours outweigh it.
-  const normal = isWebGPU
-    ? `select(${shaderNames.normal}, warpjetRestNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
-    : `(${shaderNames.normal} == vec3(0.0) ? warpjetRestNormal * 1e-6 : ${shaderNames.normal})`
-  const tangent = turned === 'tangent' ? `${shaderNames.tangent}.xyz` : `${vec3}(0.0)`
-  const result =
-    turned === 'position'
-      ? shaderNames.position
-      : `${mat3}(${shaderNames.position}, ${normal}, ${tangent})`
+  const columns = columnsOf(stage, isWebGPU)
+  const type = columns.length === 1 ? vec3 : mat3
+  const zeros = Array<string>(3 - columns.length).fill(`${vec3}(0.0)`)
+  const result = columns.length === 1 ? columns[0] : `${mat3}(${[...columns, ...zeros].join(', ')})`
   const body = `{\n${code}\nreturn ${result};\n}`
   if (isWebGPU) {
     const list = parameters.map(([name, type]) => `${name}: ${wgslTypes[type]}`)
@@ -91,4 +107,15 @@ export function functionFor(warp: ThreeWarp, turned: Turned, isWebGPU: boolean):
   const list = parameters.map(([name, type]) => `${type} ${name}`)
   const includes = declarations ? [tsl.glsl(declarations)] : []
   return tsl.glslFn(`${type} ${name}(${list.join(', ')}) ${body}`, includes)
+}
+
+function columnsOf(stage: Stage, isWebGPU: boolean): string[] {
+  const tangents = hasTangents(stage) ? [`${shaderNames.tangent}.xyz`] : []
+  if (isOfPixel(stage)) return [shaderNames.normal, ...tangents]
+  if (stage === 'position') return [shaderNames.position]
+  // The normal is zero if the surface collapses. A short one in its place is never NaN, and its neighbours outweigh it.
+  const normal = isWebGPU
+    ? `select(${shaderNames.normal}, warpjetRestNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
+    : `(${shaderNames.normal} == vec3(0.0) ? warpjetRestNormal * 1e-6 : ${shaderNames.normal})`
+  return [shaderNames.position, normal, ...tangents]
 }

@@ -14,7 +14,18 @@ export interface AnyNode {
   element(i: number): AnyNode
   transpose(): AnyNode
   toVar(): AnyNode
+  cross(value: unknown): AnyNode
+  dot(value: unknown): AnyNode
+  negate(): AnyNode
+  greaterThan(value: unknown): AnyNode
+  normalize(): AnyNode
+  mod(value: unknown): AnyNode
+  add(value: unknown): AnyNode
+  x: AnyNode
+  y: AnyNode
+  z: AnyNode
   xyz: AnyNode
+  w: AnyNode
 }
 
 /** The object that three.js passes to updates of nodes, one per renderer. */
@@ -37,6 +48,24 @@ interface Nodes {
   modelWorldMatrix: AnyNode
   modelWorldMatrixInverse: AnyNode
   modelNormalMatrix: AnyNode
+  modelViewMatrix: AnyNode
+  cameraViewMatrix: AnyNode
+  normalViewGeometry: AnyNode
+  normalFlat: AnyNode
+  tangentView: AnyNode
+  bitangentView: AnyNode
+  faceDirection: AnyNode
+  /** Missing in older versions. */
+  batchIndirectIndex: AnyNode | undefined
+  referenceAttribute: ((name: string, type: string) => AnyNode) | undefined
+  varyingProperty(type: string, name: string): AnyNode
+  transformNormalToView(normal: AnyNode): AnyNode
+  select(condition: AnyNode, value: unknown, other: unknown): AnyNode
+  sign(value: unknown): AnyNode
+  int(value: unknown): AnyNode
+  ivec2(...values: unknown[]): AnyNode
+  textureLoad(texture: Texture, at?: AnyNode): AnyNode
+  textureSize(texture: AnyNode, level: number): AnyNode
   velocity: { previousModelWorldMatrix: AnyNode }
   Fn(work: (builder: never) => unknown): () => AnyNode
   wgslFn(code: string, includes?: unknown[]): Call
@@ -52,6 +81,7 @@ interface Nodes {
   length(value: unknown): AnyNode
   max(...values: unknown[]): AnyNode
   inverse(matrix: unknown): AnyNode
+  vec2(...values: unknown[]): AnyNode
   vec3(...values: unknown[]): AnyNode
   vec4(...values: unknown[]): AnyNode
   mat3(...values: unknown[]): AnyNode

@@ -1,52 +1,17 @@
 // A warp in the vertex stage of a material of WebGPURenderer, on both its backends: positions, normals, tangents, and where the
 // vertex was in the frame before, for velocities.
-import type { Material, Mesh } from 'three'
 import { shaderNames, variationAttribute, variationNames } from '../../compile/hosts.js'
-import { functionFor, parameterNames, parametersOf } from './function.js'
-import { type NodesByName, previousUniformsOf, uniformsOf } from './uniforms.js'
+import { nameOf } from '../describe.js'
+import { warnOfVertices } from '../notes.js'
 import type { ThreeWarp, Turned } from '../three-warp.js'
+import type { Builder } from './builder.js'
+import { parameterNames, parametersOf } from './function.js'
+import { instancesOf, isPosed, isSkinned, withoutInstances } from './instances.js'
+import { type NormalMaterial, type PixelNormals, pixelNormalsFor } from './pixel.js'
 import { type Space, local, world } from './spaces.js'
-import { type AnyNode, type Call, tsl } from './tsl.js'
-
-/** The part of three's NodeBuilder that we use. It builds the shaders of an object. */
-export interface Builder {
-  context: Record<string, unknown>
-  getFrontFacing(): string
-  needsPreviousData(): boolean
-  object: Mesh
-  geometry: Mesh['geometry']
-  material: Material
-  renderer: { backend: { isWebGPUBackend?: boolean } }
-}
-
-/** The nodes of a warp, shared by all shaders that it is in. */
-class WarpNodes {
-  readonly uniforms: NodesByName
-  private readonly functions = new Map<string, Call>()
-  private previous: NodesByName | undefined
-
-  constructor(private readonly warp: ThreeWarp) {
-    this.uniforms = uniformsOf(warp)
-  }
-
-  get previousUniforms(): NodesByName {
-    return (this.previous ??= { ...this.uniforms, ...previousUniformsOf(this.warp) })
-  }
-
-  call(turned: Turned, isWebGPU: boolean): Call {
-    const key = `${isWebGPU} ${turned}`
-    if (!this.functions.has(key)) this.functions.set(key, functionFor(this.warp, turned, isWebGPU))
-    return this.functions.get(key)!
-  }
-}
-
-const known = new WeakMap<ThreeWarp, WarpNodes>()
-
-function nodesOf(warp: ThreeWarp): WarpNodes {
-  let nodes = known.get(warp)
-  if (!nodes) known.set(warp, (nodes = new WarpNodes(warp)))
-  return nodes
-}
+import { type AnyNode, tsl } from './tsl.js'
+import type { NodesByName } from './uniforms.js'
+import { nodesOf } from './warp-nodes.js'
 
 /**
  * Adds a warp to the vertex that is being built. `setup` is what three.js does in its place: morph targets, bones,
@@ -57,22 +22,26 @@ function nodesOf(warp: ThreeWarp): WarpNodes {
 export function setupWarped(
   warp: ThreeWarp,
   builder: Builder,
-  material: { positionNode: unknown },
+  material: NormalMaterial,
   setup: () => void,
 ) {
   const { object } = builder
   const { space } = warp.settings
+  const pixel = pixelNormalsFor(warp, builder, material)
   orientFaces(warp, builder)
   const instances = space === 'local' ? instancesOf(object) : undefined
-  if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious))
+  if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious), pixel)
   if (instances) withoutInstances(builder, material, setup)
   else setup()
-  if (space === 'world') moveVertex(warp, builder, world(isPosed(object)))
-  if (space === 'local')
-    moveVertex(warp, builder, local(isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal))
-  if (!instances) return
-  instances(object)
-  if (material.positionNode) displace(builder, material.positionNode)
+  if (space === 'world') moveVertex(warp, builder, world(isPosed(object)), pixel)
+  if (space === 'local') {
+    const previous = isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal
+    moveVertex(warp, builder, local(previous), pixel)
+  }
+  instances?.(object)
+  pixel?.passMatrix()
+  if (instances && material.positionNode) displace(builder, material.positionNode)
+  pixel?.replaceNormals()
 }
 
 /** Applies a `positionNode` like three.js, and assumes that it displaced the vertex in the frame before as it does now. */
@@ -80,46 +49,6 @@ function displace(builder: Builder, positionNode: unknown) {
   const before = tsl.positionLocal.toVar()
   tsl.positionLocal.assign(tsl.subBuild(positionNode, 'POSITION', 'vec3'))
   if (builder.needsPreviousData()) tsl.positionPrevious.addAssign(tsl.positionLocal.sub(before))
-}
-
-/** Sets up all that comes before the matrices of instances, which three.js applies in its own `setup`. */
-function withoutInstances(
-  builder: Builder,
-  material: { positionNode: unknown },
-  setup: () => void,
-) {
-  const { object } = builder
-  const { positionNode } = material
-  const isNone = { value: false }
-  builder.object = Object.create(object, { isInstancedMesh: isNone, isBatchedMesh: isNone })
-  material.positionNode = null
-  try {
-    setup()
-  } finally {
-    builder.object = object
-    material.positionNode = positionNode
-  }
-}
-
-interface Kind {
-  isSkinnedMesh?: boolean
-  isInstancedMesh?: boolean
-  isBatchedMesh?: boolean
-  instanceMatrix?: { isInstancedBufferAttribute?: boolean }
-}
-
-const isSkinned = (object: object) => (object as Kind).isSkinnedMesh === true
-
-/** Tests whether three.js has applied matrices of the frame before to `positionPrevious`. */
-const isPosed = (object: object) => isSkinned(object) || instancesOf(object) !== undefined
-
-/** Applies the matrices of instances; `undefined` for an object that has none. */
-function instancesOf(object: object) {
-  const { isBatchedMesh, isInstancedMesh, instanceMatrix } = object as Kind
-  if (isBatchedMesh) return tsl.batch
-  // Three.js leaves other matrices to the user, such as those that compute shaders write.
-  const isOfThree = isInstancedMesh && instanceMatrix?.isInstancedBufferAttribute
-  return isOfThree ? tsl.instancedMesh : undefined
 }
 
 /** Swaps front and back if the warp mirrors all of space: the renderer takes the outer side of a triangle for its back then. */
@@ -131,7 +60,7 @@ function orientFaces(warp: ThreeWarp, builder: Builder) {
     `( ${getFrontFacing()} == ( ${orientation.build(builder, 'float')} > 0.0 ) )`
 }
 
-function moveVertex(warp: ThreeWarp, builder: Builder, space: Space) {
+function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, pixel?: PixelNormals) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
   const turned: Turned = geometry.hasAttribute('tangent')
@@ -142,19 +71,21 @@ function moveVertex(warp: ThreeWarp, builder: Builder, space: Space) {
   const nodes = nodesOf(warp)
   const call = nodes.call(turned, isWebGPU)
   const parameters = parametersOf(warp, turned, isWebGPU)
+  const inputsFor = (position: AnyNode, uniforms: NodesByName): Record<string, unknown> => ({
+    ...uniforms,
+    ...inputsOf(builder, uniforms, space.isLocal),
+    [parameterNames.position!]: position,
+    ...(turned !== 'position' && { [parameterNames.normal!]: space.normal() }),
+    ...(turned === 'tangent' && { [parameterNames.tangent!]: space.tangent() }),
+  })
   const resultFor = (position: AnyNode, uniforms: NodesByName) => {
-    const inputs: Record<string, unknown> = {
-      ...uniforms,
-      ...inputsOf(builder, uniforms, space.isLocal),
-      [parameterNames.position!]: position,
-      ...(turned !== 'position' && { [parameterNames.normal!]: space.normal() }),
-      ...(turned === 'tangent' && { [parameterNames.tangent!]: space.tangent() }),
-    }
+    const inputs = inputsFor(position, uniforms)
     return call(Object.fromEntries(parameters.map(([name]) => [name, inputs[name]])))
   }
   const position = (result: AnyNode) => (turned === 'position' ? result : result.element(0))
   if (builder.needsPreviousData())
     space.assignPrevious(position(resultFor(space.previous(), nodes.previousUniforms)))
+  pixel?.pass(inputsFor(space.position, nodes.uniforms))
   const result = resultFor(space.position, nodes.uniforms)
   space.assign(
     position(result),
@@ -195,6 +126,8 @@ export const nodeFor = (warp: ThreeWarp): AnyNode =>
     const { object } = builder
     const isWorld = warp.settings.space === 'world'
     const instances = isWorld ? undefined : instancesOf(object)
+    if (warp.settings.normals === 'pixel')
+      warnOfVertices(warp, nameOf(object), 'its node is only a part of a positionNode')
     orientFaces(warp, builder)
     if (instances) restoreGeometry(builder)
     moveVertex(warp, builder, isWorld ? world(isPosed(object)) : local(tsl.positionLocal))

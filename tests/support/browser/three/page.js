@@ -67,7 +67,7 @@ function sabotagedRenderer(sabotage) {
 /** Counts the pixels that differ between the warp and the motion → { differing, moved, afterwards }. */
 export function compare(
   name,
-  { light = 'directional', space, sabotage, map = 'PCF', options = {} },
+  { light = 'directional', space, normals, sabotage, map = 'PCF', options = {} },
 ) {
   const make = scenes.shapes[name]
   renderer = sabotage ? sabotagedRenderer(sabotage) : rendererFor(options)
@@ -80,7 +80,7 @@ export function compare(
   free(reference)
   const object = scenes.unmoved(make)
   const scene = scenes.sceneOf(object, light)
-  const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
+  const warped = warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms() })
   warped.update(1000)
   const shown = draw(scene)
   warped.dispose()
@@ -94,7 +94,7 @@ export function compare(
 }
 
 /** Does the same for a mirroring motion and double-sided materials, with a constant matrix if `isKnown`, otherwise with uniforms. */
-export function mirror(name, { light = 'directional', space, isKnown = false }) {
+export function mirror(name, { light = 'directional', space, normals, isKnown = false }) {
   const make = scenes.shapes[name]
   renderer = rendererFor({})
   renderer.shadowMap.type = THREE.PCFShadowMap
@@ -110,8 +110,8 @@ export function mirror(name, { light = 'directional', space, isKnown = false }) 
   const expected = pictureOf(scenes.flipBitangents(makeDoubleSided(reference)))
   const object = makeDoubleSided(scenes.unmoved(make))
   const warped = isKnown
-    ? warp(object, scenes.constantOffset(mirroredMotion), { space })
-    : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
+    ? warp(object, scenes.constantOffset(mirroredMotion), { space, normals })
+    : warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms(mirroredMotion) })
   warped.update(1000)
   const shown = pictureOf(object)
   warped.dispose()

@@ -15,12 +15,12 @@ const { GTAOPass } = await import('three/addons/postprocessing/GTAOPass.js').cat
 
 /** Makes a row that draws with a composer with one pass, which `make` creates. */
 const pass =
-  (make, { isFirst = false } = {}) =>
+  (make, { isFirst = false, options } = {}) =>
   ({ put, renderer }) => {
     const scene = litScene()
     const object = mesh()
     scene.add(object, floor())
-    put(object)
+    put(object, options)
     const view = camera()
     const composer = new EffectComposer(renderer)
     composer.setPixelRatio(1)
@@ -46,6 +46,8 @@ export const rows = {
   }),
   RenderPixelated: pass((scene, view) => new RenderPixelatedPass(3, scene, view), {
     isFirst: true,
+    // It outlines edges between normals of the size of a pixel. The vertices moved by hand have normals that three.js interpolates.
+    options: { normals: 'vertex' },
   }),
   SAO: pass((scene, view) => {
     const made = new SAOPass(scene, view)

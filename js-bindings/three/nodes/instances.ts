@@ -1,0 +1,78 @@
+// Instances and bones: which objects have matrices of their own, and when three.js applies them.
+import type { BufferGeometry, Texture } from 'three'
+import type { Builder } from './builder.js'
+import { type AnyNode, tsl } from './tsl.js'
+
+/** Sets up all that comes before the matrices of instances, which three.js applies in its own `setup`. */
+export function withoutInstances(
+  builder: Builder,
+  material: { positionNode: unknown },
+  setup: () => void,
+) {
+  const { object } = builder
+  const { positionNode } = material
+  const isNone = { value: false }
+  builder.object = Object.create(object, { isInstancedMesh: isNone, isBatchedMesh: isNone })
+  material.positionNode = null
+  try {
+    setup()
+  } finally {
+    builder.object = object
+    material.positionNode = positionNode
+  }
+}
+
+interface Kind {
+  isSkinnedMesh?: boolean
+  isInstancedMesh?: boolean
+  isBatchedMesh?: boolean
+  instanceMatrix?: { isInstancedBufferAttribute?: boolean }
+  _matricesTexture?: Texture
+  geometry?: BufferGeometry
+}
+
+export const isSkinned = (object: object) => (object as Kind).isSkinnedMesh === true
+
+/** Tests whether three.js has applied matrices of the frame before to `positionPrevious`. */
+export const isPosed = (object: object) => isSkinned(object) || instancesOf(object) !== undefined
+
+/** Applies the matrices of instances; `undefined` for an object that has none. */
+export function instancesOf(object: object) {
+  const { isBatchedMesh, isInstancedMesh, instanceMatrix } = object as Kind
+  if (isBatchedMesh) return tsl.batch
+  // Three.js leaves other matrices to the user, such as those that compute shaders write.
+  const isOfThree = isInstancedMesh && instanceMatrix?.isInstancedBufferAttribute
+  return isOfThree ? tsl.instancedMesh : undefined
+}
+
+/** The number of attributes that a vertex shader can read. */
+const maxAttributes = 16
+
+/**
+ * Returns a function to the matrix of an instance, once three.js has applied it; `undefined` if it cannot be read again, as for matrices
+ * that leave no attributes to the geometry.
+ */
+export function instanceMatrixOf(object: object): (() => AnyNode) | undefined {
+  const { isBatchedMesh, _matricesTexture, geometry } = object as Kind
+  const { batchIndirectIndex, referenceAttribute } = tsl
+  if (isBatchedMesh)
+    return batchIndirectIndex && _matricesTexture
+      ? () => matrixInTexture(_matricesTexture, batchIndirectIndex)
+      : undefined
+  // Each matrix takes four attributes, and three.js has one already.
+  const count = Object.keys(geometry!.attributes).length + 8
+  return referenceAttribute && count <= maxAttributes
+    ? () => referenceAttribute('instanceMatrix', 'mat4')
+    : undefined
+}
+
+/** Reads the first three columns of a batch's matrix: four texels a matrix. */
+function matrixInTexture(texture: Texture, index: AnyNode): AnyNode {
+  const width = tsl.int(tsl.textureSize(tsl.textureLoad(texture), 0).x)
+  const first = tsl.int(index).mul(4).toVar()
+  const columns = [0, 1, 2].map((i) => {
+    const at = first.add(i)
+    return tsl.textureLoad(texture, tsl.ivec2(at.mod(width), at.div(width))).xyz
+  })
+  return tsl.mat3(...columns)
+}

@@ -1,0 +1,242 @@
+/**
+ * Normals at each pixel with WebGPURenderer, on both its backends. The vertex stage passes the inputs of the warp as varyings. Before the
+ * material's own nodes for normals run, the normal of the geometry is replaced by that of the warp at the interpolated inputs, so that
+ * maps, both sides and clearcoats follow.
+ */
+import { BackSide, DoubleSide, type Texture } from 'three'
+import { shaderNames } from '../../compile/hosts.js'
+import { nameOf, nameOfMaterial } from '../describe.js'
+import { warnOfVertices } from '../notes.js'
+import type { Stage, ThreeWarp } from '../three-warp.js'
+import type { Builder } from './builder.js'
+import { inputsOfStage, parameterNames, parametersOf } from './function.js'
+import { instanceMatrixOf, instancesOf, isSkinned } from './instances.js'
+import { PackedVaryings, type VectorSize } from './packed-varyings.js'
+import { type AnyNode, tsl } from './tsl.js'
+import { nodesOf } from './warp-nodes.js'
+
+/** The part of a NodeMaterial that we use. */
+export interface NormalMaterial {
+  positionNode: unknown
+  setupNormal(builder: Builder): unknown
+}
+
+/** Materials of which vertex tangents matter. */
+interface Maps {
+  normalNode?: unknown
+  normalMap?: unknown
+  clearcoatNormalMap?: unknown
+  anisotropy?: number
+  anisotropyNode?: unknown
+  isShadowPassMaterial?: boolean
+}
+
+/** Returns what a material needs for normals at each pixel; `undefined` if it gets those of vertices. */
+export function pixelNormalsFor(
+  warp: ThreeWarp,
+  builder: Builder,
+  material: NormalMaterial,
+): PixelNormals | undefined {
+  const { geometry, object } = builder
+  const hasNormals = geometry.hasAttribute('normal') && !builder.isFlatShading()
+  // Facets stay facets, and shadows have no normals.
+  if (warp.normals === 'vertex' || !hasNormals || (material as Maps).isShadowPassMaterial)
+    return undefined
+  const pixel = new PixelNormals(warp, builder, material)
+  const obstacle = obstacleFor(warp, builder, material, pixel)
+  if (!obstacle) return pixel
+  if (warp.settings.normals === 'pixel')
+    beforeNormals(builder, () =>
+      warnOfVertices(warp, `${nameOfMaterial(builder.material)} of ${nameOf(object)}`, obstacle),
+    )
+  return undefined
+}
+
+/** Calls `work` if the material reads normals. */
+function beforeNormals({ context }: Builder, work: () => void) {
+  const setupNormal = context.setupNormal as () => unknown
+  context.setupNormal = () => {
+    work()
+    return setupNormal()
+  }
+}
+
+/** Returns the maximum number of varyings that the material's own nodes have, or an estimate if there are nodes of the user. */
+function varyingsOfThree(material: NormalMaterial, hasTangents: boolean): number {
+  const textures = Object.values(material).filter((value) => (value as Partial<Texture>)?.isTexture)
+  const channels = new Set(textures.map(({ channel }: Texture) => channel))
+  // Positions, the normal, colours, the first uv, and one for the user; the tangent and the bitangent; other uvs.
+  return 6 + (hasTangents ? 2 : 0) + Math.max(0, channels.size - 1)
+}
+
+function obstacleFor(
+  warp: ThreeWarp,
+  { object, geometry, renderer: { backend } }: Builder,
+  material: NormalMaterial,
+  pixel: PixelNormals,
+): string | undefined {
+  const isChanged = isSkinned(object) || geometry.morphAttributes.normal || material.positionNode
+  if (warp.settings.space === 'rest' && isChanged)
+    return "bones, morph targets or a positionNode change normals after a warp in the space 'rest'"
+  if (warp.settings.space !== 'world' && instancesOf(object) && !instanceMatrixOf(object))
+    return 'its shader has no room for the matrices of instances'
+  const left = maxVaryings(backend) - varyingsOfThree(material, pixel.hasTangents)
+  return pixel.varyingCount > left
+    ? `it passes ${pixel.varyingCount} vectors to pixels, of which this device has ${left} left`
+    : undefined
+}
+
+const maxVaryings = ({ device, gl }: Builder['renderer']['backend']): number =>
+  device?.limits?.maxInterStageShaderVariables ??
+  (gl ? (gl.getParameter(gl.MAX_VARYING_VECTORS) as number) : 16)
+
+export class PixelNormals {
+  private readonly stage: Stage
+  private readonly isWebGPU: boolean
+  readonly hasTangents: boolean
+  /** The inputs. The normal has its length as the fourth component: interpolation shortens it. */
+  private readonly varyings: PackedVaryings
+  /** The columns of an instance's matrix, which is constant in each. */
+  private readonly matrix: PackedVaryings | undefined
+
+  constructor(
+    private readonly warp: ThreeWarp,
+    private readonly builder: Builder,
+    private readonly material: NormalMaterial,
+  ) {
+    const { renderer, geometry, object } = builder
+    const maps = material as Maps
+    this.isWebGPU = renderer.backend.isWebGPUBackend === true
+    this.hasTangents =
+      geometry.hasAttribute('tangent') &&
+      !!(
+        maps.normalNode ||
+        maps.normalMap ||
+        maps.clearcoatNormalMap ||
+        maps.anisotropy ||
+        maps.anisotropyNode
+      )
+    this.stage = this.hasTangents ? 'tangent of pixel' : 'normal of pixel'
+    this.varyings = new PackedVaryings(
+      'warpjetPixel',
+      new Map(
+        inputsOfStage(warp, this.stage, this.isWebGPU).map(([input, type]) => [
+          input,
+          input === 'normal' ? 4 : sizes[type]!,
+        ]),
+      ),
+    )
+    if (warp.settings.space !== 'world' && instancesOf(object))
+      this.matrix = new PackedVaryings('warpjetInstance', columnSizes)
+  }
+
+  get varyingCount(): number {
+    return this.varyings.count + (this.matrix?.count ?? 0)
+  }
+
+  /** Passes the inputs, in the vertex stage. */
+  pass(inputs: Readonly<Record<string, unknown>>) {
+    const read = inputsOfStage(this.warp, this.stage, this.isWebGPU)
+    this.varyings.pass(
+      new Map(
+        read.map(([input]) => {
+          const value = inputs[parameterNames[input]!] as AnyNode
+          return [input, input === 'normal' ? tsl.vec4(value, tsl.length(value)) : value]
+        }),
+      ),
+    )
+  }
+
+  /** Passes the matrix of the instance, in the vertex stage, after three.js has applied it. */
+  passMatrix() {
+    if (!this.matrix) return
+    const matrix = instanceMatrixOf(this.builder.object)!().toVar()
+    this.matrix.pass(
+      new Map([...columnSizes.keys()].map((name, i) => [name, matrix.element(i).xyz])),
+    )
+  }
+
+  /** Replaces the normals of the geometry in front of the material's own nodes for normals. */
+  replaceNormals() {
+    const { builder, material } = this
+    const { context } = builder
+    let node: AnyNode | undefined
+    const withNormals = tsl.Fn(() => {
+      this.assignNormals()
+      return material.setupNormal(builder)
+    })
+    context.setupNormal = () => (node ??= tsl.subBuild(withNormals(), 'NORMAL', 'vec3'))
+  }
+
+  private assignNormals() {
+    const result = this.call().toVar()
+    const [normal, tangent] = this.hasTangents
+      ? [result.element(0), result.element(1)]
+      : [result, undefined]
+    const viewNormal = this.toView(normal).toVar()
+    const facing = normalizeOr(tsl.normalFlat, tsl.vec3(0, 0, 1))
+    // Three.js negates the normals of back faces later.
+    tsl.normalViewGeometry.assign(normalizeOr(viewNormal, this.onBack(facing)))
+    if (!tangent) return
+    const viewTangent = this.tangentToView(tangent).toVar()
+    const side = tsl.tangentGeometry.w.mul(this.orientation)
+    const viewBitangent = viewNormal.cross(viewTangent).mul(side)
+    tsl.tangentView.assign(this.onBack(normalizeOr(viewTangent, tsl.vec3(1, 0, 0))))
+    tsl.bitangentView.assign(this.onBack(normalizeOr(viewBitangent, tsl.vec3(0, 1, 0))))
+  }
+
+  /** The normal, and the tangent, in the space of the offset. */
+  private call(): AnyNode {
+    const nodes = nodesOf(this.warp)
+    const inputs: Record<string, unknown> = { ...nodes.uniforms }
+    for (const [input, value] of this.varyings.read())
+      inputs[parameterNames[input]!] = input === 'normal' ? withLength(value.toVar()) : value
+    const names = parametersOf(this.warp, this.stage, this.isWebGPU).map(([name]) => name)
+    const call = nodes.call(this.stage, this.isWebGPU)
+    return call(Object.fromEntries(names.map((name) => [name, inputs[name]])))
+  }
+
+  private toView(normal: AnyNode): AnyNode {
+    if (this.warp.settings.space === 'world') return tsl.mat3(tsl.cameraViewMatrix).mul(normal)
+    if (!this.matrix) return tsl.transformNormalToView(normal)
+    const [x, y, z] = this.columns as [AnyNode, AnyNode, AnyNode]
+    // Up to its scale, the matrix that transforms normals consists of the cofactors.
+    const cofactors = tsl.mat3(y.cross(z), z.cross(x), x.cross(y))
+    const sign = tsl.sign(x.dot(y.cross(z)))
+    return tsl.transformNormalToView(cofactors.mul(normal).mul(sign).normalize())
+  }
+
+  private tangentToView(tangent: AnyNode): AnyNode {
+    if (this.warp.settings.space === 'world') return tsl.mat3(tsl.cameraViewMatrix).mul(tangent)
+    const ofInstance = this.matrix ? tsl.mat3(...this.columns).mul(tangent) : tangent
+    return tsl.modelViewMatrix.mul(tsl.vec4(ofInstance, 0)).xyz
+  }
+
+  private get columns(): AnyNode[] {
+    return [...this.matrix!.read().values()]
+  }
+
+  private onBack(vector: AnyNode): AnyNode {
+    const { side } = this.builder.material
+    if (side === BackSide) return vector.negate()
+    return side === DoubleSide ? vector.mul(tsl.faceDirection) : vector
+  }
+
+  private get orientation(): unknown {
+    return this.warp.mirrors === false ? 1 : nodesOf(this.warp).uniforms[shaderNames.orientation]
+  }
+}
+
+const sizes: Record<string, VectorSize> = { vec2: 2, vec3: 3, vec4: 4 }
+const columnSizes = new Map<string, VectorSize>([
+  ['x', 3],
+  ['y', 3],
+  ['z', 3],
+])
+
+/** Returns the vector with length 1, or `other` for one that is zero or not finite. */
+const normalizeOr = (vector: AnyNode, other: AnyNode) =>
+  tsl.select(vector.dot(vector).greaterThan(0), vector.normalize(), other)
+
+const withLength = (normal: AnyNode) =>
+  normal.xyz.mul(normal.w.div(tsl.max(tsl.length(normal.xyz), 1e-30)))

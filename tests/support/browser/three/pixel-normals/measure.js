@@ -1,0 +1,141 @@
+// Compares shown normals with exact ones at each pixel. `draw(scene, camera)` returns a picture's numbers, four for each pixel from the
+// bottom left; `normalMaterial` shows normals, whose colours `decode` makes those of WebGLRenderer, and
+// `seenMaterial` the attribute `seen`.
+import * as THREE from 'three'
+import { addSurfaceVariation, warp } from 'warpjet/three'
+import { degreesBetween, exactVertex, mover, quantile } from './exact.js'
+import { camera, kinds, objectFor, parts, seenOf, size } from './scenes.js'
+import { heights, warps } from './warps.js'
+
+/** A normal map of one direction, in floats. */
+function mapOf(direction) {
+  const map = new THREE.DataTexture(
+    Float32Array.from([...direction.map((x) => 0.5 * x + 0.5), 1]),
+    1,
+    1,
+    THREE.RGBAFormat,
+    THREE.FloatType,
+  )
+  map.needsUpdate = true
+  return map
+}
+
+/** `map`: the direction of a normal map, in the frame of vertex tangents. */
+export async function measure(
+  { draw, decode = (picture) => picture, normalMaterial, seenMaterial },
+  {
+    kind = 'plain',
+    shape = 'sphere',
+    name,
+    normals = 'pixel',
+    side = 'FrontSide',
+    space,
+    isBehind,
+    map,
+  },
+) {
+  const offset = shape === 'plane' ? heights[name] : warps[name]
+  const options = { side: THREE[side] }
+  const { object, geometry } = objectFor(
+    kind,
+    shape,
+    normalMaterial({ ...options, ...(map && { normalMap: mapOf(map) }) }),
+  )
+  const varies = /flag|blob/.test(name)
+  if (varies) await addSurfaceVariation(geometry)
+  if (map) geometry.computeTangents()
+  const scene = new THREE.Scene()
+  scene.add(object)
+  const view = camera()
+  if (isBehind) {
+    view.position.z = -8
+    view.lookAt(0, 0, 0)
+    view.updateMatrixWorld()
+  }
+  const warped = warp(object, offset, { normals, ...(space && { space }) })
+  const shown = decode(await draw(scene, view))
+  object.material = seenMaterial(options)
+  const seen = {}
+  for (const part of parts) {
+    if (!geometry.attributes[part] && !(varies && part.endsWith('Gradient'))) continue
+    const all = new Float32Array(4 * object.geometry.attributes.position.count)
+    const numbers = seenOf(kind, geometry, part)
+    all.set(space === 'world' ? moveIntoWorld(part, numbers, object) : numbers)
+    object.geometry.setAttribute('seen', new THREE.BufferAttribute(all, 4))
+    seen[part] = await draw(scene, view)
+  }
+  warped.dispose()
+  return compare({ object, kind, view, offset, shown, seen, side, map, space })
+}
+
+/** The matrix from the space of the warp to view space. */
+function matrixFor({ object, kind, view, space }, column) {
+  const matrix = view.matrixWorldInverse.clone()
+  if (space === 'world') return matrix
+  matrix.multiply(object.matrixWorld)
+  const { matrices } = kinds[kind]
+  return matrices ? matrix.multiply(matrices[column < size / 2 ? 0 : 1]) : matrix
+}
+
+/** Moves vertices into the world, where a warp of that space finds them. Each has four numbers. */
+function moveIntoWorld(part, numbers, { matrixWorld }) {
+  const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
+  const linear = new THREE.Matrix3().setFromMatrix4(matrixWorld)
+  const moves = {
+    position: (vector) => vector.applyMatrix4(matrixWorld),
+    normal: (vector) => vector.applyMatrix3(normalMatrix).normalize(),
+    tangent: (vector) => vector.applyMatrix3(linear),
+  }
+  const vector = new THREE.Vector3()
+  for (let i = 0; moves[part] && i < numbers.length; i += 4)
+    moves[part](vector.fromArray(numbers, i)).toArray(numbers, i)
+  return numbers
+}
+
+function compare(all) {
+  const { offset, shown, seen, side, map } = all
+  const move = mover(offset)
+  const angles = []
+  let [skipped, facing] = [0, 0]
+  for (let i = 0; i < 4 * size * size; i += 4) {
+    if (shown[i + 3] === 0 || seen.position[i + 3] === 0) continue
+    const at = (part, count) => Array.from((seen[part] ?? []).slice(i, i + count))
+    const [x, y, z, length] = at('normal', 4)
+    const normal = [x, y, z].map((k) => (k * length) / Math.hypot(x, y, z))
+    const gradients = parts
+      .filter((part) => part.endsWith('Gradient'))
+      .map((part) => (seen[part] ? at(part, 3) : [0, 0, 0]))
+    const tangent = map && at('tangent', 4)
+    const vertex = { position: at('position', 3), normal, uv: at('uv', 2), gradients, tangent }
+    const exact = exactVertex(move, vertex)
+    if (!exact) {
+      skipped++
+      continue
+    }
+    const matrix = matrixFor(all, ((i / 4) % size) + 0.5)
+    const expected = new THREE.Vector3(...exact.normal).applyNormalMatrix(
+      new THREE.Matrix3().getNormalMatrix(matrix),
+    )
+    if (map) {
+      const along = new THREE.Vector3(...exact.tangent).transformDirection(matrix)
+      const across = new THREE.Vector3()
+        .crossVectors(expected, along)
+        .multiplyScalar(tangent[3])
+        .normalize()
+      expected.multiplyScalar(map[2]).addScaledVector(along, map[0]).addScaledVector(across, map[1])
+    }
+    const colour = [0, 1, 2].map((k) => 2 * shown[i + k] - 1)
+    if (colour[2] > 0) facing++
+    const angle = degreesBetween(colour, expected.toArray())
+    // Of a back face the other side is shown.
+    angles.push(side === 'FrontSide' ? angle : Math.min(angle, 180 - angle))
+  }
+  return {
+    covered: angles.length + skipped,
+    skipped,
+    facing: facing / angles.length,
+    median: quantile(angles, 0.5),
+    most: quantile(angles, 0.999),
+    finite: angles.every(Number.isFinite) && shown.every(Number.isFinite),
+  }
+}

@@ -1,0 +1,177 @@
+// A page with WebGLRenderer that measures normals at pixels.
+import * as THREE from 'three'
+import { warp, warpMaterial } from 'warpjet/three'
+import { measure } from './measure.js'
+import {
+  bumps,
+  collapse,
+  differing,
+  facets,
+  litScene,
+  mapNames,
+  mapped,
+  summarize,
+} from './pictures.js'
+import { camera, size } from './scenes.js'
+import { warps } from './warps.js'
+
+const renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
+renderer.setSize(size, size)
+document.body.append(renderer.domElement)
+const target = new THREE.WebGLRenderTarget(size, size, { type: THREE.FloatType })
+
+function draw(scene, view = camera()) {
+  renderer.setRenderTarget(target)
+  renderer.setClearColor(0, 0)
+  renderer.clear()
+  renderer.render(scene, view)
+  const numbers = new Float32Array(4 * size * size)
+  renderer.readRenderTargetPixels(target, 0, 0, size, size, numbers)
+  renderer.setRenderTarget(null)
+  return numbers
+}
+
+function seenMaterial(options) {
+  const material = new THREE.MeshBasicMaterial(options)
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader =
+      `attribute vec4 seen;\nvarying vec4 vSeen;\n${shader.vertexShader}`.replace(
+        'void main() {',
+        'void main() { vSeen = seen;',
+      )
+    shader.fragmentShader = `varying vec4 vSeen;\n${shader.fragmentShader}`.replace(
+      /\}\s*$/,
+      'gl_FragColor = vSeen; }',
+    )
+  }
+  return material
+}
+
+const normalMaterial = (options) => new THREE.MeshNormalMaterial(options)
+const makers = {
+  normal: normalMaterial,
+  standard: (options) => new THREE.MeshStandardMaterial(options),
+  physical: (options) => new THREE.MeshPhysicalMaterial(options),
+}
+const host = { draw, normalMaterial, seenMaterial, makers }
+
+/** Sources of the last program that was compiled for a material with a normal. */
+function sources(normals, kind = 'standard') {
+  const { scene, warped } = litScene(makers[kind](), warps.simplex, { normals })
+  const known = new Set(renderer.info.programs)
+  draw(scene)
+  const made = renderer.info.programs.find((program) => !known.has(program))
+  const gl = renderer.getContext()
+  const texts = [made.vertexShader, made.fragmentShader].map((shader) => gl.getShaderSource(shader))
+  warped.dispose()
+  return texts
+}
+
+/** Materials in which normals cannot be computed at pixels. */
+const obstacles = {
+  'normals changed after the warp': () =>
+    changed((shader) => {
+      shader.vertexShader = shader.vertexShader.replace(
+        '#include <project_vertex>',
+        '#include <project_vertex>\nvNormal = normalize( vNormal + vec3( 0.3, 0.0, 0.0 ) );',
+      )
+    }),
+  'normals changed before the warp': () =>
+    changed((shader) => {
+      shader.vertexShader = shader.vertexShader.replace(
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\nvNormal = normalize( vNormal + vec3( 0.3, 0.0, 0.0 ) );',
+      )
+    }),
+  'a fragment shader without the line': () =>
+    changed((shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace(
+        '#include <normal_fragment_begin>',
+        THREE.ShaderChunk.normal_fragment_begin.replace('normalize( vNormal )', 'vNormal'),
+      )
+    }),
+  'MeshBasicMaterial with an environment': () => {
+    const envMap = bumps()
+    envMap.mapping = THREE.EquirectangularReflectionMapping
+    return new THREE.MeshBasicMaterial({ envMap })
+  },
+  'a ShaderMaterial of its own': () =>
+    new THREE.ShaderMaterial({
+      vertexShader: `varying vec3 vN; void main() { vN = normalMatrix * normal;
+        gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 ); }`,
+      fragmentShader:
+        'varying vec3 vN; void main() { gl_FragColor = vec4( normalize( vN ), 1.0 ); }',
+    }),
+  'too few varyings': () => {
+    renderer.capabilities.maxVaryings = 8
+    return new THREE.MeshStandardMaterial()
+  },
+}
+
+const { maxVaryings } = renderer.capabilities
+
+function changed(change) {
+  const material = new THREE.MeshStandardMaterial()
+  material.onBeforeCompile = change
+  material.customProgramCacheKey = () => String(change)
+  return material
+}
+
+/** A material that has an obstacle → how many pixels differ from normals of vertices. */
+function obstacle(name, normals) {
+  const pictures = ['vertex', normals].map((normals) => {
+    const { scene, warped } = litScene(obstacles[name](), warps.simplex, { normals })
+    const twice = [draw(scene), draw(scene)]
+    warped.dispose()
+    return twice[1]
+  })
+  renderer.capabilities.maxVaryings = maxVaryings
+  return { differing: differing(...pictures), ...summarize(pictures[1]) }
+}
+
+/** The stage that `auto` chooses for each warp, and one of a shift. */
+function stages() {
+  const shift = ({ glsl }) => glsl.vec3(1, 0, 0)
+  return Object.fromEntries(
+    Object.entries({ ...warps, shift }).map(([name, offset]) => {
+      const mesh = new THREE.Mesh(new THREE.SphereGeometry(), new THREE.MeshStandardMaterial())
+      const { normals } = warp(mesh, offset, { surfaceVariation: false })
+      const made = warpMaterial(new THREE.MeshStandardMaterial(), offset, {
+        surfaceVariation: false,
+      })
+      return [name, [normals, made.normals]]
+    }),
+  )
+}
+
+/** A sphere of noise with normals of a kind, as a page of its own shows it. */
+function show(normals, name = 'simplex', pixels = 400) {
+  renderer.setSize(pixels, pixels)
+  const { scene } = litScene(
+    new THREE.MeshPhysicalMaterial({ color: 0xff9060, roughness: 0.35, clearcoat: 0.3 }),
+    warps[name],
+    { normals },
+  )
+  scene.children[0].position.set(3, 4, 6)
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x404060, 0.6))
+  renderer.setClearColor(0x202028, 1)
+  renderer.render(scene, camera())
+  const url = renderer.domElement.toDataURL()
+  renderer.setSize(size, size)
+  return url
+}
+
+window.pixels = {
+  warps: Object.keys(warps),
+  measure: (settings) => measure(host, settings),
+  collapse: (name, settings) => collapse(host, name, settings),
+  facets: (name) => facets(host, name),
+  mapNames,
+  mapped: (name) => mapped(host, name),
+  obstacles: Object.keys(obstacles),
+  obstacle,
+  sources,
+  stages,
+  show,
+}
+document.title = 'ready'

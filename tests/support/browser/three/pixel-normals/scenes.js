@@ -1,0 +1,175 @@
+// What the tests of normals at pixels draw: objects, and the vertices that the warp moves.
+import * as THREE from 'three'
+import { variationAttributes } from './attributes.js'
+
+/** A row of floats is a multiple of 256 bytes, as WebGPU wants it. */
+export const size = 80
+
+export const camera = () => {
+  const made = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 20)
+  made.position.z = 8
+  made.updateMatrixWorld()
+  return made
+}
+
+const shapeGeometries = {
+  sphere: () => new THREE.SphereGeometry(1, 24, 16),
+  box: () => new THREE.BoxGeometry(1.2, 1.2, 1.2),
+  torus: () => new THREE.TorusGeometry(0.8, 0.3, 12, 24),
+  // 1,280 triangles.
+  icosahedron: () => new THREE.IcosahedronGeometry(1, 7),
+  plane: () => new THREE.PlaneGeometry(2, 2),
+}
+
+export const shapes = Object.keys(shapeGeometries)
+
+/** An object in a place of its own, which is neither even nor the origin, unless it is a plane. */
+function place(object, isPlane) {
+  if (!isPlane) {
+    object.rotation.set(0.5, -0.4, 0.2)
+    object.scale.set(1.1, 0.9, 1)
+  }
+  object.updateMatrixWorld()
+  return object
+}
+
+const turn = new THREE.Euler(0.3, 0.7, 0)
+
+/** Bones that turn the whole geometry. */
+function skinned(geometry, material) {
+  const { count } = geometry.attributes.position
+  const weights = Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0))
+  geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4))
+  geometry.setAttribute('skinWeight', new THREE.BufferAttribute(weights, 4))
+  const mesh = new THREE.SkinnedMesh(geometry, material)
+  const bone = new THREE.Bone()
+  mesh.add(bone)
+  mesh.bind(new THREE.Skeleton([bone]))
+  bone.rotation.copy(turn)
+  bone.updateMatrixWorld()
+  return mesh
+}
+
+const boneMatrix = () => new THREE.Matrix4().makeRotationFromEuler(turn)
+
+/** A morph target that adds to positions and normals. */
+function morphed(geometry, material) {
+  const targets = morphsOf(geometry)
+  Object.assign(geometry.morphAttributes, targets)
+  geometry.morphTargetsRelative = true
+  const mesh = new THREE.Mesh(geometry, material)
+  mesh.morphTargetInfluences = [0.7]
+  return mesh
+}
+
+function morphsOf({ attributes }) {
+  const of = (name, amount) => {
+    const numbers = Float32Array.from(attributes[name].array, (_, i) => {
+      const [y, z] = [attributes.position.getY((i / 3) | 0), attributes.position.getZ((i / 3) | 0)]
+      return i % 3 === 0 ? amount * y : i % 3 === 1 ? amount * z * z : 0
+    })
+    return [new THREE.BufferAttribute(numbers, 3)]
+  }
+  return { position: of('position', 0.3), normal: of('normal', -0.3) }
+}
+
+/** Two instances whose matrices are uneven. */
+export const instances = [
+  [-0.8, 0.2],
+  [0.8, -0.3],
+].map(([x, y], i) =>
+  new THREE.Matrix4().compose(
+    new THREE.Vector3(x, y, 0),
+    new THREE.Quaternion().setFromEuler(new THREE.Euler(0.4 * i, 0.6, 0.3)),
+    new THREE.Vector3(0.4, 0.6, 0.35 + 0.1 * i),
+  ),
+)
+
+function instanced(geometry, material) {
+  const mesh = new THREE.InstancedMesh(geometry, material, 2)
+  instances.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
+  return mesh
+}
+
+function batched(geometry, material) {
+  const mesh = new THREE.BatchedMesh(2, 4000, 12000, material)
+  // Two geometries of different attributes would not fit into one batch.
+  const id = mesh.addGeometry(geometry)
+  for (const matrix of instances) mesh.setMatrixAt(mesh.addInstance(id), matrix)
+  return mesh
+}
+
+/** Maps the name of a case → what it draws, and how the vertices are before the warp where that is not the geometry itself. */
+export const kinds = {
+  plain: { make: (geometry, material) => new THREE.Mesh(geometry, material) },
+  'negative scale': {
+    make(geometry, material) {
+      const mesh = new THREE.Mesh(geometry, material)
+      mesh.userData.mirrored = true
+      return mesh
+    },
+  },
+  skin: {
+    make: skinned,
+    posed: (_, numbers) => transformed(numbers, boneMatrix()),
+  },
+  morphs: {
+    make: morphed,
+    posed(name, numbers, geometry) {
+      const [{ array }] = morphsOf(geometry)[name]
+      return numbers.map((x, i) => x + 0.7 * array[i])
+    },
+  },
+  instances: { make: instanced, matrices: instances },
+  batch: { make: batched, matrices: instances },
+}
+
+function transformed(numbers, matrix) {
+  const vector = new THREE.Vector3()
+  const moved = new Float32Array(numbers.length)
+  for (let i = 0; i < numbers.length; i += 3)
+    vector.fromArray(numbers, i).applyMatrix4(matrix).toArray(moved, i)
+  return moved
+}
+
+export function objectFor(kind, shape, material) {
+  const geometry = shapeGeometries[shape]()
+  const object = place(kinds[kind].make(geometry, material), shape === 'plane')
+  if (object.userData.mirrored) {
+    object.scale.x *= -1
+    object.updateMatrixWorld()
+  }
+  return { object, geometry: object.isBatchedMesh ? geometry : object.geometry }
+}
+
+/** The vectors of four numbers that a picture shows of the vertices before the warp. */
+export function seenOf(kind, geometry, part) {
+  const { count } = geometry.attributes.position
+  const numbers = new Float32Array(4 * count)
+  const attribute = geometry.attributes[variationAttributes[part] ?? part]
+  if (!attribute) return numbers
+  const plain = Float32Array.from({ length: count * attribute.itemSize }, (_, i) =>
+    attribute[['getX', 'getY', 'getZ', 'getW'][i % attribute.itemSize]](
+      (i / attribute.itemSize) | 0,
+    ),
+  )
+  const { posed } = kinds[kind]
+  const values =
+    posed && (part === 'normal' || part === 'position') ? posed(part, plain, geometry) : plain
+  for (let i = 0; i < count; i++) {
+    for (let k = 0; k < attribute.itemSize; k++)
+      numbers[4 * i + k] = values[attribute.itemSize * i + k]
+    if (part === 'position') numbers[4 * i + 3] = 1
+    if (part === 'normal') numbers[4 * i + 3] = Math.hypot(...numbers.subarray(4 * i, 4 * i + 3))
+  }
+  return numbers
+}
+
+/** Collapse the surface, so that its normal is zero. */
+export const collapses = {
+  floor: ({ position }) => position.mult(3).floor().div(3).sub(position),
+  pinch: ({ glsl, position }) =>
+    glsl.vec3(0, 1.2, 0).sub(position).mult(glsl.step(0.3, position.y())),
+}
+
+export const parts = ['position', 'normal', 'uv', 'tangent', ...Object.keys(variationAttributes)]

@@ -1,0 +1,138 @@
+// Normals at each pixel with WebGPURenderer, on both its backends: what pixel-normals.browser.test.js shows for WebGLRenderer.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { webgpuFlags } from '../support/browser/browser.js'
+import { threePages } from '../support/browser/three/open.js'
+
+let pages, page, messages
+before(async () => {
+  pages = await threePages(webgpuFlags)
+  ;({ page, messages } = await pages.open('three', 'pixel-normals/page-webgpu.js'))
+})
+after(() => pages.close())
+
+for (const backend of ['webgl', 'webgpu'])
+  describe(`the backend ${backend}`, () => {
+    const measure = (settings) =>
+      page.evaluate((settings) => pixels.measure(settings), { backend, ...settings })
+
+    async function isExact(t, settings) {
+      messages.length = 0
+      const { covered, skipped, median, most, finite } = await measure(settings)
+      t.diagnostic(
+        `${Object.values(settings).join(', ')}: ${covered} pixels, ${skipped} at kinks, ${most}° at 99.9%, median ${median}°`,
+      )
+      assert.deepEqual(messages, [])
+      assert.ok(finite)
+      assert.ok(covered > 500, `${covered} pixels`)
+      assert.ok(skipped < 0.02 * covered, `${skipped} pixels at kinks`)
+      assert.ok(most < 0.1, `${most}°`)
+    }
+
+    for (const shape of ['plane', 'sphere', 'box', 'torus', 'icosahedron'])
+      test(`a ${shape}`, async (t) => {
+        const names = await page.evaluate(() => pixels.warps)
+        for (const name of names.slice(0, shape === 'plane' ? 4 : undefined))
+          await isExact(t, { shape, name })
+      })
+
+    test('interpolated normals of the same pictures are wrong by degrees', async (t) => {
+      for (const [name, least] of [
+        ['fbm', 15],
+        ['simplex', 10],
+        ['waves', 1.5],
+      ]) {
+        const { median } = await measure({ name, normals: 'vertex' })
+        t.diagnostic(`${name}: ${median}°`)
+        assert.ok(median > least, `${name}: ${median}°`)
+      }
+    })
+
+    test('negative scales, skins, morph targets, instances and batches, in the spaces of a warp', async (t) => {
+      for (const kind of ['negative scale', 'skin', 'morphs', 'instances', 'batch'])
+        await isExact(t, { kind, name: 'simplex' })
+      await isExact(t, { kind: 'instances', name: 'blob along the normal' })
+      for (const kind of ['plain', 'skin'])
+        await isExact(t, { space: 'world', name: 'simplex', kind })
+      for (const kind of ['plain', 'instances'])
+        await isExact(t, { space: 'rest', name: 'simplex', kind })
+    })
+
+    test('both sides and the back', async (t) => {
+      for (const side of ['DoubleSide', 'BackSide'])
+        for (const isBehind of [false, true]) {
+          if (side === 'BackSide' && !isBehind) continue
+          const settings = { shape: 'plane', name: 'simplex', side, isBehind }
+          await isExact(t, settings)
+          assert.equal((await measure(settings)).facing, 1)
+        }
+      await isExact(t, { name: 'simplex', side: 'BackSide' })
+    })
+
+    test('the frame of vertex tangents', async (t) => {
+      for (const map of [
+        [0.6, 0, 0.8],
+        [0, 0.6, 0.8],
+      ])
+        for (const kind of ['plain', 'negative scale', 'instances'])
+          await isExact(t, { name: 'simplex', kind, map })
+      await isExact(t, { name: 'simplex', space: 'world', map: [0.48, 0.36, 0.8] })
+    })
+
+    test('facets stay facets', async () => {
+      assert.equal(await page.evaluate((backend) => pixels.facets(backend, 'simplex'), backend), 0)
+    })
+
+    test('a surface that collapses is lit as its triangles are', async (t) => {
+      for (const name of ['floor', 'pinch'])
+        for (const side of ['FrontSide', 'DoubleSide', 'BackSide']) {
+          messages.length = 0
+          const found = await page.evaluate(
+            (given) => pixels.collapse(...given),
+            [backend, name, { normals: 'pixel', side }],
+          )
+          t.diagnostic(`${name}, ${side}: ${JSON.stringify(found)}`)
+          assert.deepEqual([messages, found.wrong, found.finite], [[], 0, true])
+          assert.ok(found.dark < 0.03 * found.covered, `${found.dark} dark pixels`)
+          assert.ok(found.covered > 400)
+          if (name === 'floor') assert.deepEqual([found.differing, found.differingInLight], [0, 0])
+        }
+    })
+
+    test('maps, clearcoats, anisotropy and reflections follow, and are finite', async (t) => {
+      for (const name of await page.evaluate(() => pixels.mapNames)) {
+        // Three.js draws nothing of it in a target of floats.
+        if (name === 'transmission') continue
+        messages.length = 0
+        const found = await page.evaluate((given) => pixels.mapped(...given), [backend, name])
+        t.diagnostic(`${name}: ${JSON.stringify(found)}`)
+        assert.deepEqual([messages, found.wrong], [[], 0], name)
+        assert.ok(found.differing > 0.5 * found.covered, name)
+      }
+      const { differing, covered } = await page.evaluate(
+        (backend) => pixels.reflection(backend),
+        backend,
+      )
+      assert.ok(differing > 0.5 * covered, `${differing} pixels of a reflection differ`)
+    })
+
+    test('a normalNode of the material starts from the normal of the pixel', async () => {
+      const worst = await page.evaluate((backend) => pixels.ownNode(backend, 'pixel'), backend)
+      assert.ok(worst < 1e-3, `${worst}`)
+    })
+
+    test('where it cannot be, normals are those of vertices: with a warning if they were asked for', async () => {
+      for (const [normals, warnings] of [
+        ['auto', 0],
+        ['pixel', 1],
+      ]) {
+        messages.length = 0
+        const differing = await page.evaluate(
+          (given) => pixels.obstacle(...given),
+          [backend, normals],
+        )
+        assert.deepEqual([messages.length, differing], [warnings, 0], messages.join())
+      }
+      assert.equal(await page.evaluate(() => pixels.stage()), 'pixel')
+    })
+  })
