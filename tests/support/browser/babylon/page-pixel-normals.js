@@ -1,0 +1,331 @@
+// Draws meshes with a warped material into float pictures: the normal that is shown at each pixel, and the rest place there.
+import '@babylonjs/core/Engines/Extensions/engine.readTexture.js'
+import '@babylonjs/core/Engines/WebGPU/Extensions/engine.readTexture.js'
+import '@babylonjs/core/Meshes/thinInstanceMesh.js'
+import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
+import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
+import { Constants } from '@babylonjs/core/Engines/constants.js'
+import { Engine } from '@babylonjs/core/Engines/engine.js'
+import { ShaderStore } from '@babylonjs/core/Engines/shaderStore.js'
+import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
+import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
+import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
+import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
+import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js'
+import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
+import { Color4 } from '@babylonjs/core/Maths/math.color.js'
+import { Matrix, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
+import { Scene } from '@babylonjs/core/scene.js'
+import { BabylonWarp, addSurfaceVariation } from 'warpjet/babylon'
+
+/** What `Shown` writes in place of the colour. */
+const shownValues = { color: 0, normal: 1, restPosition: 2, restNormal: 3, restUv: 4 }
+
+/** Shows a value of the shader in place of the colour, as `shown` says. Rest places are those in front of a warp. */
+class Shown extends MaterialPluginBase {
+  shown = 'color'
+
+  constructor(material) {
+    super(material, 'Shown', 300, { SHOWN: true }, false)
+    this._pluginManager._addPlugin(this)
+    this._enable(true)
+  }
+
+  getClassName() {
+    return 'Shown'
+  }
+
+  isCompatible() {
+    return true
+  }
+
+  prepareDefinesBeforeAttributes(defines) {
+    Object.assign(defines, { _needUVs: true, _needNormals: true })
+  }
+
+  getUniforms() {
+    return { ubo: [{ name: 'shown', size: 1, type: 'float' }] }
+  }
+
+  bindForSubMesh(buffer) {
+    buffer.updateFloat('shown', shownValues[this.shown])
+  }
+
+  getCustomCode(stage, language) {
+    const isWGSL = language === 1
+    const names = ['restPosition', 'restNormal', 'restUv']
+    const declarations = names
+      .map((name) => (isWGSL ? `varying ${name}: vec3f;` : `varying vec3 ${name};`))
+      .join('\n')
+    const output = isWGSL ? 'vertexOutputs.' : ''
+    const input = isWGSL ? 'fragmentInputs.' : ''
+    const vec3 = isWGSL ? 'vec3f' : 'vec3'
+    const shown = isWGSL ? 'uniforms.shown' : 'shown'
+    const color = this._material.getClassName() === 'PBRMaterial' ? 'finalColor' : 'color'
+    if (stage === 'vertex')
+      return {
+        CUSTOM_VERTEX_DEFINITIONS: declarations,
+        CUSTOM_VERTEX_UPDATE_POSITION: `${output}restPosition = positionUpdated;
+${output}restUv = ${vec3}(0.0);
+${output}restNormal = ${vec3}(0.0);
+#ifdef NORMAL
+${output}restNormal = normalUpdated;
+#endif
+#ifdef UV1
+${output}restUv = ${vec3}(uvUpdated, 0.0);
+#endif`,
+      }
+    const write = (value) => `${color} = ${vec3.replace('3', '4')}(${value}, 1.0);`
+    return {
+      CUSTOM_FRAGMENT_DEFINITIONS: declarations,
+      CUSTOM_FRAGMENT_BEFORE_FRAGCOLOR: ['normalW', ...names.map((name) => input + name)]
+        .map((value, i) => `if (abs(${shown} - ${i + 1}.0) < 0.5) { ${write(value)} }`)
+        .join('\n'),
+    }
+  }
+}
+
+const engines = {}
+async function engineFor(backend) {
+  if (engines[backend]) return engines[backend]
+  const canvas = document.body.appendChild(document.createElement('canvas'))
+  if (backend === 'webgl') return (engines[backend] = new Engine(canvas, false))
+  const engine = new WebGPUEngine(canvas, { antialias: false })
+  await engine.initAsync()
+  return (engines[backend] = engine)
+}
+
+const scenes = {}
+async function sceneOn(backend) {
+  if (scenes[backend]) return scenes[backend]
+  const scene = new Scene(await engineFor(backend))
+  const camera = new FreeCamera('eye', new Vector3(0, 0, -10), scene)
+  camera.setTarget(Vector3.Zero())
+  camera.mode = 1
+  camera.orthoLeft = camera.orthoBottom = -1.4
+  camera.orthoRight = camera.orthoTop = 1.4
+  new DirectionalLight('sun', new Vector3(0.5, -0.6, 1), scene)
+  return (scenes[backend] = scene)
+}
+
+/** Maps a name → a function that makes a mesh of about radius 1. */
+const shapes = {
+  sphere: (scene) => MeshBuilder.CreateSphere('sphere', { diameter: 2, segments: 10 }, scene),
+  box: (scene) => MeshBuilder.CreateBox('box', { size: 1 }, scene),
+  torus: (scene) =>
+    MeshBuilder.CreateTorus('torus', { diameter: 1.8, thickness: 0.5, tessellation: 24 }, scene),
+  plane: (scene) => MeshBuilder.CreatePlane('plane', { size: 1.6 }, scene),
+  facets(scene) {
+    const mesh = shapes.sphere(scene)
+    mesh.convertToFlatShadedMesh()
+    return mesh
+  },
+  // Its tangents are along u.
+  'plane with tangents'(scene) {
+    const mesh = shapes.plane(scene)
+    const tangents = Array.from({ length: mesh.getTotalVertices() }, () => [1, 0, 0, 1])
+    mesh.setVerticesData(VertexBuffer.TangentKind, tangents.flat())
+    return mesh
+  },
+  'sphere with tangents'(scene) {
+    const mesh = shapes.sphere(scene)
+    const positions = mesh.getVerticesData(VertexBuffer.PositionKind)
+    const tangents = Array.from({ length: positions.length / 3 }, (_, i) => {
+      const [x, , z] = positions.slice(3 * i, 3 * i + 3)
+      const length = Math.hypot(x, z)
+      return length > 1e-6 ? [-z / length, 0, x / length, 1] : [1, 0, 0, 1]
+    })
+    mesh.setVerticesData(VertexBuffer.TangentKind, tangents.flat())
+    return mesh
+  },
+}
+
+const offsets = {
+  floor: ({ position }) => position.mult(3).floor().div(3).sub(position),
+  mirror: ({ position, glsl }) => glsl.vec3(position.x().mult(-2), 0, 0),
+  'mirror by uniforms': ({ position, glsl, uniforms }) =>
+    glsl.vec3(position.x().mult(uniforms.factor), 0, 0),
+  still: ({ position }) => position.mult(0),
+  'wave by uniforms': ({ glsl, position, millis, uniforms }) =>
+    glsl.vec3(
+      position.y().mult(7).add(millis.div(500)).sin().mult(uniforms.heights.x()),
+      glsl.texture(uniforms.map, position.xy()).x().mult(position.x().mult(6).sin()).mult(0.1),
+      0,
+    ),
+}
+
+/** Adds offsets from their source. */
+window.addOffsets = (sources) => {
+  for (const [name, source] of Object.entries(sources)) offsets[name] = (0, eval)(source)
+}
+
+const constantMap = (scene, bytes) =>
+  new RawTexture(
+    Uint8Array.from({ length: 16 }, (_, i) => bytes[i % 4]),
+    2,
+    2,
+    Constants.TEXTUREFORMAT_RGBA,
+    scene,
+    false,
+    false,
+    Constants.TEXTURE_NEAREST_SAMPLINGMODE,
+  )
+
+const makeMaterial = (kind, scene) =>
+  kind === 'PBR'
+    ? Object.assign(new PBRMaterial('pbr', scene), { metallic: 0, roughness: 0.5 })
+    : new StandardMaterial('standard', scene)
+
+function uniformsFor(warp, scene) {
+  if (warp === 'mirror by uniforms') return { factor: -2 }
+  if (warp === 'wave by uniforms')
+    return { heights: new Vector3(0.1, 0, 0), map: constantMap(scene, [255, 0, 0, 255]) }
+  return {}
+}
+
+/** The bytes of the normal map, of a normal that leans. */
+const leaning = [190, 100, 225, 255]
+
+const made = new Map()
+async function make(backend, { kind, shape, warp, normals, bump, twoSided }) {
+  const key = JSON.stringify([backend, kind, warp, normals, bump, twoSided])
+  const scene = await sceneOn(backend)
+  if (!made.has(key)) {
+    const material = makeMaterial(kind, scene)
+    // The oracle also sees the back of a surface.
+    material.backFaceCulling = false
+    material.twoSidedLighting = !!twoSided
+    if (bump) material.bumpTexture = constantMap(scene, leaning)
+    const shown = new Shown(material)
+    const warped = new BabylonWarp(material, offsets[warp], {
+      normals,
+      uniforms: uniformsFor(warp, scene),
+    })
+    warped.millis = 100
+    made.set(key, { material, shown, warped })
+  }
+  const meshKey = `${backend} ${shape}`
+  if (!made.has(meshKey)) {
+    const mesh = shapes[shape](scene)
+    if (mesh.isVerticesDataPresent('normal')) await addSurfaceVariation(mesh)
+    made.set(meshKey, mesh)
+  }
+  return { scene, mesh: made.get(meshKey), ...made.get(key) }
+}
+
+const instance = Matrix.Scaling(0.9, 0.5, 1.2).multiply(Matrix.RotationYawPitchRoll(0.3, 0.2, 0.5))
+
+function place(mesh, how) {
+  mesh.rotation.set(0.5, 0.4, 0)
+  mesh.scaling.set(1, 0.8, 0.9)
+  if (how === 'mirrored') mesh.scaling.x = -1
+  mesh.thinInstanceCount = 0
+  if (how === 'thin instance') mesh.thinInstanceAdd(instance)
+  const world = mesh.computeWorldMatrix(true)
+  return [...(how === 'thin instance' ? instance.multiply(world) : world).asArray()]
+}
+
+const encode = (numbers) => {
+  const bytes = new Uint8Array(Float32Array.from(numbers).buffer)
+  let encoded = ''
+  for (let i = 0; i < bytes.length; i += 8192)
+    encoded += String.fromCharCode(...bytes.subarray(i, i + 8192))
+  return btoa(encoded)
+}
+
+/** Returns pictures in floats, from the top row, of the values `shows`, with the matrices and, if asked for, the mesh. */
+window.draw = async (backend, { shows, how, size = 160, withMesh, ...what }) => {
+  const { scene, mesh, material, shown, warped } = await make(backend, what)
+  const engine = scene.getEngine()
+  const target = new RenderTargetTexture('target', size, scene, {
+    type: Constants.TEXTURETYPE_FLOAT,
+    generateMipMaps: false,
+    samplingMode: Constants.TEXTURE_NEAREST_SAMPLINGMODE,
+  })
+  target.activeCamera = scene.activeCamera
+  target.clearColor = new Color4(0, 0, 0, 0)
+  target.renderList = [mesh]
+  mesh.material = material
+  mesh.alwaysSelectAsActiveMesh = true
+  const world = place(mesh, how)
+  await material.forceCompilationAsync(mesh, { useInstances: how === 'thin instance' })
+  for (let i = 0; i < 200 && !target.isReadyForRendering(); i++)
+    await new Promise((wait) => setTimeout(wait, 25))
+  const pictures = {}
+  for (const each of shows) {
+    shown.shown = each
+    engine.beginFrame()
+    target.render()
+    engine.endFrame()
+    const pixels = await target.readPixels()
+    const numbers = new Float32Array(pixels.buffer, pixels.byteOffset, pixels.byteLength / 4)
+    const rows = Array.from({ length: size }, (_, y) => {
+      const from = 4 * size * (size - 1 - y)
+      return numbers.subarray(from, from + 4 * size)
+    })
+    pictures[each] = encode(rows.flatMap((row) => [...row]))
+  }
+  target.dispose()
+  mesh.thinInstanceCount = 0
+  const camera = scene.activeCamera
+  const toClip = [...camera.getViewMatrix().multiply(camera.getProjectionMatrix()).asArray()]
+  const answer = { pictures, world, toClip, normals: warped.normals }
+  return withMesh ? { ...answer, mesh: describe(mesh) } : answer
+}
+
+function describe(mesh) {
+  const read = (kind) => [...(mesh.getVerticesData(kind) ?? [])]
+  const gradients = ['normalXGradient', 'normalYGradient', 'normalZGradient', 'uGradient']
+  return {
+    positions: read('position'),
+    normals: read('normal'),
+    uvs: read('uv'),
+    indices: [...mesh.getIndices()],
+    gradients: [...gradients, 'vGradient'].map((name) => read(`aWarpjet_${name}`)),
+  }
+}
+
+/** Says at which stage a material's normals are, if it has few varyings or a shader without the line. */
+window.fallBack = async (backend, normals, why) => {
+  const scene = await sceneOn(backend)
+  const caps = scene.getEngine().getCaps()
+  const { maxVaryingVectors } = caps
+  if (why === 'varyings') caps.maxVaryingVectors = 6
+  const material = new StandardMaterial('standard', scene)
+  if (why === 'shader') {
+    const store = backend === 'webgpu' ? ShaderStore.ShadersStoreWGSL : ShaderStore.ShadersStore
+    store.otherVertexShader = store.defaultVertexShader
+    store.otherPixelShader = store.defaultPixelShader.replace(
+      /normalize\((fragmentInputs\.)?vNormalW\)/,
+      'normalize(1.0*$1vNormalW)',
+    )
+    material.customShaderNameResolve = () => 'other'
+  }
+  const warped = new BabylonWarp(material, offsets.simplex, { normals })
+  const before = warped.normals
+  const target = new RenderTargetTexture('target', 32, scene)
+  target.activeCamera = scene.activeCamera
+  for (const mesh of [shapes.sphere(scene), shapes.torus(scene)]) {
+    mesh.material = material
+    target.renderList.push(mesh)
+    await material.forceCompilationAsync(mesh)
+  }
+  for (let i = 0; i < 200 && !target.isReadyForRendering(); i++)
+    await new Promise((wait) => setTimeout(wait, 25))
+  for (let i = 0; i < 2; i++) {
+    scene.getEngine().beginFrame()
+    target.render()
+    scene.getEngine().endFrame()
+  }
+  for (const mesh of target.renderList) mesh.dispose()
+  target.dispose()
+  caps.maxVaryingVectors = maxVaryingVectors
+  return [before, warped.normals]
+}
+
+window.leaning = leaning
+// Without somebody who holds it, the browser loses the device.
+window.gpu = navigator.gpu
+document.title = 'ready'
