@@ -1,6 +1,6 @@
-// npm run bench:generate: how long a warp takes to generate, by the number of builder nodes, and how long the first one
-// waits for warpjet itself. The work is p5.warp's "complex" stress test: sines of random coordinates with random constants,
-// added up in random components.
+// npm run bench:generate: measures how long a warp takes to generate, for several numbers of builder nodes, and how long
+// the first warp waits for warpjet to load. The input is p5.warp's "complex" stress test: sines of random coordinates with
+// random constants, added to random components.
 import { performance } from 'node:perf_hooks'
 import { plainGraph, stackedSines as stackOfThree } from './bench/plain-graph.mjs'
 import { measureStartUp } from './bench/start-up.mjs'
@@ -11,7 +11,7 @@ await build()
 const { compileWarp, compile } = await import('../dist/warpjet.js')
 const { stackedSines } = await import('../tests/warps/stress.js')
 
-/** Counted as in the paper. */
+/** The number of builder nodes per sine, counted as in the paper. */
 const NODES_OF_A_SINE = 5
 const WARM_UP = 12
 
@@ -25,7 +25,7 @@ function medianMilliseconds(work, runs) {
   return median(times)
 }
 
-/** The median of each kind of work by its name, all in turn, so that what else the machine does slows down all of them. */
+/** Returns the median time of each function in `works`. They run in turn, so that other load on the machine slows all of them alike. */
 function mediansInTurn(works, runs) {
   const times = Object.fromEntries(Object.keys(works).map((name) => [name, []]))
   for (let i = -WARM_UP; i < runs; i++)

@@ -1,4 +1,4 @@
-// npm run bench: what a frame costs by every way to draw a warped mesh, in headless Chromium; --help lists the options.
+// npm run bench: measures a frame with each method of drawing a warped mesh, in headless Chromium; --help lists the options.
 // npm run bench -- evaluate | glsl | three: other benchmarks.
 import { resolve } from 'node:path'
 import { checkColumns } from './bench/csv.mjs'

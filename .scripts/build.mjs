@@ -20,6 +20,8 @@ const sources = (pattern) =>
 
 // The modules of .cmake/wasm.cmake.
 const wasm = ['core', 'evaluation', 'mesh', 'glsl']
+// The wasm of a package, for which js-bindings/wasm/mikktspace.ts is the binding: the package's own loads it by `import` or from a file.
+const mikktspace = 'node_modules/mikktspace/dist/module/mikktspace_module_bg.wasm'
 const compiled = wasm.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`])
 
 export const build = () => withLock(buildAll)
@@ -43,8 +45,13 @@ async function buildAll() {
   })
 
   await step('WebAssembly as JavaScript', {
-    inputs: [...scripts, 'package.json', ...compiled],
-    outputs: [...wasm.flatMap(generatedOf), 'version.ts'].map((name) => `${generated}/${name}`),
+    inputs: [...scripts, 'package.json', ...compiled, mikktspace],
+    outputs: [
+      ...wasm.flatMap(generatedOf),
+      'mikktspace-wasm.js',
+      'mikktspace-wasm.d.ts',
+      'version.ts',
+    ].map((name) => `${generated}/${name}`),
     work: generateModules,
   })
 
@@ -75,11 +82,7 @@ function generateModules() {
   for (const name of wasm) {
     const glue = readFileSync(path(`.build/wasm/${name}.mjs`), 'utf8')
     const bytes = readFileSync(path(`.build/wasm/${name}.wasm`))
-    writeGenerated(`${name}-wasm.js`, `export default ${JSON.stringify(inline(bytes))}\n`)
-    writeGenerated(
-      `${name}-wasm.d.ts`,
-      "declare const inlined: import('../wasm/inlined.js').Inlined\nexport default inlined\n",
-    )
+    writeInlined(name, bytes)
     // Every bundler accepts this: the wasm is passed in, so the URL is never read.
     writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
     writeGenerated(
@@ -88,10 +91,19 @@ function generateModules() {
     )
     writeGenerated(`${name}-bindings.ts`, embindTypes(glue, bytes))
   }
+  writeInlined('mikktspace', readFileSync(path(mikktspace)))
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
   writeGenerated(
     'version.ts',
     `/** The version of this package. */\nexport const version: string = '${version}'\n`,
+  )
+}
+
+function writeInlined(name, bytes) {
+  writeGenerated(`${name}-wasm.js`, `export default ${JSON.stringify(inline(bytes))}\n`)
+  writeGenerated(
+    `${name}-wasm.d.ts`,
+    "declare const inlined: import('../wasm/inlined.js').Inlined\nexport default inlined\n",
   )
 }
 

@@ -1,7 +1,7 @@
-// npm run dev: builds again whatever changes, and reruns the tests that depend on it.
+// npm run dev: watches the sources, rebuilds after each change, and reruns the tests that depend on the changed files.
 //
 //   npm run dev                 all tests but those in browsers
-//   npm run dev -- tests/mesh   only files whose path begins so; a browser test runs if you name its file
+//   npm run dev -- tests/mesh   only files whose path begins with this; a browser test only if you name its file
 //
 // A change of C++ also reruns .build/native/warpjet_tests.
 import { existsSync, readFileSync, statSync, watch } from 'node:fs'
@@ -16,12 +16,12 @@ import { setup } from './setup.mjs'
 
 const watched = ['src', 'js-bindings', 'tests', 'web', 'examples', '.scripts']
 const isCpp = (file) => /^(src|tests\/cpp)\/.*\.[ch]pp$/.test(file)
-/** Waits for an editor that writes several files, in milliseconds. */
+/** How long to wait, in milliseconds, for an editor that saves several files at once. */
 const pause = 200
 
 const importPattern = /\b(?:from|import)\s*\(?\s*["'](\.[^"']+)["']/g
 
-/** Lists the files that a test loads, itself included: through its imports, into dist. */
+/** Lists a test file and everything that it imports, directly or indirectly, including files of dist. */
 function filesOf(test) {
   const files = new Set([test])
   for (const file of files) {

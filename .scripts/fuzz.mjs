@@ -33,7 +33,7 @@ const targets = {
   glsl: { args: ['-max_len=4096', '-dict=tests/fuzz/glsl.dict'], runs: 110_000 },
 }
 
-// One input may take 10 s and 2 GB, and ask for 1.5 GB at once: the largest mesh that a file may claim has 1.
+// One input may take 10 s and 2 GB in total, and allocate 1.5 GB at once: the largest mesh that a file can declare takes 1 GB.
 const limits = ['-timeout=10', '-rss_limit_mb=2048', '-malloc_limit_mb=1536']
 
 /** Runs the targets in parallel for some seconds, with new random numbers each time, starting from the corpus of earlier runs. */
@@ -47,7 +47,8 @@ export const fuzz = (seconds, names = Object.keys(targets)) =>
 export async function fuzzRepeatably() {
   rmSync(path(folder, 'scratch'), { recursive: true, force: true })
   const canFixAddresses = (await capture('setarch', ['-R', 'true'])) !== null
-  if (!canFixAddresses) say('Addresses differ with each start here, and the inputs a little.')
+  if (!canFixAddresses)
+    say('Addresses are randomized on this system, so the inputs differ slightly from run to run.')
   await runTargets(
     Object.keys(targets),
     'scratch',
@@ -56,12 +57,12 @@ export async function fuzzRepeatably() {
   )
 }
 
-/** Stores new inputs in the folder `kept`. `search` returns libFuzzer's options for a target. */
-async function runTargets(names, kept, search, launcher = []) {
+/** Stores new inputs in the folder `corpus`. `search` returns libFuzzer's options for a target. */
+async function runTargets(names, corpus, search, launcher = []) {
   await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
   const results = await Promise.all(
     names.map((name) =>
-      runTarget(name, `${folder}/${kept}/${name}`, search(targets[name]), launcher),
+      runTarget(name, `${folder}/${corpus}/${name}`, search(targets[name]), launcher),
     ),
   )
   const problems = results.filter(Boolean)

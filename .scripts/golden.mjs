@@ -5,8 +5,8 @@ import { good, main } from './lib/terminal.mjs'
 
 await main(async () => {
   await build()
-  const { goldenFolder, goldenTexts, keptTexts } = await import('../tests/warps/golden.js')
-  const [texts, before] = [goldenTexts(), keptTexts()]
+  const { goldenFolder, goldenTexts, readGoldenTexts } = await import('../tests/warps/golden.js')
+  const [texts, before] = [goldenTexts(), readGoldenTexts()]
   for (const file of Object.keys(before)) {
     if (!(file in texts)) rmSync(new URL(file, goldenFolder))
   }

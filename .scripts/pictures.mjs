@@ -12,9 +12,9 @@ import { softwareFlags } from './lib/flags.mjs'
 import { Stop, good, main } from './lib/terminal.mjs'
 
 const [width, height] = [480, 360]
-/** The whole grid has fewer bytes than a photograph. */
+/** Small enough that the whole gallery loads fewer bytes than one photograph. */
 const maxBytes = 20_000
-/** The moment at which a sketch shows its point, in milliseconds. Default: 1500. */
+/** The moment at which a sketch is most characteristic, in milliseconds. Default: 1500. */
 const moments = {
   'deformer-genie': 3600,
   'deformer-melt': 500,

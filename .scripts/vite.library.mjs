@@ -58,7 +58,7 @@ const sharedFiles = [
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   {
     name: 'meshes',
-    test: /\/js-bindings\/(mesh|wasm\/mesh|p5\/geometry\/(model|subdivide-geometry|vary-geometry|with-mesh))[/.-]/,
+    test: /\/js-bindings\/(mesh|wasm\/(mesh|mikktspace)|p5\/geometry\/(model|subdivide-geometry|vary-geometry|with-mesh))[/.-]|\/node_modules\/(fast-png|iobuffer|fflate)\//,
   },
   {
     // The addon and exactNormals share these modules; only exactNormals needs the front end.

@@ -3,6 +3,7 @@
  * used. All functions leave their arguments unchanged.
  */
 export { bakeWarp, type Evaluates } from './mesh/bake.js'
+export { bakeNormalMap, type NormalMapOptions } from './mesh/normal-map.js'
 export { exportGLB } from './mesh/export.js'
 export { loadMesh, type LoadAsOptions, type LoadOptions } from './mesh/load.js'
 export type { Decoders, DracoDecoderModule, MeshoptDecoder } from './mesh/decoders.js'

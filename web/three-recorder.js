@@ -1,5 +1,5 @@
 // Runs in the page of a three.js example before its sketch, in the gallery only: counts frames, records the shader code of each warp
-// for the page around it, and leaves the wheel to that page, unless the sketch fills a page of its own.
+// for the page around it, and leaves the wheel to that page, unless the sketch fills its own page.
 {
   window.frameCount = 0
   const records = (window.recordedCode = [])

@@ -1,8 +1,8 @@
-// The aims of warpjet, as ratios within one run. Missing one is not a failure.
+// The performance aims of warpjet, as ratios of measurements of one run. Missing an aim is not a failure.
 
 const find = (records, name) => records.find(({ method }) => method === name)
 
-/** Warpjet's frame as a multiple of another method's. */
+/** Returns warpjet's frame time divided by another method's. */
 function frameRatio(records, name) {
   const toWarpjet = find(records, name)?.toWarpjet
   return toWarpjet && 1 / toWarpjet
@@ -10,7 +10,7 @@ function frameRatio(records, name) {
 
 const MANY_NODES = 3000
 
-/** `ratio(records)` takes the records of one row, and returns `undefined` if the aim does not apply. `of` and `to` describe it. */
+/** `ratio(records)` takes the records of one row, and returns `undefined` if the aim does not apply. `of` and `to` label it in the table. */
 export const aims = [
   {
     of: 'frame ×',

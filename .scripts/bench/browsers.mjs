@@ -1,4 +1,4 @@
-// The browsers that measure: one draws as fast as it can, one with vsync, both on the machine's GPU if it has one.
+// Opens the two browsers of the benchmark: one draws as fast as it can, one with vsync, both on the machine's GPU if it has one.
 import { gpuFlags, softwareFlags, uncappedFlags } from '../lib/flags.mjs'
 import { Stop } from '../lib/terminal.mjs'
 
@@ -24,7 +24,7 @@ async function rendererWith(launch, flags) {
 /** Chooses the machine's GPU, or software if there is none or if `withoutGpu` → { flags, renderer, isSoftware } */
 async function chooseRenderer(launch, withoutGpu) {
   if (!withoutGpu) {
-    // A driver that crashes the browser counts as none.
+    // A GPU whose driver crashes the browser counts as no GPU.
     const renderer = await rendererWith(launch, gpuFlags).catch(() => null)
     if (renderer && !software.test(renderer))
       return { flags: gpuFlags, renderer, isSoftware: false }

@@ -1,4 +1,4 @@
-// A CSV file (RFC 4180) that grows by the lines of each run.
+// Appends the lines of each run to a CSV file (RFC 4180).
 import { appendFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs'
 import { dirname } from 'node:path'
 import { Stop } from '../lib/terminal.mjs'
@@ -8,12 +8,12 @@ const field = (value) => {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
 }
 
-/** One line, without its end. What is undefined or null is an empty field. */
+/** Returns one line, without a line break. Undefined and null become empty fields. */
 export const csvLine = (fields) => fields.map(field).join(',')
 
 const contentOf = (file) => (existsSync(file) ? readFileSync(file, 'utf8') : '')
 
-/** Throws where nothing can be appended to `file`. */
+/** Throws if nothing can be appended to `file`. */
 function checkWritable(file) {
   try {
     mkdirSync(dirname(file), { recursive: true })
@@ -23,7 +23,7 @@ function checkWritable(file) {
   }
 }
 
-/** Throws where `file` is another table or cannot be written: better before a long measurement than after it. */
+/** Throws if `file` has other columns or cannot be written: called first, so that no long measurement is lost. */
 export function checkColumns(file, columns) {
   checkWritable(file)
   const [header] = contentOf(file).split(/\r?\n/, 1)
@@ -31,11 +31,11 @@ export function checkColumns(file, columns) {
     throw new Stop(`${file} has other columns than the benchmark: name another file with --out.`)
 }
 
-/** Appends lines, each an array of fields, below the header, which a new file gets first. */
+/** Appends lines, each an array of fields. A new file starts with the header. */
 export function appendLines(file, columns, lines) {
   mkdirSync(dirname(file), { recursive: true })
-  const kept = contentOf(file)
-  const all = (kept ? lines : [columns, ...lines]).map(csvLine)
-  const lineEnd = kept && !kept.endsWith('\n') ? '\n' : ''
+  const before = contentOf(file)
+  const all = (before ? lines : [columns, ...lines]).map(csvLine)
+  const lineEnd = before && !before.endsWith('\n') ? '\n' : ''
   appendFileSync(file, `${lineEnd}${all.join('\n')}\n`)
 }

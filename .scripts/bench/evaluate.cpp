@@ -1,5 +1,5 @@
-// The native side of npm run bench:evaluate: reads a program and a mesh, moves the mesh twice, and
-// prints the seconds that the second time took.
+// The native program of npm run bench:evaluate: reads a compiled warp and a mesh, moves the mesh
+// twice, and prints how many seconds the second pass took.
 #include <chrono>
 #include <cstdio>
 #include <fstream>

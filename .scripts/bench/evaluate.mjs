@@ -1,7 +1,7 @@
-// npm run bench -- evaluate: how many vertices a second a warp moves on the CPU, positions and normals: by warp.evaluate, by its
-// interpreter (for engines that forbid compiling), by the same function written by hand in JavaScript, and by the same C++ compiled
-// natively with -O3; and how long making the machine code takes. The last two write into arrays of the caller, as `evaluate` does with
-// its option `out`; without it, `evaluate` makes new arrays at each call.
+// npm run bench -- evaluate: measures how many vertices per second (positions and normals) a warp moves on the CPU: with warp.evaluate,
+// with its interpreter (for engines that forbid compiling), with the same function written by hand in JavaScript, and with the same C++
+// compiled natively with -O3; and how long generating the machine code takes. The last two write into arrays of the caller, as `evaluate`
+// does with its option `out`; without it, `evaluate` creates new arrays in each call.
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -12,7 +12,7 @@ import { path } from '../lib/files.mjs'
 import { median, time } from '../lib/median.mjs'
 import { rows, warps } from './evaluate-rows.mjs'
 
-/** Loads the library once more, in an engine that compiles nothing but the library itself. */
+/** Loads the library once more and makes it interpret warps: after its own module, compiling another one throws. */
 async function interpretedLibrary(offset) {
   const library = await import('../../dist/warpjet.min.js')
   const warp = library.compileWarp(offset)
@@ -38,7 +38,7 @@ export async function measure() {
   )
 }
 
-/** Times all ways in turn, so that other load on the machine slows all of them. */
+/** Times all methods in turn, so that other load on the machine slows all of them alike. */
 function measureRow({ name, vertices, rounds }, interpreted) {
   const { warp: offset, byHand } = warps[name]
   const warp = compileWarp(offset)
@@ -61,7 +61,7 @@ function measureRow({ name, vertices, rounds }, interpreted) {
     native: native.time,
   }
   const times = Object.fromEntries(Object.keys(ways).map((way) => [way, []]))
-  // Until the engine has used its best compiler.
+  // Warms up until the engine has used its optimizing compiler.
   for (let i = vertices > 100_000 ? 2 : 20; i > 0; i--) {
     ways.evaluate()
     ways['into out']()
@@ -88,7 +88,7 @@ function measureRow({ name, vertices, rounds }, interpreted) {
   }
 }
 
-/** Returns the shortest times of machine code, which the second call makes, and of the interpreter, which runs the first. */
+/** Returns the shortest times of generating the machine code, in the second call, and of the interpreter, which runs the first call. */
 function startUp(offset) {
   const at = { normal: [0, 1, 0], uniforms: { millis: 1234 } }
   const best = {
@@ -100,7 +100,7 @@ function startUp(offset) {
   for (let round = 0; round < 15; round++) {
     const warp = compileWarp(offset)
     const once = () => warp.evaluateAt([1, 2, 3], at)
-    // Finds beforehand what depends on the inputs.
+    // Prepares the evaluation, so that the loop does not time it.
     warp.evaluateAt([1, 2, 3], { uniforms: at.uniforms })
     keep('interpreter, ms', time(once))
     keep('machine code, ms', time(once))

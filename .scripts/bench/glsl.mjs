@@ -1,5 +1,6 @@
-// npm run bench -- glsl: how long webgl-noise's 3D simplex takes to become an offset with exact normals, the length of its shader code and
-// the time to its first picture, beside our own simplex; and a frame of a ray-marched field, lit by four evaluations and by one.
+// npm run bench -- glsl: compares webgl-noise's 3D simplex, translated to an offset with exact normals, with our own simplex noise: time to
+// translate, length of the shader code, time to the first frame; and times a frame of a ray-marched field lit with four evaluations and
+// with one.
 import { readFileSync } from 'node:fs'
 import { glslOffset } from '../../dist/glsl.js'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -43,7 +44,7 @@ async function measureInBrowser(shaders) {
   const server = await servePages()
   const browser = await launchBrowser()
   const { page } = await openPage(browser, server.page('<!doctype html><meta charset="utf-8">'))
-  console.log('\nTo the first picture (compiled, linked, drawn), median ms of 15')
+  console.log('\nTime to the first frame (compile, link, draw), median of 15 runs in ms')
   console.table(await page.evaluate(firstDraws, shaders))
 
   const field = await openPage(browser, `${server.url}/examples/ray-marched-field/index.html`)
@@ -55,7 +56,7 @@ async function measureInBrowser(shaders) {
     all
   }`)
   const [four, one] = [0, 1].map((i) => median(frames.map((pair) => pair[i])))
-  console.log('\nA frame of the ray-marched field, median ms of 9')
+  console.log('\nA frame of the ray-marched field, median of 9 runs in ms')
   console.table({ 'four evaluations': four, 'one function': one })
   await browser.close()
   await server.close()

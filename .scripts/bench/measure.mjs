@@ -1,11 +1,11 @@
-// One row measured in the browsers' pages. See web/bench/driven.js for what these can do.
+// Measures one row in the browsers' pages, through the functions of web/bench/driven.js.
 import { workloads } from '../../web/bench/workloads.js'
 import { p5Records, rowRecords } from './records.mjs'
 import { p5Text, rowText } from './report.mjs'
 
 /**
- * The settings of a run whose figures count. `size` of the canvas is in pixels, `duration` of measuring a frame rate in milliseconds;
- * web/bench/measure.js describes the rest.
+ * The settings of a run with reliable figures. `size` is that of the canvas in pixels, `duration` the milliseconds for which a frame rate
+ * is measured; web/bench/measure.js describes the rest.
  */
 export const thorough = {
   size: 1200,
@@ -18,7 +18,7 @@ export const thorough = {
   duration: 1000,
 }
 
-/** The settings of `--quick`, which only shows that all of it works. */
+/** The settings of `--quick`, which only checks that the benchmark works. */
 export const quick = {
   size: 150,
   rounds: 3,
@@ -30,7 +30,7 @@ export const quick = {
   duration: 100,
 }
 
-/** Frames a second in each browser. */
+/** Measures the frame rates in each browser. */
 async function bothRates({ uncapped, capped }, begin, ask, question) {
   begin('frames a second, uncapped')
   const rates = { uncapped: await uncapped.evaluate(ask, question) }
@@ -46,7 +46,7 @@ async function bothRates({ uncapped, capped }, begin, ask, question) {
  */
 export async function measureRow(browsers, run, name, settings, begin) {
   begin('frame times')
-  // Otherwise this row's peak would include the garbage of the row before.
+  // Otherwise this row's peak would include the garbage of the previous row.
   await browsers.uncapped.requestGC()
   const measured = await browsers.uncapped.evaluate(
     ({ name, settings }) => window.bench.measure(name, settings),
@@ -68,7 +68,7 @@ export async function measureRow(browsers, run, name, settings, begin) {
 export async function measureP5(browsers, run, settings, begin) {
   begin('frame times')
   const ask = (settings) => window.bench.measureP5(settings)
-  // Differences of a few percent do not matter here, and each round takes long, because it loads p5 anew.
+  // Half the rounds suffice: differences of a few percent do not matter here, and each round has to load p5 again, which is slow.
   const rounds = Math.ceil(settings.rounds / 2)
   const measured = await browsers.uncapped.evaluate(ask, { ...settings, rounds })
   const askRates = (settings) => window.bench.p5FrameRates(settings)

@@ -16,7 +16,7 @@ function round(value) {
   return Number(value.toPrecision(DIGITS))
 }
 
-/** The fields of a record's line. */
+/** Returns the fields of a record, in the order of `columns`. */
 export const fieldsOf = (record) => columns.map((name) => round(record[camelCase(name)]))
 
 const withRates = (record, { uncapped, capped }) => ({

@@ -87,13 +87,13 @@ function peakMemory({ jsHeapMb, wasmHeapMb }) {
   return `peak heap: ${parts.join(', ')}`
 }
 
-/** The records of a row as text. */
+/** Formats the records of a row. */
 export function rowText(records) {
   const line = [...facts(records[0]), peakMemory(records[0])].join(' · ')
   return indent([line, '', ...table(rowColumns(records), records, ours)])
 }
 
-/** The records of p5's sketches as text. @param toNoWarp by method, what its frame is to the same sketch's without the warp */
+/** Formats the records of p5's sketches. @param toNoWarp maps each method → its frame time divided by that of the same sketch without the warp */
 export function p5Text(records, toNoWarp) {
   const columns = [
     methodColumn,

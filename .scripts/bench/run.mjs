@@ -1,4 +1,4 @@
-// A run of the benchmark: row by row, each with its table as soon as it is measured.
+// Runs the benchmark row by row, and prints the table of each row as soon as it is measured.
 import { relative } from 'node:path'
 import { capture } from '../lib/run.mjs'
 import { Stop, good, heading, say, seconds } from '../lib/terminal.mjs'
@@ -25,7 +25,7 @@ const note = (text) => process.stderr.write(`${text}\n`)
 
 const now = () => new Date().toISOString().replace(/\.\d+Z$/, 'Z')
 
-/** Says what is measured, and on what. */
+/** Prints what is measured, and on which browser and GPU. */
 function introduce({ commit, chromium, renderer }, isSoftware, { size, rounds }, rows) {
   heading(
     `Benchmark${commit && ` of ${commit}`}: ${rows.length} ${rows.length > 1 ? 'rows' : 'row'}`,
@@ -35,8 +35,8 @@ function introduce({ commit, chromium, renderer }, isSoftware, { size, rounds },
   say(`\n${legend}`)
 }
 
-/** Measures every chosen row, prints it and hands it to `keep` → all records. */
-async function measureAll(browsers, run, rows, settings, keep) {
+/** Measures each of `rows`, prints its table and passes its records to `save` → all records. */
+async function measureAll(browsers, run, rows, settings, save) {
   const all = []
   for (const [i, name] of rows.entries()) {
     const begin = (stage) => note(`${i + 1}/${rows.length} ${name}: ${stage}`)
@@ -45,15 +45,15 @@ async function measureAll(browsers, run, rows, settings, keep) {
       : measureRow(browsers, run, name, settings, begin))
     heading(name)
     say(text)
-    keep(records)
+    save(records)
     all.push(...records)
   }
   return all
 }
 
 /**
- * Measures, prints, and appends to `file`, if there is one.
- * @param chromium the program
+ * Measures, prints the tables, and appends the records to `file`, if it is given.
+ * @param chromium the path of the program
  * @param options { rows, quick, rounds?, software }: what readOptions returns
  */
 export async function runBench(chromium, options, file) {

@@ -1,8 +1,8 @@
-// The server of the benchmark's pages, which nobody else is to see.
+// The local server of the benchmark's pages, which are not part of the published site.
 import { readFile } from 'node:fs/promises'
 import { path } from '../lib/files.mjs'
 
-/** The gallery's server has what its examples load; p5 1.x is the benchmark's alone. */
+/** The gallery's server provides what its examples load; only the benchmark also loads p5 1.x. */
 const p5v1 = 'node_modules/p5-v1/lib/p5.min.js'
 const oldP5 = () => ({
   name: 'old-p5',
@@ -23,14 +23,14 @@ export async function serveBench() {
     clearScreen: false,
     cacheDir: path('.build/vite-bench'),
     plugins: [oldP5()],
-    // A dependency that is found late would reload the page in the middle of a measurement.
+    // If Vite found this dependency late, it would reload the page in the middle of a measurement.
     optimizeDeps: { include: ['gl-matrix'] },
     server: {
       port: 5400,
       // Nobody edits the files meanwhile, and an edit would reload the page.
       watch: null,
       hmr: false,
-      // Pages that are alone in their process have a clock of 5 µs instead of 100.
+      // Isolated pages have a clock with a resolution of 5 µs instead of 100.
       headers: {
         'Cross-Origin-Opener-Policy': 'same-origin',
         'Cross-Origin-Embedder-Policy': 'require-corp',

@@ -1,4 +1,4 @@
-// Measures how soon the built site's first page can be used, loaded cold in a Chromium that is slowed four times.
+// Measures how soon the first page of the built site is interactive, loaded with an empty cache in a Chromium slowed four times.
 import { setTimeout } from 'node:timers/promises'
 import { chromium } from 'playwright-core'
 import { preview } from 'vite'

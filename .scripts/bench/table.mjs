@@ -1,4 +1,4 @@
-// Columns of figures for a terminal.
+// Formats tables of figures for the terminal.
 import { paint } from '../lib/terminal.mjs'
 
 const GAP = '  '
@@ -7,7 +7,7 @@ const NONE = '–'
 /** Formats a number with `digits` decimals. */
 export const withDecimals = (digits) => (value) => value.toFixed(digits)
 
-/** Formats numbers with the decimals that show three digits of the largest of `values`, so that all compare at a glance. */
+/** Returns a formatter with as many decimals as the largest of `values` needs for three digits, so that numbers compare at a glance. */
 export function alike(values) {
   const largest = Math.max(...values.filter(Number.isFinite).map(Math.abs))
   return withDecimals(largest >= 100 ? 0 : largest >= 10 ? 1 : 2)

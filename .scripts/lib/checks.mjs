@@ -135,7 +135,7 @@ export const checks = [
   { group: 'language', title: 'Plain English in added lines', work: checkWording },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
-  { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },
+  { group: 'cpp', title: 'C++ tests under ASan and UBSan', work: () => cpp('sanitize') },
   { group: 'fuzz', title: 'Fuzzing', work: fuzzRepeatably },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('node') },
   { group: 'browser', title: 'Browser tests', work: browser },

@@ -7,13 +7,13 @@ import { onPath } from './which.mjs'
 
 const presets = path('CMakePresets.json')
 
-/** Returns whether the cache is for the sources in this folder. A copied or moved checkout has the cache of its old folder. */
+/** Returns whether CMake's cache was written for this checkout. After a checkout is copied or moved, its cache still names the old folder. */
 function isOfThisCheckout(cache) {
   const [, home] = /^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$/m.exec(readFileSync(cache, 'utf8')) ?? []
   return home && existsSync(home) && realpathSync(home) === realpathSync(path())
 }
 
-/** Returns whether the folder was configured by the current presets. CMake itself would keep another compiler. */
+/** Returns whether the folder was configured with the current presets. CMake itself does not notice that a preset names a new compiler. */
 function isConfigured(folder) {
   const [cache, used] = ['CMakeCache.txt', 'CMakePresets.json'].map((name) => path(folder, name))
   return (

@@ -1,5 +1,5 @@
 // Writes TypeScript declarations of the functions that embind binds, from the module's own registrations: the module is started with imports
-// that only record their arguments. (Emscripten does the same since 3.1.42, by --emit-tsd.) C++ has no names of parameters.
+// that only record their arguments. (Emscripten does the same since 3.1.42, by --emit-tsd.) C++ does not register parameter names.
 import { wasmSignatures } from './wasm-signatures.mjs'
 
 const typedArrays = [

@@ -10,14 +10,14 @@ const quiet = [
   '--ignore-gpu-blocklist',
 ]
 
-/** WebGL without a GPU, the same on every machine. */
+/** Renders WebGL in software, with the same result on every machine. */
 export const softwareFlags = [...quiet, '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
 
 /** Composites pages on the CPU: compositing through software WebGL would cost as much again as drawing the canvases. */
 export const testFlags = [...softwareFlags, '--disable-gpu-compositing']
 
 /**
- * WebGL on the machine's GPU. On Linux, Chromium without a display finds a GPU only through Vulkan; elsewhere its own choice is right.
+ * WebGL on the machine's GPU. On Linux, Chromium without a display finds a GPU only through Vulkan; elsewhere its default works.
  * Without a GPU, Chromium may fall back to software or have no WebGL: check the renderer's name.
  */
 export const gpuFlags = [

@@ -31,6 +31,6 @@ export async function main(work) {
   }
 }
 
-/** True when `meta` is that of the script named on the command line. */
+/** True if `meta` is the `import.meta` of the script that Node was started with. */
 export const isMain = (meta) =>
   process.argv[1] && meta.url === pathToFileURL(realpathSync(process.argv[1])).href

@@ -1,5 +1,5 @@
-// Finds headers, and asks programs for their versions. Answers are cached until a program changes, so that set-up takes no time if all
-// is there.
+// Finds headers, and asks programs for their versions. Answers are cached until a program changes, so that set-up is fast if nothing
+// is missing.
 import { createHash } from 'node:crypto'
 import { existsSync, mkdirSync, readFileSync, realpathSync, statSync, writeFileSync } from 'node:fs'
 import { delimiter, join } from 'node:path'

@@ -2,7 +2,7 @@
 
 /**
  * Builds each config in turn. Vite sets NODE_ENV for its process and child processes if it is unset: after a server, a build would be a
- * development build, and after a build, a server would take its pages for built ones.
+ * development build, and after a build, a server would serve its pages in production mode.
  */
 export async function viteBuild(...configs) {
   const { build } = await import('vite')

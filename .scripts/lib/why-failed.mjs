@@ -1,4 +1,4 @@
-// A reporter for Node's test runner. At the end it says why a file failed whose tests all passed; `spec` only says "test failed".
+// A reporter for Node's test runner. At the end it reports why a file failed although all its tests passed; `spec` only prints "test failed".
 export default async function* (events) {
   const reasons = []
   for await (const { type, data } of events) {

@@ -8,7 +8,7 @@ const isInfiniteAtZero = 'At 0 value and derivative are infinite.'
 
 /**
  * Maps each operation → its row:
- * - `value`, and `by`, the derivative by each operand: JavaScript. `where` names a part that several of them share.
+ * - `value`, and `by`, the derivative with respect to each operand: JavaScript. `where` defines a part that several of them share.
  * - `plot`: the call that is plotted, from and to which x. Default: `x.name()` from -3 to 3, where there is one operand.
  * - `kink`: the derivative where the function has none.
  */

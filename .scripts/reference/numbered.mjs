@@ -48,7 +48,7 @@ export const meshNumberedText = ({ meshArrays, triangleLimit, defaultTriangles }
       .filter(({ kind }) => kind === wanted)
       .map(({ name }) => `'${name}'`)
       .join(' | ')
-  return `// Written by \`npm run reference\` from the C++: the arrays of a mesh's job by type, and limits.
+  return `// Written by \`npm run reference\` from the C++: the names of the arrays that are passed to the mesh module, by type, and limits.
 
 export type FloatArray = ${of('float')}
 export type IndexArray = ${of('index')}

@@ -4,14 +4,14 @@ import { noiseFormulas } from './noise-formulas.mjs'
 import { lineText } from './plots.mjs'
 import { vectorFormulas } from './vector-formulas.mjs'
 
-/** Products that the table has among those of numbers. */
+/** Products that the table of operations lists under `mult` of numbers. */
 const products = {
   'mult(A, B)': 'The product of two matrices.',
   'mult(A, v)': 'A matrix times a column.',
   'mult(v, A)': 'A row times a matrix.',
 }
 
-/** Operations that are derivatives. They have no formula of their own to differentiate: deriving them again does that. */
+/** Operations that are derivatives. They have no formula to differentiate: they are derived again instead. */
 const derivatives = {
   derivative: {
     says: '`derivative(f, t)` is `∂f/∂t`. Its own derivative is the second one, `∂²f/∂t²`.',
@@ -48,7 +48,7 @@ function formulaText({ form, value, derivative, where = {} }) {
   const isRead = (name) => RegExp(`(?<![A-Za-z])${name}(?![A-Za-z])`, 'u').test(derivative)
   const parts = Object.entries(where).map(([name, text]) => code(`${name} = ${text}`))
   if (isRead('w') && !where.w) parts.push('w is the value')
-  // Long ones have lines of their own: on a phone each takes several.
+  // Puts several definitions on their own lines, because on a phone each takes several lines.
   const between = parts.length > 1 ? '\n\n' : ' '
   const named = parts.length ? `,${between}where ${parts.join(', ')}` : ''
   return `${code(form)} is ${code(value)}.${between}Derivative: ${code(derivative)}${named}.`

@@ -1,5 +1,5 @@
-// Prints what the tables say for people and for types, as JSON. This program is only built
-// natively, so that none of these texts is in the wasm.
+// Prints the tables of operations as JSON, including the descriptions for the docs and the types.
+// This program is only built natively, so that the wasm does not contain those descriptions.
 #include "noise/table.hpp"
 
 #include <algorithm>

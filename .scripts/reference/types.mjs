@@ -2,7 +2,7 @@
 
 // Every signature has its own comment: an editor shows no comment for a property whose type has several signatures.
 
-/** `mult` of a number and of the builder. From left to right a vector among square matrices stays one. */
+/** The signatures of `mult` for a number as receiver and for the builder's function. A vector times square matrices is a vector. */
 const product = [
   '(...numbers: Operand[]): Scalar',
   '<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value',
@@ -34,7 +34,7 @@ const special = {
     function: product,
   },
   div: {
-    // A matrix divides nothing.
+    // Nothing can be divided by a matrix.
     scalar: quotient,
     matrix: ['(...divisors: Operand[]): Self'],
     function: [
@@ -44,13 +44,13 @@ const special = {
   },
 }
 
-/** Methods of vectors that take a vector as its numbers, too, as p5.Vector's do, and what follows these. */
-const takesNumbers = { mod: 0, dot: 0, cross: 0, dist: 0, distance: 0, mix: 1 }
+/** Methods of vectors that also accept a vector as separate numbers, like p5.Vector's → the number of operands after these. */
+const operandsAfterVector = { mod: 0, dot: 0, cross: 0, dist: 0, distance: 0, mix: 1 }
 
-/** One signature, not two: methods of a union of vectors can be called only where none is overloaded. */
+/** Returns one signature, not two: TypeScript allows a method call on a union of vectors only if the method has no overloads. */
 function withNumbers(operation, self) {
   const [signature] = method(self)(operation)
-  const after = takesNumbers[operation.name]
+  const after = operandsAfterVector[operation.name]
   if (after === undefined) return [signature]
   const numbers = `x: Operand, y: Operand, ...${after ? 'others' : 'zw'}: Operand[]`
   return [signature.replace(/^\((.*)\): /, `(...given: [$1] | [${numbers}]): `)]

@@ -1,6 +1,6 @@
 // The formulas of operations on vectors and matrices and of their derivatives, in the notation of textbooks, for `web/docs/plots-vectors.md`.
 // tests/core/vector-formulas.test.js parses the same text, compares each derivative with differences of its value, and both with
-// warpjet. `d` before a letter is its change.
+// warpjet. `da` is the change of `a`.
 
 const change = 'da / |a| − a (a · da) / |a|³'
 const distance = {
@@ -9,7 +9,7 @@ const distance = {
   kink: 'Where a = b, the derivative is 0.',
 }
 
-/** A turn by φ about the axis `e`, as what becomes of v. */
+/** Returns the formulas of the vector v rotated by φ about the axis `e`. */
 const turn = (name, axis, value) => ({
   form: `${name}(φ) v`,
   value,

@@ -1,4 +1,4 @@
-// Draws the picture of web/docs/noise.md and measures its figures, by warpjet on the CPU.
+// Draws the picture of web/docs/noise.md and measures its figures, with warpjet on the CPU.
 import { writeFileSync } from 'node:fs'
 import { compileWarp } from '../../dist/warpjet.js'
 import { png } from '../../tests/support/png.js'
@@ -12,7 +12,7 @@ const gap = 6
 /** Cells along the side of a tile. */
 const cells = 6
 
-/** Evaluates a noise at many points at once, as the height of a warp → { values, slopes }. */
+/** Evaluates a noise at many points at once, through a warp whose height is the noise → { values, slopes }. */
 function sample(kind, dimensions, points) {
   const value = ({ glsl, position }) => {
     const p = [position.x(), position.xy(), position][dimensions - 1]

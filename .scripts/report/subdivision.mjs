@@ -15,7 +15,7 @@ const near = 0.005
 const triesAHalving = 4
 /** Tolerances for a cube of 180 units that noise moves by up to 20. */
 const tolerances = [1, 0.5, 0.25]
-/** Samples along the mesh. */
+/** The number of samples along the mesh. */
 const samples = 64
 
 // The sizes are those of the gallery's models. Twists and the spoon are at the moment at which they bend farthest.

@@ -1,4 +1,4 @@
-// Measures the gallery's warps after a week, with and without the numbers that are computed once a frame.
+// Measures the precision of the gallery's warps after a week of uptime, with and without precomputing numbers once per frame.
 import { markdownTable } from '../reference/parts.mjs'
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import { openPipeline } from '../../tests/support/browser/transform-feedback.js'

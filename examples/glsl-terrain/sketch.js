@@ -1,5 +1,5 @@
-// A landscape as on Shadertoy, with rotated and shrinking octaves, as the height of
-// a plane. Nobody wrote its normals.
+// A plane displaced by a landscape in the style of Shadertoy, with rotated and
+// shrinking octaves. The code contains no normals: warpjet computes them.
 const { glslOffset } = warpjet
 
 const land = `

@@ -16,7 +16,7 @@ function setup() {
   noStroke()
   warp = createWarp(sines)
 
-  // b and c use the same code without normals, by hand in hooks of p5: in GLSL, and
+  // b and c use the same code without normals, written into hooks of p5: in GLSL, and
   // on WEBGPU in WGSL, where y points down.
   const { target, time, seen, begin, facet } = webglVersion === WEBGL2 ? inGLSL : inWGSL
   const { code } = warpjet.compileWarp(sines, {

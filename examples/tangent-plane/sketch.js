@@ -1,4 +1,4 @@
-// The article's way to a normal (left) beside the exact one (right). The older way
+// The article's method for normals (left) and the exact one (right). The older method
 // rotates the plane of x and y until it touches the surface, moves two neighbours
 // in it, and takes the plane through the moved points. The axis of that rotation is
 // z × normal. In front, the cube's normal is z: no axis, and no light.

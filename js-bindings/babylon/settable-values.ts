@@ -1,4 +1,4 @@
-// Makes the property `values` of a warp, which maps names → values of uniforms. They may be set.
+// Makes the property `values` of a warp: it maps the names of uniforms → their values, which can be assigned.
 import type { HostWarp } from '../compile/hosts.js'
 
 /** Setting throws a `WarpError` for an unknown name and for a value of another type. */

@@ -7,6 +7,7 @@ import type { Place } from '../options/place.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
 import { bakeWarp } from '../mesh/bake.js'
 import { exportGLB } from '../mesh/export.js'
+import { bakeNormalMap, frameKind, sizeRange } from '../mesh/normal-map.js'
 import { loadMesh } from '../mesh/load.js'
 import type { Mesh } from '../mesh/mesh-arrays.js'
 import { subdivide } from '../mesh/subdivide.js'
@@ -49,6 +50,8 @@ export async function bake(args: string[]): Promise<void> {
       set: { type: 'string', multiple: true, kind: settings },
       subdivide: { type: 'string', kind: numeric(optional(positiveNumber())) },
       'max-triangles': { type: 'string', kind: numeric(optional(triangles)) },
+      'normal-map': { type: 'string', kind: numeric(optional(wholeNumber(sizeRange))) },
+      frames: { type: 'string', kind: optional(frameKind) },
       quiet: { type: 'boolean', short: 'q', default: false },
     },
   )
@@ -58,8 +61,11 @@ export async function bake(args: string[]): Promise<void> {
   if (!/\.glb$/i.test(output)) throw wrong(`bake: expected a .glb file for -o, got "${output}".`)
   if (await areOneFile(output, model)) throw wrong('bake does not overwrite the model itself.')
   const { set: uniforms, subdivide: tolerance, 'max-triangles': maxTriangles } = values
+  const { 'normal-map': size, frames } = values
   if (maxTriangles !== undefined && tolerance === undefined)
     throw wrong('--max-triangles needs --subdivide, which is missing.')
+  if (frames !== undefined && size === undefined)
+    throw wrong('--frames needs --normal-map, which is missing.')
 
   const progress = new Progress(values.quiet)
   const { offset, uniforms: declared } = await readWarp(file, choiceOf(values), uniforms)
@@ -86,7 +92,13 @@ export async function bake(args: string[]): Promise<void> {
     for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
     progress.step(`Subdivided: ${sizeOf(mesh)}`)
   }
-  const bytes = exportGLB(bakeWarp(mesh, warp, { uniforms }))
+  if (size === undefined) mesh = bakeWarp(mesh, warp, { uniforms })
+  else {
+    mesh = bakeNormalMap(mesh, warp, { uniforms, size, frames })
+    for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
+    progress.step(`Normal map: ${size} × ${size}`)
+  }
+  const bytes = exportGLB(mesh)
   await withWriteErrors(output, () => writeFile(output, bytes))
   progress.step(`${output}: ${count(bytes.length, 'byte')}`)
 }

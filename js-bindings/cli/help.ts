@@ -52,6 +52,10 @@ Moves every vertex of the model like the shader, transforms normals and tangents
   --subdivide <tolerance>   first splits triangles where the warp bends them, until the result is within this distance
                             of the smooth shape, in units of the model
   --max-triangles <n>       max number of triangles with --subdivide (default: ${defaultTriangles})
+  --normal-map <size>       also writes the normals between the vertices, as a normal map of this many texels square, such
+                            as 1024, so that a coarse model is lit like a fine one; needs uvs that do not overlap
+  --frames <kind>           with --normal-map, how the program that draws the model uses it: normalized like three.js
+                            (default), or mikktspace like Blender
   -q, --quiet               prints no progress`,
 
   derive: `npx warpjet derive <file> [options]

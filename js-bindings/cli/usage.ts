@@ -46,7 +46,7 @@ type Values<Known extends Flags> = {
       : undefined
 }
 
-/** Parses the options and file names of a command, which must be exactly as many as `files` describes. */
+/** Parses the options and file names of a command. `files` describes the file names, one by one; all of them are required. */
 export function readArguments<const Known extends Flags>(
   command: string,
   args: string[],

@@ -45,8 +45,8 @@ export function stageFor(
 ): NormalStage {
   const { module, settings } = recorded
   const results = [resultNumber(recorded, 'normal', settings.surfaceVariation)]
-  const { operations, hasNoise } = costOf(module, results, isFrameConstant)
-  if (operations > maxOperations) return 'vertex'
+  const { operations, hasNoise, needsGpu } = costOf(module, results, isFrameConstant)
+  if (needsGpu || operations > maxOperations) return 'vertex'
   if (hasNoise) return 'pixel'
   const program = makeProgram(module, results)
   return program && bendsStrongly(program, valuesOf(recorded, numbersOf)) ? 'pixel' : 'vertex'

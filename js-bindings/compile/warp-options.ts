@@ -45,20 +45,20 @@ export interface WarpOptions<
   /**
    * `true`: the shader has the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
    * `vGradient`, vec3s that say how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes
-   * them; the code reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` accepts that
+   * them; the code reads only those that the normal of this offset needs. Otherwise normal and uv count as constant; `false` accepts that
    * without a warning.
    */
   surfaceVariation?: boolean
   /**
    * `true`: everything that is constant during a frame is computed on the CPU, in double precision, by `frameUniforms`, and the
-   * code reads it as uniforms `warpjetFrame0`, …: float32 then keeps its digits however long a page runs.
+   * code reads it as uniforms `warpjetFrame0`, …: so float32 stays precise even if a page runs for weeks.
    */
   perFrame?: boolean
   /** `true`: comments say which lines of your code each statement comes from. */
   debug?: boolean
 }
 
-/** Names that replace those of the options in one text. */
+/** Names that replace those of the options in one piece of shader code. */
 export interface TextOptions {
   names?: InputNames | undefined
   outputs?: OutputNames | undefined
@@ -154,7 +154,7 @@ function namesOf({ tangents, surfaceVariation }: ResultFlags, given: InputNames 
   return names
 }
 
-/** Names an input that the code does not read, though the CPU may. User code has no such name. */
+/** Returns the name of an input that the shader code does not read, although the CPU may. User code never has such a name. */
 const hiddenName = (name: string) => `_warpjet_${name}`
 
 /** Removes options that are `undefined`. */

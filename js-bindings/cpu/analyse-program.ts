@@ -18,7 +18,7 @@ export const inputsRead = (program: Program, wanted: readonly number[]): boolean
     Array.from(loaded.inputsRead(wanted, program.inputs.map(sizeOf)), Boolean),
   )
 
-/** Returns the range of each wanted result. `ranges` has that of each number of the program's inputs. */
+/** Returns the range of each wanted result. `ranges` has the range of each component of the program's inputs. */
 export const boundProgram = (
   program: Program,
   ranges: readonly Range[],

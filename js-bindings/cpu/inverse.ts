@@ -51,7 +51,7 @@ const maxFromElsewhere = 40
 const precision = 1e-14
 /** Tolerance relative to the size of the goal, for a search that rounding or a fold stops. */
 const relativeTolerance = 1e-9
-/** Maximum size of a position in the rounding tolerance: without it, any goal would count as reached from far away. */
+/** Caps the position's size in the rounding tolerance; otherwise a position far away would be accepted for any goal. */
 const maxRoundingSize = 1e4
 
 const sizeOf = (a: Triple) => Math.hypot(...a)
@@ -97,7 +97,7 @@ class InverseSearch {
     // The first goal is the target itself. Where Newton's method fails, the next goal is half as far; after a success, twice as far.
     for (let goals = 0, share = 1; goals < maxGoals && !this.isAtLimit; goals++) {
       const { position } = sample.to
-      // Not the sum for a share of 1, whose rounding error is large if the warp moves far away.
+      // For a share of 1, the sum would have a large rounding error if the warp moves points far away.
       const goal = share === 1 ? this.target : along(position, share, minus(this.target, position))
       const next = this.dampedNewton(sample, goal)
       if (next && share === 1) return next

@@ -89,7 +89,7 @@ function originOf(input: Input): Origin {
 
 /**
  * Returns the sources of the program's inputs in order, with checked uniforms. The caller owns them until it calls
- * `releaseOrigins`; if a uniform's function evaluates the same warp meanwhile, that call gets others.
+ * `releaseOrigins`; if a uniform's function evaluates the same warp in between, that call gets other ones.
  */
 export function originsOf(
   place: Place,

@@ -1,4 +1,4 @@
-/** Lends one object again and again, so that calls create no garbage. A nested call gets an object of its own. */
+/** Lends one object again and again, so that calls create no garbage. A nested call gets its own object. */
 export class Pool<Item> {
   private spare: Item | undefined
 

@@ -9,7 +9,7 @@ import { MachineCode, type Sink, type Stream, copy, sizeOf, batchSize } from './
 
 /**
  * Evaluates `program`. `inputs` has all of its inputs in order, and `wanted` are the results that the sinks receive. With machine
- * code it creates no garbage: `interpret` is a function of its own because its closures capture variables, whose scope each call
+ * code it creates no garbage: `interpret` is a separate function because its closures capture variables, whose scope each call
  * would allocate.
  */
 export function runProgram(
@@ -38,7 +38,7 @@ interface Use {
   code?: MachineCode | null
 }
 
-/** Maps a program → its few uses, which are compared: a string as a key would be garbage of each call. */
+/** Maps a program → its few uses, which are compared one by one, since a string key would create garbage in each call. */
 const usesOf = new WeakMap<Program, Use[]>()
 
 /** `true` once a Content-Security-Policy or the engine itself has refused to compile code. */

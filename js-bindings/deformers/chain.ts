@@ -11,7 +11,7 @@ import { warpsOf } from './warps.js'
  * `chain(twist(), inflate())` inflates the twisted shape; if previous warps read `normal`, `uv` or `color`, these count as
  * constant in that derivative.
  *
- * A moved position is not an input, so you cannot differentiate by it: `glsl.derivative(x, position.x())` throws a
+ * A moved position is not an input, so you cannot differentiate with respect to it: `glsl.derivative(x, position.x())` throws a
  * `WarpError` in all warps except the first.
  *
  * Throws a `WarpError` if an argument is not a function and, when the warp is made, if one does not return a vec3.

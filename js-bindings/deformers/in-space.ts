@@ -29,7 +29,7 @@ interface Space {
 /**
  * Applies a warp in another space. Its `position` is p' = M p, its `normal` the unit normal there, which points outwards
  * even if M mirrors, and the offset is transformed back by the inverse of the linear part of M. So the units, axes and
- * origin of the warp are those of the space that M maps to. As for `chain`, you cannot differentiate by that position.
+ * origin of the warp are those of the space that M maps to. As for `chain`, you cannot differentiate with respect to that position.
  *
  * Throws a `WarpError` if an argument is not a matrix or a function, if the linear part of a constant matrix has determinant 0 and,
  * when the warp is made, if it does not return a vec3. If a computed matrix has determinant 0, points do not move.

@@ -5,7 +5,7 @@ export function stackLines(error = new Error()): string[] {
   return (error.stack ?? '').split('\n').filter((line) => /:\d+:\d+\)?$/.test(line))
 }
 
-/** Returns the file of a line. A function's name may itself end in "at", such as `format` and names of minifiers. */
+/** Returns the file that a line names. The pattern allows for function names that end in "at", such as `format` or a minified name. */
 export const fileOf = (line: string) =>
   line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at (?!\())(?=\S*$)/, '')
 

@@ -35,8 +35,8 @@ const differentiateOptions = object({
 
 /**
  * Returns the source of a function with the same parameters as the one in `source`. If that returns a float, the new one,
- * `…Gradient`, returns a vector of the value and its derivatives by each component of `by`: `vec4 mapGradient(vec3 p)` for a
- * distance field. If it returns a vector, `…Jacobian` returns the matrix of its derivatives, with a column for each
+ * `…Gradient`, returns a vector of the value and its derivatives with respect to each component of `by`: `vec4 mapGradient(vec3 p)` for
+ * a distance field. If it returns a vector, `…Jacobian` returns the matrix of its derivatives, with a column for each
  * component of `by`, or a vector if `by` is a float.
  *
  * Uniforms remain uniforms of the shader. Throws a `WarpError` with the line and column of a mistake in the source.

@@ -42,7 +42,7 @@ export function imageSizeText(target: Target, image: string) {
     : `vec2(textureSize(${image}, 0))`
 }
 
-/** Returns expressions that convert a variable of another type to floats, or one 16-bit half of its integers. */
+/** Returns expressions that convert a variable, or with `half` the low or high 16 bits of its integers, to floats. */
 export function textsAsFloats(
   name: string,
   type: string,

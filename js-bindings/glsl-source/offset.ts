@@ -19,7 +19,7 @@ export interface GlslOffsetOptions extends GlslOptions {
   returns?: 'offset' | 'position'
 }
 
-/** An offset function for any host; it reads the inputs that the source uses besides the position from its argument. */
+/** An offset function for any host. Its argument must also have the other inputs that the source uses. */
 export type GlslOffset<Uniforms extends UniformValues = {}> = (
   inputs: Pick<WarpInputs<Uniforms>, 'glsl' | 'position' | 'uniforms'>,
 ) => Vec3
@@ -32,7 +32,7 @@ const offsetOptions = object({
 
 /**
  * Makes an offset function from source in GLSL ES 3.00 or 1.00, for `createWarp`, `compileWarp`, `chain` and so on. The source
- * is parsed once. Parameters of its function are inputs by name (`position`, `normal`, `uv`, `color`, `millis`, `mouse`,
+ * is parsed once. Its function's parameters are matched to inputs by name (`position`, `normal`, `uv`, `color`, `millis`, `mouse`,
  * `size` …); a single vec3 parameter is the position, whatever its name. Uniforms of the source are those of the option
  * `uniforms`, or else uniforms of your shader.
  *

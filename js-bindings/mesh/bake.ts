@@ -19,7 +19,7 @@ import {
   takeMesh,
 } from './mesh-arrays.js'
 import { withJob } from './job.js'
-import { takeVariation } from './surface-variation.js'
+import { type SurfaceVariation, takeVariation } from './surface-variation.js'
 
 /** The part of `compileWarp`'s result that meshes need. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
@@ -60,19 +60,31 @@ export function bakeWarp(
   warp: Evaluates,
   options?: EvaluationOptions,
 ): unknown {
-  const baked = bake(given, warp, options)
+  bakedWarp.read(warp, place.part('the warp'))
+  const uniforms = uniformsOf(place, options)
+  const bake = (mesh: MeshOrGeometry) => warpMesh(place, mesh, warp, uniforms).warped
+  const baked = bake(given)
   if (!isGeometry(given)) return baked
-  const isMirrored = isMirroredBy(warp, uniformsOf(place, options))
-  return movedGeometry(given, baked, isMirrored, (mesh) => bake(mesh, warp, options))
+  return movedGeometry(given, baked, isMirroredBy(place, warp, uniforms), bake)
 }
 
 /** Returns whether the warp mirrors all of space; false for a warp made by hand, which doesn't have this information. */
-const isMirroredBy = (warp: Evaluates, uniforms: Uniforms | undefined) =>
+const isMirroredBy = (place: Place, warp: Evaluates, uniforms: Uniforms | undefined) =>
   warp[warpProgram]?.isMirrored(place, uniforms) ?? false
 
-function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {
-  bakedWarp.read(warp, place.part('the warp'))
-  const uniforms = uniformsOf(place, options)
+/** A copy of a mesh before a warp, with all inputs of the warp, and after it. */
+export interface WarpedMesh {
+  rest: Mesh & Partial<SurfaceVariation>
+  warped: Mesh
+}
+
+/** Does the work of `bakeWarp` for a mesh, with messages that name another call. */
+export function warpMesh(
+  place: Place,
+  mesh: MeshOrGeometry,
+  warp: Evaluates,
+  uniforms: Uniforms | undefined,
+): WarpedMesh {
   const { copy, variation } = withJob(place, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
@@ -84,11 +96,12 @@ function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions
     throw place.error(
       'the warp was compiled with "normals: false"; compile it without this option.',
     )
-  rejectNonFinite('position', positions, 3, copy)
-  rejectNonFinite('normal', normals, 3, copy)
-  if (tangents) rejectNonFinite('tangent', tangents, 4, copy)
+  rejectNonFinite(place, 'position', positions, 3, copy)
+  rejectNonFinite(place, 'normal', normals, 3, copy)
+  if (tangents) rejectNonFinite(place, 'tangent', tangents, 4, copy)
   const baked = { ...copy, positions, normals, ...(tangents && { tangents }) }
-  return isMirroredBy(warp, uniforms) ? reverseTriangles(baked) : baked
+  const isMirrored = isMirroredBy(place, warp, uniforms)
+  return { rest: vertices, warped: isMirrored ? reverseTriangles(baked) : baked }
 }
 
 /** Calls `warp.evaluate`, and makes its messages name the function that the user called. */
@@ -136,6 +149,7 @@ function rejectOtherArrays(place: Place, warped: unknown, vertices: Vertices) {
 }
 
 function rejectNonFinite(
+  place: Place,
   name: string,
   given: ArrayLike<number>,
   size: number,

@@ -204,7 +204,7 @@ function readerOf(given: Attribute) {
   return (i: number, k: number) => given.array[given.itemSize * i + k]!
 }
 
-/** Moves a vertex between vertices with different bones by all of these bones, up to the four with max weight. */
+/** Moves a vertex between vertices with different bones by all of these bones, up to the four with the largest weights. */
 function mergeBones({ attributes }: Made, ends: Uint32Array) {
   const { skinIndex, skinWeight } = attributes as Record<string, Attribute & Settable>
   if (!skinIndex || !skinWeight) return

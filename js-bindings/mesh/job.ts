@@ -20,6 +20,7 @@ type Action =
   | 'checkMesh'
   | 'addNormals'
   | 'addVariation'
+  | 'normalizeNormals'
   | 'writeFile'
 
 /** The data of one call, in wasm memory. */

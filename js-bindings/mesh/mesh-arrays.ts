@@ -19,6 +19,8 @@ export interface Material {
   /** Linear red, green, blue and alpha from 0 to 1; multiplies the texture. */
   baseColor: number[]
   baseColorTexture?: Picture
+  /** A normal map in tangent space, as in glTF: green is up. `bakeNormalMap` makes it; `loadMesh` leaves out that of a file. */
+  normalTexture?: Picture
 }
 
 /** A triangle mesh, as the functions of this module return it. */
@@ -51,6 +53,7 @@ export interface MeshInput {
   material?: {
     baseColor?: ArrayLike<number>
     baseColorTexture?: { bytes: Uint8Array; mimeType?: string }
+    normalTexture?: { bytes: Uint8Array; mimeType?: string }
   }
 }
 
@@ -111,6 +114,12 @@ function indicesOf(given: unknown, place: Place): ArrayLike<number> {
   return numbers
 }
 
+/** The textures of a material, and their arrays in a job. */
+const textures = [
+  { name: 'baseColorTexture', arrays: { bytes: 'picture', mimeType: 'mimeType' } },
+  { name: 'normalTexture', arrays: { bytes: 'normalPicture', mimeType: 'normalMimeType' } },
+] as const
+
 const materialKind = record<Record<string, unknown>>(
   'an object such as { baseColor: [1, 1, 1, 1] }',
 )
@@ -118,10 +127,8 @@ const mimeTypeKind = text('a text such as "image/png"', undefined, { default: ''
 
 function putMaterial(job: Job, given: unknown, place: Place) {
   const part = (name: string) => place.part(`material.${name}`)
-  const { baseColor = [1, 1, 1, 1], baseColorTexture } = materialKind.read(
-    given,
-    place.part('material'),
-  )
+  const material = materialKind.read(given, place.part('material'))
+  const { baseColor = [1, 1, 1, 1] } = material
   const color = flatArray.read(baseColor, part('baseColor'))
   if (color.length !== 4 || firstWrong(color, finiteFloat) >= 0)
     throw part('baseColor').expected(
@@ -129,16 +136,19 @@ function putMaterial(job: Job, given: unknown, place: Place) {
       `[${Array.from(color).slice(0, 5).map(describeNumber).join(', ')}]`,
     )
   job.setBaseColor(color)
-  if (baseColorTexture === undefined) return
-  const isPicture = isObject(baseColorTexture)
-  const { bytes, mimeType } = isPicture ? baseColorTexture : {}
-  if (!(bytes instanceof Uint8Array))
-    throw part('baseColorTexture').expected(
-      '{ bytes, mimeType } with bytes in a Uint8Array',
-      isPicture ? `bytes that are ${describe(bytes)}` : describe(baseColorTexture),
-    )
-  job.setBytes('picture', bytes)
-  job.setText('mimeType', mimeTypeKind.read(mimeType, part('baseColorTexture.mimeType')))
+  for (const { name, arrays } of textures) {
+    const texture = material[name]
+    if (texture === undefined) continue
+    const isPicture = isObject(texture)
+    const { bytes, mimeType } = isPicture ? texture : {}
+    if (!(bytes instanceof Uint8Array))
+      throw part(name).expected(
+        '{ bytes, mimeType } with bytes in a Uint8Array',
+        isPicture ? `bytes that are ${describe(bytes)}` : describe(texture),
+      )
+    job.setBytes(arrays.bytes, bytes)
+    job.setText(arrays.mimeType, mimeTypeKind.read(mimeType, part(`${name}.mimeType`)))
+  }
 }
 
 /** Copies the job's mesh into new arrays. */
@@ -152,9 +162,11 @@ export function takeMesh(job: Job): Mesh {
   if (indices.length) mesh.indices = indices
   const baseColor = job.baseColor()
   if (baseColor) mesh.material = { baseColor }
-  const picture = job.bytes('picture')
-  if (mesh.material && picture.length)
-    mesh.material.baseColorTexture = { bytes: picture, mimeType: job.text('mimeType') }
+  for (const { name, arrays } of textures) {
+    const bytes = job.bytes(arrays.bytes)
+    if (mesh.material && bytes.length)
+      mesh.material[name] = { bytes, mimeType: job.text(arrays.mimeType) }
+  }
   return mesh
 }
 

@@ -1,4 +1,4 @@
-// Calls in translated code: of known functions, and of the sketch's own, which are translated like the offset function.
+// Handles calls in translated code: of known functions, and of the sketch's own, which are translated like the offset function.
 import { isClass, isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import { guardedKey, isOwnFunction } from '../errors/operators.js'
@@ -45,7 +45,7 @@ const vectorFunctions: Record<string, string> = {
 /** Functions of p5 that accept any value. */
 const takesAnything = new Set(['print', 'createWarp', 'describe'])
 
-/** `make` returns the translated function with the operators of runtime.ts; `explain` returns a message why there is none. */
+/** `make` returns the translated function with the operators of runtime.ts; `explain` returns a message that says why there is none. */
 export type Read = { make(operators: object): Translated } | { explain: () => string }
 
 /** Reads a helper function of the sketch, which is called with expressions. */

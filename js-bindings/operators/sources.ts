@@ -1,4 +1,4 @@
-// Finds the source code of a function in the scripts of its page, since only these show the names bound around it.
+// Finds the source code of a function in the scripts of its page, since only a script shows which variables surround a function.
 import { parse } from 'acorn'
 import { fileOf, stackLines } from '../errors/source-lines.js'
 import { type Place } from './resolve.js'
@@ -58,7 +58,7 @@ const isLibrary = (url: string) =>
     url.replace(/[?#].*$/, ''),
   )
 
-/** Returns whether a script can be read without a request to another site. Pages that are files may read nothing. */
+/** Returns whether a script can be read without a request to another site. Pages opened from a file cannot read any script. */
 const isReadable = (url: string) =>
   /^(blob|data):/.test(url) || (/^https?:/.test(url) && new URL(url).origin === location.origin)
 
@@ -127,7 +127,7 @@ export function placesOf(text: string): Place[] {
   return []
 }
 
-/** Returns the syntax trees of the scripts that contain a name, as far as no further request is needed. */
+/** Returns the syntax trees of the scripts that contain a name, among those that can be read without a further request. */
 export function programsWith(name: string, place: Place | undefined): Tree[] {
   if (typeof document === 'undefined') return []
   const read = [...fetched.values()].flatMap((text) => (text ? [{ text, isModule: false }] : []))

@@ -33,7 +33,7 @@ export const kind = <Value, Given = Value>(
   },
 })
 
-/** Makes a kind that may be left out: `undefined` then. */
+/** Makes an optional kind: a missing value is read as `undefined`. */
 export const optional = <Value, Given>({
   read,
 }: Kind<Value, Given>): Kind<Value | undefined, Given> => ({
@@ -95,7 +95,7 @@ export const positiveNumber = ({ max = Number.MAX_VALUE, default: standard }: Ra
 export const callable = <F extends Function>(what = 'a function', settings: Settings<F> = {}) =>
   kind<F>(what, isCallable, settings)
 
-/** The function that a compiler calls. */
+/** The callback that `compile`, `compileWarp` and the like require. */
 export const callback = callable('a function', {
   advice: (given) =>
     typeof given === 'string' && given.includes('{')

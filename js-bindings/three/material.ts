@@ -23,7 +23,7 @@ export interface WarpedMaterial<
   Kind extends Material = Material,
   Uniforms = {},
 > extends Warped<Uniforms> {
-  /** A live view of the material, warped: its properties are those of the material. With `share: true` the material itself. */
+  /** A warped live view of the material, with the same properties; with `share: true`, the material itself. */
   readonly material: Kind
   /** For the mesh's property of that name: shadows of directional and spot lights. */
   readonly customDepthMaterial: Material
@@ -32,8 +32,8 @@ export interface WarpedMaterial<
 }
 
 /**
- * Warps a material, for WebGLRenderer. The results `material`, `customDepthMaterial` and `customDistanceMaterial` belong into the
- * mesh's properties of these names. `warp` does more: culling, rays, and passes that replace the material. Any material of three.js
+ * Warps a material, for WebGLRenderer. The results `material`, `customDepthMaterial` and `customDistanceMaterial` are for the
+ * mesh's properties with these names. `warp` does more: culling, rays, and passes that replace the material. Any material of three.js
  * that makes vertices from a geometry can be warped, also one with an `onBeforeCompile`, which is called first.
  *
  * Throws a `WarpError` for any other material.
@@ -73,7 +73,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   }
 }
 
-/** Puts the warp into the material itself; call the result to end that. */
+/** Adds the warp to the material itself; call the returned function to remove it. */
 function weaveInto(material: Material, warp: ThreeWarp, surface: WovenSurface): () => void {
   const weaver = new ShaderWeaver(warp, surface)
   const before = ['onBeforeCompile', 'customProgramCacheKey'].map(

@@ -10,15 +10,15 @@ import type { ThreeWarp } from './three-warp.js'
 /** The functions of 'warpjet/three/webgpu' that `warp` calls. */
 export interface Nodes {
   check: (method: string, material: Material, object?: Mesh) => void
-  /** Draws an object, or all objects that have a material, warped; call the result to end that. */
+  /** Makes WebGPURenderer warp an object, or all objects with a material; call the returned function to stop. */
   carryObject: (target: Object3D | Material, warp: ThreeWarp) => () => void
-  /** Tests whether a renderer is of the three.js whose methods are replaced. */
+  /** Tests whether a renderer belongs to the copy of three.js whose methods are replaced. */
   isOurs: (renderer: unknown) => boolean
 }
 
 let nodes: Nodes | undefined
 
-/** Called by 'warpjet/three/webgpu': three.js 0.159 has no 'three/tsl' that 'warpjet/three' could import. */
+/** Called by 'warpjet/three/webgpu': 'warpjet/three' itself cannot import 'three/tsl', which three.js 0.159 lacks. */
 export const provideNodes = (given: Nodes) => void (nodes = given)
 
 const isForNodes = (material: Material) =>
@@ -44,7 +44,7 @@ export function problemOf(
   return undefined
 }
 
-/** Draws an object, or all that have a material, warped with WebGPURenderer, if that is imported; call the result to end that. */
+/** Makes WebGPURenderer, if it is imported, warp an object or all objects with a material; call the returned function to stop. */
 export const carryByNodes = (target: Object3D | Material, warp: ThreeWarp): (() => void) =>
   nodes?.carryObject(target, warp) ?? (() => {})
 

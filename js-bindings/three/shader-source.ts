@@ -1,4 +1,4 @@
-// GLSL as WebGLRenderer has it: sources with `#include <…>` lines, which name the chunks of three.js.
+// Edits the GLSL that WebGLRenderer compiles. Its `#include <…>` lines name chunks of three.js.
 import { ShaderChunk } from 'three'
 
 const chunks = ShaderChunk as Record<string, string | undefined>
@@ -10,7 +10,7 @@ export const resolveIncludes = (source: string): string =>
     return chunk === undefined ? line : resolveIncludes(chunk)
   })
 
-/** The source of a chunk; empty if this version of three.js has none of the name. */
+/** The source of a chunk; empty if this version of three.js has no chunk with that name. */
 export const chunkSource = (name: string): string => resolveIncludes(chunks[name] ?? '')
 
 /** The head of `main`. */

@@ -49,7 +49,7 @@ export class Variant extends ForwardingMaterial {
     const before = new Set(Object.keys(shader.uniforms))
     original.onBeforeCompile(shader, renderer)
     if (original.isShaderMaterial) {
-      // These are the user's own uniforms, which stay live this way and get nothing of ours.
+      // These are the user's own uniforms: this way they stay live, and ours are not added to them.
       shader.uniforms = Object.create(shader.uniforms) as Shader['uniforms']
     } else {
       const added = Object.keys(shader.uniforms).filter((name) => !before.has(name))
@@ -63,7 +63,7 @@ export class Variant extends ForwardingMaterial {
     return `${this.weaver.key} ${this.original.customProgramCacheKey()}`
   }
 
-  /** A copy of the material that it is a view of. */
+  /** Copies the original material. */
   clone() {
     return this.original.clone()
   }

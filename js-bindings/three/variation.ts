@@ -31,7 +31,7 @@ export async function addSurfaceVariation<Geometry extends BufferGeometry>(
   return geometry
 }
 
-/** One buffer of vectors of 3 numbers: WebGPU allows 8 vertex buffers, and a geometry may have 6 of its own. */
+/** Interleaves lists of 3D vectors in one buffer, since WebGPU allows only 8 vertex buffers, and a geometry may already have 6. */
 function interleave(lists: readonly Float32Array[]): InterleavedBuffer {
   const stride = 3 * lists.length
   const count = lists[0] ? lists[0].length / 3 : 0

@@ -292,7 +292,8 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("inputs", &CpuProgram::inputs);
   value_object<Cost>("Cost")
       .field("operations", &Cost::operations)
-      .field("hasNoise", &Cost::hasNoise);
+      .field("hasNoise", &Cost::hasNoise)
+      .field("needsGpu", &Cost::needsGpu);
 
   class_<Builder>("Session")
       .constructor<>()

@@ -1,5 +1,5 @@
-// The bindings of the evaluation of programs at many vertices. Vertices cross by views of arrays
-// here; machine code has its own arrays, in memory that JavaScript allocates.
+// The bindings for evaluating programs at many vertices. The interpreter's inputs and results are
+// passed as views of arrays; machine code has its own arrays, in memory that JavaScript allocates.
 #include <emscripten.h>
 #include <malloc.h>
 
@@ -36,8 +36,8 @@ class CpuProgram {
   CpuProgram(Words words, std::uint32_t instructions)
       : words_(std::move(words)), instructions_(instructions) {}
 
-  // Returns for each input whether the wanted results depend on it. `sizes` are the counts of
-  // their numbers.
+  // Returns for each input whether the wanted results depend on it. `sizes` has the number of
+  // components of each input.
   std::vector<std::uint8_t> inputsRead(const Words& wanted, const Words& sizes) const {
     std::vector<std::uint8_t> isRead;
     std::vector<std::size_t> inputOf;  // by number
@@ -51,8 +51,8 @@ class CpuProgram {
     return isRead;
   }
 
-  // Returns a lower and an upper bound of each wanted result. `ranges` has those of each number of
-  // the inputs.
+  // Returns a lower and an upper bound of each wanted result. `ranges` has the bounds of each
+  // component of the inputs.
   std::vector<double> bounds(const std::vector<double>& ranges, const Words& wanted) const {
     std::vector<Range> given;
     for (std::size_t i = 0; i + 1 < ranges.size(); i += 2)
@@ -114,7 +114,7 @@ class Evaluator {
   std::optional<BlockEvaluator> evaluator_;
 };
 
-// A wasm module of its own, for which the caller allocates memory: offsets are in that.
+// Machine code, as a separate wasm module. The offsets refer to memory that the caller allocates.
 struct Code {
   std::vector<std::uint8_t> module;  // empty if the program is too long
   Words inputsAt = {}, resultsAt = {};
@@ -151,7 +151,8 @@ std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 }  // namespace
 
-// The imports of machine code; `Staged` of src/eval/staged.hpp has its other requirements.
+// Functions that machine code imports. `Staged` in src/eval/staged.hpp has the operations that it
+// contains itself.
 extern "C" {
 #define LANES(name) \
   EMSCRIPTEN_KEEPALIVE simd::Floats lanes_##name(simd::Floats x) { return name(Lanes(x)).floats; }

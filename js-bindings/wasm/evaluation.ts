@@ -1,5 +1,5 @@
-// Evaluates programs at many vertices (evaluation.cpp). A module of its own, since it needs SIMD and the compiler does not. It starts
-// when the first warp is evaluated, and holds nothing between two calls.
+// Loads the wasm module that evaluates programs at many vertices (evaluation.cpp). It is separate from the compiler's, which does not need
+// SIMD. It starts when the first warp is evaluated, and frees its memory after each call.
 import { WarpError } from '../errors/errors.js'
 import factory from '../generated/evaluation.js'
 import type { Bound } from '../generated/evaluation-bindings.js'

@@ -24,7 +24,8 @@ struct Job {
   Files files;
   std::vector<PackedPart> parts;  // the compressed ones of the model
   Pieces pieces;                  // of the part that is being unpacked
-  std::vector<std::uint8_t> picture, mimeType;
+  // The textures of the base color and of normals.
+  std::vector<std::uint8_t> picture, mimeType, normalPicture, normalMimeType;
 };
 
 template <class Of>
@@ -54,6 +55,8 @@ inline constexpr std::tuple jobArrays{
     JobArray{"triangles", [](auto& job) -> decltype(auto) { return (job.origins.triangles); }},
     JobArray{"picture", [](auto& job) -> decltype(auto) { return (job.picture); }},
     JobArray{"mimeType", [](auto& job) -> decltype(auto) { return (job.mimeType); }},
+    JobArray{"normalPicture", [](auto& job) -> decltype(auto) { return (job.normalPicture); }},
+    JobArray{"normalMimeType", [](auto& job) -> decltype(auto) { return (job.normalMimeType); }},
     JobArray{"file", [](auto& job) -> decltype(auto) { return (job.file); }},
     JobArray{"contents", [](auto& job) -> decltype(auto) { return (job.contents); }},
     JobArray{"painted", [](auto& job) -> decltype(auto) { return (job.mesh.painted); }},

@@ -1,4 +1,4 @@
-// Written by `npm run reference` from the C++: the arrays of a mesh's job by type, and limits.
+// Written by `npm run reference` from the C++: the names of the arrays that are passed to the mesh module, by type, and limits.
 
 export type FloatArray =
   | 'positions'
@@ -12,7 +12,8 @@ export type FloatArray =
   | 'uGradients'
   | 'vGradients'
 export type IndexArray = 'indices' | 'ends' | 'triangles'
-export type ByteArray = 'picture' | 'mimeType' | 'file' | 'contents' | 'painted'
+export type ByteArray =
+  'picture' | 'mimeType' | 'normalPicture' | 'normalMimeType' | 'file' | 'contents' | 'painted'
 
 export const triangleLimit = 268435456
 /** The default of the option `maxTriangles`. */

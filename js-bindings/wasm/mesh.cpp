@@ -1,5 +1,5 @@
 // The bindings of meshes. JavaScript fills the arrays of a job, calls its functions, reads the
-// arrays, and deletes it. No exception crosses the border: functions that can fail return an
+// arrays, and deletes it. No exception reaches JavaScript: functions that can fail return an
 // outcome with a message.
 #include <malloc.h>
 
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "job.hpp"
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
+#include "mesh/gltf/unit.hpp"
 #include "mesh/messages.hpp"
 #include "mesh/refine/shortfall.hpp"
 #include "mesh/refine/subdivide.hpp"
@@ -109,7 +111,7 @@ std::uint32_t triangleCount(const Job& job) {
   return static_cast<std::uint32_t>(job.mesh.triangleCount());
 }
 
-// Moves `contents` among the further files.
+// Adds `contents` to the files that the model refers to.
 Outcome keepFile(Job& job, const std::string& name) {
   return attempt([&]() -> Texts {
     job.files[name] = std::exchange(job.contents, {});
@@ -117,12 +119,12 @@ Outcome keepFile(Job& job, const std::string& name) {
   });
 }
 
-// The texts are the URIs of the further files that the file needs.
+// Returns the URIs of the other files that the file needs.
 Outcome findFiles(Job& job) {
   return attempt([&] { return job.model.emplace(job.file).externalFiles(job.files); });
 }
 
-// After findFiles. The texts are the plans of the compressed parts (gltf/packed_part.hpp).
+// Call it after findFiles. Returns the plans of the compressed parts (gltf/packed_part.hpp).
 Outcome findPacked(Job& job) {
   return attempt([&] {
     job.parts = job.model->packedParts(job.files);
@@ -141,7 +143,7 @@ Outcome openPacked(Job& job, std::uint32_t part) {
   });
 }
 
-// Moves `contents` behind the decoded pieces of the next part.
+// Appends `contents` to the decoded pieces, which `unpack` takes.
 Outcome keepPiece(Job& job) {
   return attempt([&]() -> Texts {
     job.pieces.push_back(std::exchange(job.contents, {}));
@@ -149,7 +151,7 @@ Outcome keepPiece(Job& job) {
   });
 }
 
-// Puts the pieces in the place of a compressed part.
+// Replaces a compressed part by the decoded pieces.
 Outcome unpack(Job& job, std::uint32_t part) {
   return attempt([&]() -> Texts {
     job.model->unpack(part, std::exchange(job.pieces, {}));
@@ -205,15 +207,30 @@ Outcome addVariation(Job& job) {
   });
 }
 
+// Replaces the normals of a checked mesh by those that a file gets.
+Outcome normalizeNormals(Job& job) {
+  return attempt([&]() -> Texts {
+    job.mesh.normals = unitNormals(job.mesh);
+    return {};
+  });
+}
+
+// Moves the bytes of a texture into the material.
+void setTexture(std::optional<Image>& texture, std::vector<std::uint8_t>& bytes,
+                const std::string& name) {
+  if (bytes.empty()) return;
+  if (!pictureType(bytes))
+    throw FileProblem("material." + name +
+                      " must be the bytes of a PNG or JPEG file, which these are not.");
+  texture = Image{std::move(bytes), {}};
+}
+
 // Writes a checked mesh to a file.
 Outcome writeFile(Job& job) {
   return attempt([&]() -> Texts {
-    if (!job.picture.empty()) {
-      if (!pictureType(job.picture))
-        throw FileProblem(
-            "material.baseColorTexture must be the bytes of a PNG or JPEG file, which these are "
-            "not.");
-      job.mesh.material->baseColorTexture = Image{std::move(job.picture), {}};
+    if (job.mesh.material) {
+      setTexture(job.mesh.material->baseColorTexture, job.picture, "baseColorTexture");
+      setTexture(job.mesh.material->normalTexture, job.normalPicture, "normalTexture");
     }
     job.file = exportGlb(job.mesh);
     return {};
@@ -310,6 +327,7 @@ EMSCRIPTEN_BINDINGS(mesh) {
       .function("checkMesh", &checkMesh)
       .function("addNormals", &addNormals)
       .function("addVariation", &addVariation)
+      .function("normalizeNormals", &normalizeNormals)
       .function("writeFile", &writeFile)
       .function("refine", &refine)
       .function("refineUniformly", &refineUniformly);

@@ -107,7 +107,7 @@ class Builder {
   // it needs the gradients, 0 if not; or `failed` or `needsPartials`.
   int warp(std::string_view method, const WarpOptions& options);
 
-  // The number of the input that the value belongs to.
+  // The number of the input that the value is, or is a component of.
   std::uint32_t inputOf(int handle);
 
   // Returns true if the module can be written and run; otherwise sets the problem.

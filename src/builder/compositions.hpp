@@ -208,7 +208,7 @@ static_assert(std::all_of(compositions.begin(), compositions.end(), [](const Com
   return row.operands.find_first_not_of("sv3xmM9eiIJ") == std::string_view::npos;
 }));
 
-// A composition without its documentation, which is thereby left out of the program.
+// A composition without its documentation, so that the program doesn't contain those texts.
 struct Form {
   std::string_view operands;
   Compose compose;

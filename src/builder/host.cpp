@@ -59,7 +59,7 @@ std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view met
     const Shape known = graph_.input(i).shape;
     const auto part = partOf(labels_[i], known, label);
     if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
-    // The known input has no such part: the host reports the error.
+    // The known input has no such part; the host that compiles the code reports that.
     if (isWithin(label, labels_[i]) && !isWithin(labels_[i], label)) return std::nullopt;
   }
   for (const std::uint32_t i : beside) {

@@ -25,7 +25,7 @@ int Builder::callNoise(const Noise& noise, bool isMethod) {
     for (const Value& operand : operands_) {
       for (int i = 0; i < operand.size(); ++i) arguments.push_back(operand[i]);
     }
-    // Hashed, so that neighboring seeds give fields that are far from each other.
+    // Seeds are hashed, so that neighboring seeds give unrelated fields.
     Expression& seed = arguments[static_cast<std::size_t>(dimensions)];
     const NodeId zero = graph_.constant(0);
     seed = {&graph_, graph_.apply(ops::find("hash"), {zero, seed.id})};

@@ -47,7 +47,7 @@ NodeId factorOf(const Graph& graph, NodeId product, int i) {
   return graph.is(factor, Mult) ? graph.operand(factor, i / 2 - 1) : noNode;
 }
 
-// The product without that factor, if such a node exists.
+// The product of the other factors, if such a node exists.
 NodeId restOf(const Graph& graph, NodeId product, int i) {
   const NodeId other = graph.operand(product, 1 - i % 2);
   if (i < 2) return other;

@@ -60,7 +60,7 @@ NodeId Differentiator::fullTangent(const Tangent& tangent) {
 }
 
 // The common base of all operands, if each depends on the same components as the node. Branching
-// operations always start with bases of their own: the base of the branch not taken may be
+// operations always start with their own bases: the base of the branch not taken may be
 // infinite, and multiplying it by a factor of 0 would give NaN.
 std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& direction) const {
   const auto& [input, zero, one, tangents, components] = direction;

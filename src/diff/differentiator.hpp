@@ -81,7 +81,7 @@ class Differentiator {
 
   Graph& graph_;
   std::vector<DerivedNodes>* log_ = nullptr;
-  // The variable of the derivative, by the variable of a state and an input.
+  // Maps the variable of a state, and an input, to the variable of the derivative.
   std::map<std::pair<NodeId, NodeId>, NodeId> tangentStates_;
   std::map<NodeId, Tangents> tangents_;
   std::map<std::uint32_t, Components> components_;  // by input

@@ -21,7 +21,7 @@ struct EmitOptions {
   // The depth of nested operations at which an expression becomes a temporary.
   int maxDepth = 8;
   // The max number of temporaries that an expression reads, as far as expressions can be split:
-  // values that wait to be read stay alive. schedule.hpp lists the alternatives tried.
+  // values stay alive until they are read. schedule.hpp lists the alternatives tried.
   std::uint32_t maxReads = 4;
   // Practically no limit, but it bounds the sets that are stored per expression.
   static constexpr std::uint32_t maxTrackedReads = 64;

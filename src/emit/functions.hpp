@@ -14,7 +14,7 @@ class Declarations {
  public:
   Declarations(const Dialect& dialect, Library& library) : dialect_(dialect), library_(library) {}
 
-  // Adds every function that these statements call, callees first, each function once.
+  // Adds each function that these statements call once, after the functions that it calls itself.
   void add(const Graph& graph, const EmittedCode& emitted);
 
   const std::string& text() const { return text_; }

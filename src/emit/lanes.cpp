@@ -181,7 +181,7 @@ const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
   return found == products_.end() ? nullptr : &*found;
 }
 
-// A sine or cosine with a variable of its own.
+// A sine or cosine with its own variable.
 bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }

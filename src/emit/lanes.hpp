@@ -52,7 +52,7 @@ class Packs {
         numbers_(graph.size(), none),
         places_(graph.size(), none) {}
 
-  // Gives the node a statement of its own. `number` identifies it among the statements that may be
+  // Gives the node its own statement. `number` identifies it among the statements that may be
   // packed; `never` excludes it.
   void addStatement(NodeId id, std::uint32_t number) {
     numbers_[index(id)] = number;

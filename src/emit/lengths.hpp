@@ -2,7 +2,7 @@
 // where it is read.
 //
 // All lengths are computed once, operands before users. After that, a statement whose name changes
-// updates the expressions that read it, up to those that have names of their own. So queries are
+// updates the expressions that read it, up to those that have their own names. So queries are
 // free, and no cache needs to be invalidated.
 #pragma once
 

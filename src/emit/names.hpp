@@ -23,7 +23,7 @@ std::string functionProblem(const Dialect& dialect, std::string_view name);
 // The prefix of our own functions.
 inline constexpr std::string_view ourPrefix = "warpjet";
 
-// True if `word`, one of the `identifiers` of `text`, is called as a function there.
+// True if `text` calls `word`, one of its `identifiers`, as a function.
 bool isCalled(std::string_view text, std::string_view word);
 
 // True for an identifier, optionally with members: `position`, `inputs.uv`.

@@ -49,7 +49,7 @@ class Packer {
   // The length of a statement without its expression: `  float t12 = ;` and the line's end, or `
   // vec3 …`.
   static constexpr int frame = 15;
-  // Only this many readers of a statement are searched.
+  // The max number of readers of a statement that are searched.
   static constexpr std::size_t maxReaders = 8;
 
   // At least `count_` for statements that can't be packed here.

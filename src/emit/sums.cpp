@@ -51,7 +51,9 @@ class Finder {
   }
 
  private:
-  // The inputs of the output's shape that are a component of it, or an operand of one.
+  // The inputs that have the output's shape, and of which a component is a component of the output,
+  // or
+  // an operand of one.
   std::vector<std::uint32_t> inputsIn(const Output& output) const {
     std::vector<std::uint32_t> found;
     const auto consider = [&](NodeId id) {

@@ -59,7 +59,7 @@ void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Preceden
   if (parenthesized) text += ')';
 }
 
-// Writes the first lane, then replaces what follows its last point.
+// Writes the first lane, such as v.x, then replaces what follows the last dot.
 void Writer::writePart(std::string& text, const Lanes& lanes) {
   open(text, lanes[0], ops::Precedence::Primary);
   text.pop_back();
@@ -93,7 +93,7 @@ std::uint32_t Writer::find(const Packs::Matrix& matrix) const {
   return i;
 }
 
-// A matrix of an enclosing body counts here only if it has a name already.
+// A matrix counted in an enclosing body is reused only if it already has a name there.
 void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
   lastMatrixOf_.resize(graph_.size(), none);
   const std::uint32_t found = find(matrix);
@@ -141,7 +141,7 @@ void Writer::writeProduct(std::string& text, std::string_view name, const Packs:
   text += ')';
 }
 
-// Each sum is squared, hence read twice, hence a statement of its own: no parentheses are needed.
+// Needs no parentheses: each sum is squared, so it is read twice and has its own statement.
 void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
   std::string entries;
   for (const auto& [factor, isMinus] : product.entries) {

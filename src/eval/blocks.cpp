@@ -49,7 +49,7 @@ auto valueOf(const X&... x) {
   }
 }
 
-// For integer operations, which are rare.
+// Computes lane by lane, for integer operations, which are rare.
 [[gnu::noinline]] void applyEach(Op op, Lanes* result, const Operands<Place>& operands,
                                  std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = Interval::infinity;
 
-// A box is not split further once each side is this share of the whole.
+// A box is not split further once each side is this fraction of the whole box's side.
 constexpr double minShare = 0x1p-24;
 
 // The number of instructions that may still be run.
@@ -207,7 +207,7 @@ std::vector<Range> bounds(std::span<const std::uint32_t> words, std::uint32_t in
     Search search(program, intervals, options.tolerance, budget);
     Interval range = search.plain();
     if (search.isNeeded()) {
-      // Each side of each result has its share of the budget, plus the remainder of earlier ones.
+      // Each bound of each result has its share of the budget, plus what earlier ones did not use.
       const std::uint64_t sides = 2 * (wanted.size() - i), share = budget.left() / sides;
       range.high = search.upper(1, budget.left() - share);
       range.low = -search.upper(-1, budget.left() - budget.left() / (sides - 1));

@@ -65,9 +65,10 @@ class CodeWriter {
   // Returns a value from the function.
   void returnValue(Staged x) { push(x); }
 
-  // Copies the value to a local of its own.
+  // Copies the value to its own local.
   Staged copyToOwnLocal(Staged x);
-  // A local is free for another value; or all that were taken since the last time, but this one.
+  // Frees a local for another value; or frees all locals taken since the last call, except this
+  // one.
   void release(Staged x) { free_.push_back(x.place); }
   void releaseAllBut(Staged x);
 

@@ -22,8 +22,12 @@ class Counter {
  public:
   explicit Counter(const Library& library) : library_(library.withEmptyCaches()) {}
 
-  bool hasNoise() const { return hasNoise_; }
+  Cost cost(const Graph& graph, std::span<const NodeId> roots) {
+    const double operations = count(graph, roots);
+    return {operations, hasNoise_, needsGpu_};
+  }
 
+ private:
   double count(const Graph& graph, std::span<const NodeId> roots) {
     const std::vector<NodeId> nodes = reachable(graph, roots);
     const std::map<NodeId, int> orders = ordersOfCalls(graph, nodes);
@@ -34,7 +38,6 @@ class Counter {
     return sum;
   }
 
- private:
   // Maps a call of our functions → the highest order of its derivatives that is read.
   static std::map<NodeId, int> ordersOfCalls(const Graph& graph, std::span<const NodeId> nodes) {
     std::map<NodeId, int> orders;
@@ -58,7 +61,10 @@ class Counter {
 
   double costOfNode(const Graph& graph, NodeId id, const std::map<NodeId, int>& orders) {
     if (graph.isOurCall(id)) return costOfCall(graph.function(id).name, orders.at(id));
-    if (graph.isCall(id)) return costWithoutBody;
+    if (graph.isCall(id)) {
+      needsGpu_ = true;
+      return costWithoutBody;
+    }
     return index(graph.node(id).op) < ops::count ? 1 : 0;
   }
 
@@ -66,6 +72,7 @@ class Counter {
     const auto [known, isNew] = known_.try_emplace({name, order}, costWithoutBody);
     const Definition& definition = library_.definition(name);
     hasNoise_ |= definition.maker == noiseFrom;
+    needsGpu_ |= !definition.hasBody() || definition.parameters == Definition::imageParameters;
     if (!isNew || !definition.hasBody()) return known->second;
     const int results =
         definition.function.values * MultiIndices::countUpTo(definition.function.variables, order);
@@ -75,15 +82,13 @@ class Counter {
 
   Library library_;
   std::map<std::pair<std::string, int>, double> known_;  // by function and order of derivatives
-  bool hasNoise_ = false;
+  bool hasNoise_ = false, needsGpu_ = false;
 };
 
 }  // namespace
 
 Cost costOf(const Module& module, std::span<const std::uint32_t> results) {
-  Counter counter(module.library);
-  const double operations = counter.count(module.graph, module.roots(results));
-  return {operations, counter.hasNoise()};
+  return Counter(module.library).cost(module.graph, module.roots(results));
 }
 
 }  // namespace warpjet

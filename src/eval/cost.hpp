@@ -13,6 +13,8 @@ struct Cost {
   // step.
   double operations = 0;
   bool hasNoise = false;
+  // True if only the GPU can evaluate them: they call a function of the host or read an image.
+  bool needsGpu = false;
 };
 
 // The cost of evaluating these results once, of which shared parts are computed once.

@@ -1,6 +1,6 @@
 // Allocates registers for evaluation in blocks: takes a program, returns the instructions that the
 // wanted results need, in an order that keeps few values alive. Registers are reused after the last
-// use of their value. last use.
+// use of their value.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The formulas of the table's rows, as functions that write instructions.
+// Finds the function that writes the machine code of an operation, from the formula in its row.
 #pragma once
 
 #include "eval/staged.hpp"

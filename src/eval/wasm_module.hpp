@@ -9,12 +9,12 @@ namespace warpjet {
 
 // The function types, in the order of the section. Their first parameter is the memory address.
 enum FunctionType : std::uint32_t {
-  Piece,     // a piece of the program: address, and 16 times the index of the four vertices
-  Kernel,    // with one operand
-  Kernel2,   //
-  EachLane,  // operation and operands
-  Routine,   //
-  Routine2,  //
+  Piece,     // part of the program, with the byte offset of four vertices: 16 times their index
+  Kernel,    // an imported operation with one operand
+  Kernel2,   // the same with two operands
+  EachLane,  // the import that applies any operation lane by lane
+  Routine,   // an operation with one operand that is generated once per module
+  Routine2,  // the same with two operands
 };
 
 class WasmModule {

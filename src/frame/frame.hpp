@@ -12,7 +12,8 @@ namespace warpjet {
 // The frame inputs are vec4s with this name and a number.
 inline constexpr const char* frameLabel = "warpjetFrame";
 
-// Further values remain in the shader: it has space for 256 vec4s, shared with the host's own.
+// Values beyond this number are computed in the shader, which has space for 256 vec4s, including
+// those of the host.
 inline constexpr std::size_t maxFrameValues = 128;
 
 // Loops remain loops if unrolling them gives more nodes than this.

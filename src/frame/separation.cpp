@@ -148,7 +148,7 @@ NodeId Separation::callOf(NodeId call) {
       lacunarity = graph_.value(arguments[variables + 1]);
     const Definition& definition = library_.definition(function.name);
     period = noisePeriod(definition, lacunarity);
-    // Cells and the rest of a coordinate must come from the same computation.
+    // The cell and the remainder of a coordinate must come from the same computation.
     if (inputs_.values().size() + 2 * variables <= maxFrameValues &&
         canTakeCells(definition, lacunarity)) {
       for (std::size_t i = 0; i < variables; ++i)

@@ -23,7 +23,7 @@ class Separation {
   NodeId replacementOf(NodeId id);
 
   const FrameInputs& inputs() const { return inputs_; }
-  // The number of inputs' values that were reduced by whole periods.
+  // The number of frame constants that were reduced by whole periods.
   std::size_t reduced() const { return reduced_; }
 
  private:

@@ -222,7 +222,7 @@ VariableId Parser::addVariable(const Token& name, Type type, Variable::Kind kind
   } else if ((totalSize_ += size) > maxHeld) {
     fail(name.place, "the variables of this source are too large in total");
   } else if (kind == Variable::Kind::Uniform || kind == Variable::Kind::Attribute) {
-    // Counts them even if each is a float.
+    // Numbers count as 1, so that the total is limited even if every input is a float.
     if ((inputSize_ += type.isNumeric() ? 1 : size) > maxValueSize)
       fail(name.place, "this source has too many inputs: more than 65,536 uniforms");
   }

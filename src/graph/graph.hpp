@@ -166,7 +166,7 @@ class Graph {
   // are folded on operands rounded to float32, so that they decide as the shader does, which reads
   // the same constants. With simplification off, which is for tests, the node is only interned.
   NodeId apply(Op op, Operands<NodeId> operands);
-  // Looks an operation on two operands up without adding it.
+  // Finds the node of an operation on two operands without adding it.
   std::optional<NodeId> findNode(Op op, NodeId x, NodeId y) const;
 
   std::size_t size() const { return nodes_.size(); }

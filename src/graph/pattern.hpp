@@ -138,7 +138,7 @@ constexpr Pattern intIfElse(const Pattern& condition, const Pattern& yes, const 
   return operation(ops::find("intIfElse"), condition, yes, no);
 }
 
-// The precision to which an identity keeps values, in double as well as in float32.
+// How exactly an identity preserves values, in double as well as in float32.
 enum class Precision : std::uint8_t {
   Bits,      // all bits, also those of zeros, infinities and NaN
   Value,     // all but the sign of a zero

@@ -61,7 +61,8 @@ constexpr bool areAlike(const Pattern& p, const Pattern& q) {
   return true;
 }
 
-// False if a constant comes last, as it always does, or if the swapped order has a row of its own.
+// False if swapping is pointless: a constant always comes last, or the swapped order has its own
+// row.
 constexpr bool matchesSwapped(const Pattern& pattern) {
   const Item& root = pattern.root();
   if (!ops::has(root.op(), ops::Trait::Commutative)) return false;

@@ -19,10 +19,11 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-// The base color is linear, red, green, blue and alpha from 0 to 1, and multiplies the texture.
+// The base color is linear, red, green, blue and alpha from 0 to 1, and multiplies the texture. The
+// normal texture is in tangent space, as in glTF.
 struct Material {
   std::array<float, 4> baseColor{1, 1, 1, 1};
-  std::optional<Image> baseColorTexture;
+  std::optional<Image> baseColorTexture, normalTexture;
 
   bool operator==(const Material&) const = default;
 };

@@ -1,6 +1,6 @@
-// 32-bit integers for the rows of the table, represented by their signed value, from -2^31 up, also
-// where shader code treats them as unsigned, since sums, products and bitwise operations are the
-// same. Operations that differ have two rows. As doubles they are exact; results wrap around.
+// 32-bit integers for the rows of the table. Unsigned integers are represented by the signed value
+// with the same bits, since sums, products and bitwise operations are the same; operations that
+// differ have two rows. All values are exact as doubles, and results wrap around.
 #pragma once
 
 #include <cmath>

@@ -45,7 +45,8 @@ struct Sign {
   std::vector<Expression> factors = {};
 };
 
-// Finds the sign of a polynomial that is a product of a uniform factor and a factor of one sign.
+// Finds the sign of a polynomial that is the product of a uniform factor and a factor that never
+// changes its sign.
 class SignOfPolynomial {
  public:
   SignOfPolynomial(Graph& graph, const std::vector<Atom>& atoms, const Flags& isUniform)
@@ -97,7 +98,7 @@ class SignOfPolynomial {
 
   static bool isBefore(const Monomial& x, const Monomial& y) { return x.factors < y.factors; }
 
-  // A cosine need not be among the marked nodes, but the sine of the same angle is.
+  // A cosine may be unmarked although its angle, and with it the sine, is uniform.
   bool isUniform(std::uint8_t factor) const {
     const NodeId node = atoms_[factor].node;
     return isUniform_[index(node)] ||
@@ -147,7 +148,7 @@ class SignOfPolynomial {
     return {varying, uniform};
   }
 
-  // The number r with x = r y, if there is one; terms are sorted.
+  // The number r with x = r y, if there is one. The terms of x and y must be sorted.
   static std::optional<double> ratioOf(const Polynomial& x, const Polynomial& y) {
     constexpr double share = 1e-9;
     if (x.size() != y.size()) return {};

@@ -109,8 +109,8 @@ Value normalizeOrZero(const Value& v, const Size& known) {
                 scaled * inversesqrt(dot(scaled, scaled)));
 }
 
-// M, scaled down so that its entries add up to at most `limit`, if M is known to be larger
-// somewhere. Scaling by a positive factor keeps directions and orientation. If the size is
+// Returns M, scaled down so that its entries add up to at most `limit` if they may be larger.
+// Scaling by a positive factor keeps directions and orientation. If the size is
 // unbounded, as near a pole, M is unchanged.
 Value limitSize(const Value& m, double limit) {
   const double maxValue = maxMagnitude(m);

@@ -14,7 +14,7 @@ namespace warpjet {
 struct WarpInputs {
   Value position, normal, uv;
   Value tangent;  // a direction, and the sign of the bitangent: 1 or -1
-  // The gradients over the surface of x, y and z of the normal, and of u and v.
+  // The surface gradients of the normal's x, y and z, and of u and v.
   std::array<Value, 5> gradients;
   std::optional<Value> color = {};
 };
@@ -29,8 +29,8 @@ struct WarpedDirections {
 
 struct Warp {
   Value offset, position;
-  // `flat` treats normal and uv as constant, `surface` lets them vary over the surface by the
-  // gradients. Both are equal for an offset that depends on neither.
+  // `flat` treats normal and uv as constant, `surface` takes into account that they vary over the
+  // surface, with the gradients. Both are equal for an offset that depends on neither.
   std::optional<WarpedDirections> flat = {}, surface = {};
   // -1 where the warp mirrors all of space, otherwise 1: see orientation.hpp. Normals are
   // multiplied by it, and the winding order of triangles is reversed where it is -1.
@@ -67,9 +67,9 @@ Value varyInput(Differentiator& differentiator, const Value& m, const Value& off
                 Expression input, const Value& gradient);
 
 // The unit normal of the surface whose tangents M transforms. It is zero where M isn't finite, or
-// collapses the surface so that it has no normal. If M is known to stay moderate, a cof(M) n below
-// 1e-19 counts as collapsed, since float32 can't represent its square; otherwise it is scaled
-// first.
+// collapses the surface so that it has no normal. If M's entries are known to be moderate in size,
+// a cof(M) n below 1e-19 counts as collapsed, since float32 can't represent its square; otherwise
+// it is scaled first.
 //
 // Tangents u and v of the surface become M u and M v, and (M u) x (M v) = cof(M) (u x v): the
 // cofactor matrix, with columns m2 x m3, m3 x m1 and m1 x m2, transforms normals. It equals

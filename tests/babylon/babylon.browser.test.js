@@ -1,4 +1,4 @@
-// 'warpjet/babylon' in a page: a motion that a matrix can do, done by a warp and by Babylon.js itself, is the same picture.
+// Tests 'warpjet/babylon' in a page: a warp with a linear offset draws the same picture as the same motion with a matrix of Babylon.js.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -73,13 +73,13 @@ function sceneOn(engine, kind) {
   return { scene, knot, material }
 }
 
-/** By Babylon.js itself. */
-function move(knot, matrix = motion) {
+/** Moves the mesh with a matrix of Babylon.js itself. */
+function moveByMatrix(knot, matrix = motion) {
   knot.setPivotMatrix(Matrix.Identity())
   matrix.decompose(knot.scaling, (knot.rotationQuaternion = new Quaternion()), knot.position)
 }
 
-function warped(material) {
+function warpByMotion(material) {
   const warp = new BabylonWarp(material, offset, {
     uniforms: { linear: [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]], shift: [0, 0, 0] },
   })
@@ -88,16 +88,16 @@ function warped(material) {
   return warp
 }
 
-/** The same motion of what a mirror shows; known when the warp is made, or by uniforms alone. */
+/** The same motion after a reflection in x; its matrix is constant, or given by uniforms. */
 const mirrored = Matrix.Scaling(-1, 1, 1).multiply(motion)
 const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
-const mirroring = {
-  known: (material) => new BabylonWarp(material, ({ glsl, position }) => {
+const mirrorWarps = {
+  constant: (material) => new BabylonWarp(material, ({ glsl, position }) => {
     const [a, b, c, d, e, f, g, h, i] = linearOf(mirrored.m)
     return glsl.mat3(glsl.vec3(a, b, c), glsl.vec3(d, e, f), glsl.vec3(g, h, i)).mult(position)
       .sub(position).add(glsl.vec3(mirrored.m[12], mirrored.m[13], mirrored.m[14]))
   }),
-  'by uniforms': (material) => {
+  uniform: (material) => {
     const warp = new BabylonWarp(material, offset, {
       uniforms: { linear: linearOf(mirrored.m), shift: new Vector3(mirrored.m[12], mirrored.m[13], mirrored.m[14]) },
     })
@@ -106,19 +106,19 @@ const mirroring = {
   },
 }
 
-/** A wave after more than a day: by the input millis, or by its phase as double or as float32 has it. */
+/** A wave after more than a day. Its phase is computed from millis, or passed as a uniform: exact, or rounded to float32. */
 const late = 98_765_432
 const phases = { exact: (late / 90) % (2 * Math.PI), rounded: Math.fround(late / 90) % (2 * Math.PI) }
-function addWave(material, by) {
+function addWave(material, phaseFrom) {
   const warp = new BabylonWarp(material, ({ glsl, position, millis, uniforms }) => {
-    const phase = by === 'millis' ? millis.div(90) : uniforms.phase
+    const phase = phaseFrom === 'millis' ? millis.div(90) : uniforms.phase
     return glsl.vec3(position.y.mult(4).add(phase).sin().mult(0.25), 0, 0)
-  }, { uniforms: { phase: phases[by] ?? 0 } })
+  }, { uniforms: { phase: phases[phaseFrom] ?? 0 } })
   warp.millis = late
 }
 
-/** Its normals left as they were, in the one language and in the other. */
-function withoutNormals(warp, material) {
+/** Removes the transformation of normals from the shaders of both languages. */
+function removeNormals(warp, material) {
   const { getCustomCode } = warp
   warp.getCustomCode = (...args) => {
     const code = getCustomCode.apply(warp, args)
@@ -128,54 +128,54 @@ function withoutNormals(warp, material) {
   material.markDirty(true)
 }
 
-function byImage(material, scene) {
+function warpByImage(material, scene) {
   const numbers = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
   const map = new RawTexture(numbers, 2, 2, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
     Constants.TEXTURE_NEAREST_SAMPLINGMODE, Constants.TEXTURETYPE_FLOAT)
   new BabylonWarp(material, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), { uniforms: { map }, surfaceVariation: false })
 }
 
-/** The texture's own settings, or the same said by hand. */
-function bySampling(material, scene, isByHand) {
+/** Warps with a texture that is sampled with its own settings, or with the same settings as options of glsl.texture. */
+function warpBySampling(material, scene, isByOptions) {
   const bytes = Uint8Array.from({ length: 4 * 15 }, (_, i) => (i * 89) % 256)
   const map = new RawTexture(bytes, 5, 3, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
     Constants.TEXTURE_BILINEAR_SAMPLINGMODE)
   Object.assign(map, { wrapU: Constants.TEXTURE_MIRROR_ADDRESSMODE, wrapV: Constants.TEXTURE_MIRROR_ADDRESSMODE,
     uScale: 1.7, vScale: 2.2, uOffset: 0.2, vOffset: -0.4 })
-  const byHand = ({ glsl, uv, uniforms }) =>
+  const sampleByOptions = ({ glsl, uv, uniforms }) =>
     glsl.texture(uniforms.map, uv.mult(glsl.vec2(1.7, 2.2)).add(glsl.vec2(0.2, -0.4)),
       { wrap: 'mirror', filter: 'bilinear', transform: false })
-  const byHost = ({ glsl, uv, uniforms }) => glsl.texture(uniforms.map, uv)
-  const colour = isByHand ? byHand : byHost
+  const sampleBySettings = ({ glsl, uv, uniforms }) => glsl.texture(uniforms.map, uv)
+  const colour = isByOptions ? sampleByOptions : sampleBySettings
   new BabylonWarp(material, (inputs) => colour(inputs).xyz().mult(0.4), { uniforms: { map }, surfaceVariation: false })
 }
 
 window.draw = async (backend, kind, way) => {
   const engine = await engineFor(backend)
   const { scene, knot, material } = sceneOn(engine, kind)
-  // That of a canvas is gone once the frame is.
+  // The picture on a canvas is lost after the frame.
   const target = new RenderTargetTexture('target', size, scene)
   scene.activeCamera.outputRenderTarget = target
-  if (way === 'moved') move(knot)
+  if (way === 'moved') moveByMatrix(knot)
   if (/mirror/.test(way)) Object.assign(material, { backFaceCulling: false, twoSidedLighting: true })
-  if (way === 'mirrored') move(knot, mirrored)
+  if (way === 'mirrored') moveByMatrix(knot, mirrored)
   if (way === 'mirroring, switched off') {
-    const warp = mirroring.known(material)
+    const warp = mirrorWarps.constant(material)
     await scene.whenReadyAsync()
     warp.isEnabled = false
   }
-  mirroring[way.replace('mirroring, ', '')]?.(material)
-  if (way === 'shifted') move(knot, Matrix.Translation(...amount))
-  if (way === 'by an image') byImage(material, scene)
-  if (way.startsWith('wave by ')) addWave(material, way.replace('wave by ', ''))
-  if (way.startsWith('sampled by')) bySampling(material, scene, way === 'sampled by hand')
+  mirrorWarps[way.replace('mirroring, ', '')]?.(material)
+  if (way === 'shifted') moveByMatrix(knot, Matrix.Translation(...amount))
+  if (way === 'by an image') warpByImage(material, scene)
+  if (way.startsWith('wave by ')) addWave(material, way.split(' ')[2])
+  if (way.startsWith('sampled by')) warpBySampling(material, scene, way === 'sampled by options')
   if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
-    const warp = warped(material)
-    if (way === 'without its normals') withoutNormals(warp, material)
+    const warp = warpByMotion(material)
+    if (way === 'without its normals') removeNormals(warp, material)
     if (way === 'without its shadow') material.shadowDepthWrapper = null
   }
   if (way === 'switched off') {
-    const warp = warped(material)
+    const warp = warpByMotion(material)
     await scene.whenReadyAsync()
     warp.isEnabled = false
   }
@@ -184,7 +184,7 @@ window.draw = async (backend, kind, way) => {
     engine.beginFrame()
     scene.render()
     engine.endFrame()
-    // Shaders of shadows are made when those of the surface are there.
+    // Babylon.js makes the shaders of shadows after those of the surface.
     await new Promise((drawn) => setTimeout(drawn, 20))
   }
   const pixels = await target.readPixels()
@@ -192,32 +192,32 @@ window.draw = async (backend, kind, way) => {
   return [...new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength)]
 }
 
-/** Rays against a warped mesh, and against one that was moved → how far hits are apart, and how many there were. */
+/** Casts rays against a warped mesh, and against one that was moved → the max distance of the hits, and their number. */
 window.pick = async () => {
   const engine = await engineFor('webgl')
   const { scene, knot, material } = sceneOn(engine, 'Standard')
   const { scene: other, knot: reference } = sceneOn(engine, 'Standard')
-  move(reference)
+  moveByMatrix(reference)
   reference.computeWorldMatrix(true)
-  const warp = warped(material)
-  let [hits, misses, apart, before] = [0, 0, 0, 0]
+  const warp = warpByMotion(material)
+  let [hits, misses, maxDistance, differingBefore] = [0, 0, 0, 0]
   const rays = Array.from({ length: 300 }, (_, i) => {
     const from = new Vector3(4 * Math.cos(i), 2 * Math.sin(3 * i), 4 * Math.sin(i))
     const to = new Vector3(Math.sin(5 * i), Math.cos(7 * i), Math.sin(11 * i)).scale(0.6)
     return new Ray(from, to.subtract(from).normalize(), 10)
   })
-  const pickedBy = (ray, scene, mesh) => scene.pickWithRay(ray, (each) => each === mesh)
+  const pick = (ray, scene, mesh) => scene.pickWithRay(ray, (each) => each === mesh)
   for (const ray of rays) {
-    const [a, b] = [pickedBy(ray, scene, knot), pickedBy(ray, other, reference)]
-    if (a.hit !== b.hit || (a.hit && Vector3.Distance(a.pickedPoint, b.pickedPoint) > 1e-3)) before++
+    const [a, b] = [pick(ray, scene, knot), pick(ray, other, reference)]
+    if (a.hit !== b.hit || (a.hit && Vector3.Distance(a.pickedPoint, b.pickedPoint) > 1e-3)) differingBefore++
   }
   warp.refresh(knot)
   for (const ray of rays) {
-    const [a, b] = [pickedBy(ray, scene, knot), pickedBy(ray, other, reference)]
+    const [a, b] = [pick(ray, scene, knot), pick(ray, other, reference)]
     if (a.hit !== b.hit) misses++
     else if (a.hit) {
       hits++
-      apart = Math.max(apart, Vector3.Distance(a.pickedPoint, b.pickedPoint))
+      maxDistance = Math.max(maxDistance, Vector3.Distance(a.pickedPoint, b.pickedPoint))
     }
   }
   const box = (mesh) => mesh.getBoundingInfo().boundingBox
@@ -230,15 +230,15 @@ window.pick = async () => {
     })
   scene.dispose()
   other.dispose()
-  return { hits, misses, apart, before, outside }
+  return { hits, misses, maxDistance, differingBefore, outside }
 }
-/** What is said of mistakes. */
+/** Collects the messages of mistakes. */
 window.mistakes = async () => {
   const { scene, material } = sceneOn(await engineFor('webgl'), 'Standard')
-  const warp = warped(material)
+  const warp = warpByMotion(material)
   const warpOther = (offset, uniforms) =>
     new BabylonWarp(new StandardMaterial('other', scene), offset, { uniforms })
-  const said = [
+  const errors = [
     () => (warp.values.linaer = 3),
     () => (warp.values.shift = 'x'),
     () => (warp.values.shift = [0, NaN, 0]),
@@ -261,9 +261,9 @@ window.mistakes = async () => {
   })
   const { x } = warp.values.shift
   scene.dispose()
-  return { said, isKept: x === m[12] && warp.millis === 1000 }
+  return { errors, isUnchanged: x === m[12] && warp.millis === 1000 }
 }
-// Without somebody who holds it, the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'
 `
@@ -303,17 +303,17 @@ after(async () => {
 })
 
 const draw = (...what) => page.evaluate((what) => draw(...what), what)
-const printed = () => messages.splice(0).filter((text) => !text.startsWith('BJS - '))
+const takeMessages = () => messages.splice(0).filter((text) => !text.startsWith('BJS - '))
 
 for (const backend of ['webgl', 'webgpu'])
   describe(backend, () => {
     for (const kind of ['Standard', 'PBR'])
-      test(`${kind}Material, with its shadow`, async () => {
+      test(`${kind}Material and its shadow look like the mesh moved by a matrix`, async () => {
         const still = await draw(backend, kind, 'still')
         const moved = await draw(backend, kind, 'moved')
-        const warped = await draw(backend, kind, 'warped')
+        const warpedPicture = await draw(backend, kind, 'warped')
         assert.ok(differing(still, moved) > 300, `${differing(still, moved)} pixels are moved`)
-        assert.equal(differing(warped, moved), 0)
+        assert.equal(differing(warpedPicture, moved), 0)
         for (const without of ['without its normals', 'without its shadow']) {
           const count = differing(await draw(backend, kind, without), moved)
           assert.ok(count > 100, `${count} pixels differ ${without}`)
@@ -322,60 +322,63 @@ for (const backend of ['webgl', 'webgpu'])
           const off = await draw(backend, kind, 'switched off')
           assert.equal(differing(off, still), 0)
         }
-        assert.deepEqual(printed(), [])
+        assert.deepEqual(takeMessages(), [])
       })
 
     for (const kind of ['Standard', 'PBR'])
-      test(`${kind}Material and a motion that mirrors, of both sides`, async () => {
+      test(`${kind}Material under a mirroring motion looks like the mesh moved by a matrix, on both sides`, async () => {
         const still = await draw(backend, kind, 'mirror nothing')
         const expected = await draw(backend, kind, 'mirrored')
         assert.ok(differing(still, expected) > 300)
-        for (const how of ['known', 'by uniforms'])
+        for (const how of ['constant', 'uniform'])
           assert.equal(differing(await draw(backend, kind, `mirroring, ${how}`), expected), 0, how)
         assert.equal(differing(await draw(backend, kind, 'mirroring, switched off'), still), 0)
-        assert.deepEqual(printed(), [])
+        assert.deepEqual(takeMessages(), [])
       })
 
     test('a wave is exact at 98,765,432 milliseconds', async () => {
-      const expected = await draw(backend, 'Standard', 'wave by exact')
+      const expected = await draw(backend, 'Standard', 'wave by exact phase')
       const shown = await draw(backend, 'Standard', 'wave by millis')
       assert.equal(differing(shown, expected), 0)
-      const rounded = differing(await draw(backend, 'Standard', 'wave by rounded'), expected)
+      const rounded = differing(await draw(backend, 'Standard', 'wave by rounded phase'), expected)
       assert.ok(rounded > 30, `${rounded} pixels differ where the phase is a float32`)
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
 
-    test('an image among the uniforms', async () => {
+    test('a uniform can be an image', async () => {
       const [shown, expected] = [
         await draw(backend, 'Standard', 'by an image'),
         await draw(backend, 'Standard', 'shifted'),
       ]
       assert.equal(differing(shown, expected), 0)
       assert.ok(differing(expected, await draw(backend, 'Standard', 'still')) > 300)
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
 
-    test('a texture wraps, is scaled and is moved as it is set', async () => {
+    test('a texture is sampled with its own wrap modes, scale and offset', async () => {
       const [shown, expected] = [
-        await draw(backend, 'Standard', 'sampled by Babylon.js'),
-        await draw(backend, 'Standard', 'sampled by hand'),
+        await draw(backend, 'Standard', 'sampled by settings'),
+        await draw(backend, 'Standard', 'sampled by options'),
       ]
       assert.ok(differing(shown, expected) <= 4)
       assert.ok(differing(expected, await draw(backend, 'Standard', 'still')) > 300)
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
   })
 
-test('rays and culling follow refresh', async () => {
-  const { hits, misses, apart, before, outside } = await page.evaluate(() => pick())
-  assert.ok(hits > 60 && before > 60, `${hits} hits, ${before} otherwise before`)
+test('picking and culling use the warped mesh after refresh()', async () => {
+  const { hits, misses, maxDistance, differingBefore, outside } = await page.evaluate(() => pick())
+  assert.ok(
+    hits > 60 && differingBefore > 60,
+    `${hits} hits, ${differingBefore} differed before refresh`,
+  )
   assert.equal(misses, 0)
-  assert.ok(apart < 1e-4, `${apart} apart`)
+  assert.ok(maxDistance < 1e-4, `hits are up to ${maxDistance} apart`)
   assert.equal(outside, false)
 })
 
-test('mistakes throw a message, and values set before stay', async () => {
-  const { said, isKept } = await page.evaluate(() => mistakes())
+test('mistakes throw a message and leave earlier values unchanged', async () => {
+  const { errors, isUnchanged } = await page.evaluate(() => mistakes())
   const expected = [
     /^WarpError: BabylonWarp: the warp has no uniform "linaer"; there are linear, shift\.$/,
     /^WarpError: BabylonWarp: expected an array of 3 finite numbers for the uniform "shift", got the text "x"/,
@@ -390,7 +393,7 @@ test('mistakes throw a message, and values set before stay', async () => {
     /^WarpError: BabylonWarp: expected only false for the option "surfaceVariation", got the boolean true; addSurfaceVariation\(mesh\) /,
     /^WarpError: BabylonWarp: expected a material of Babylon\.js, got /,
   ]
-  assert.equal(said.length, expected.length)
-  said.forEach((text, i) => assert.match(text, expected[i]))
-  assert.equal(isKept, true)
+  assert.equal(errors.length, expected.length)
+  errors.forEach((text, i) => assert.match(text, expected[i]))
+  assert.equal(isUnchanged, true)
 })

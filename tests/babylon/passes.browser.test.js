@@ -1,4 +1,5 @@
-// 'warpjet/babylon' in all passes of Babylon.js, in copies of materials, and along normals: the same as without a warp.
+// Tests 'warpjet/babylon' in all passes of Babylon.js, in copies of materials, and along normals: the picture equals the same motion
+// without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { openBabylonPage } from '../support/browser/babylon/open.js'
@@ -10,44 +11,44 @@ let opened
 before(async () => (opened = await openBabylonPage('page-passes.js')))
 after(() => opened.close())
 
-const printed = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))
+const takeMessages = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))
 
-function assertSame({ differing, moved }, seen = 200) {
-  assert.deepEqual(printed(), [])
+function assertSame({ differing, moved }, minMoved = 200) {
+  assert.deepEqual(takeMessages(), [])
   assert.ok(differing <= allowed, `${differing} pixels differ from the motion by Babylon.js`)
-  assert.ok(moved > seen, `${moved} pixels are moved`)
+  assert.ok(moved > minMoved, `${moved} pixels are moved`)
 }
 
 for (const backend of ['webgl', 'webgpu'])
   describe(backend, () => {
-    const ask = (work, ...given) => opened.page.evaluate(work, [backend, ...given])
+    const evaluate = (work, ...args) => opened.page.evaluate(work, [backend, ...args])
 
-    test('passes', async (t) => {
+    test('each pass shows the warped mesh', async (t) => {
       for (const [kind, pass, variant] of await opened.page.evaluate(() => rows))
         await t.test(`${pass}, ${variant}`, async () => {
           // One point in 9 is picked.
-          const seen = pass === 'picking' ? 30 : 200
-          assertSame(await ask((given) => compare(...given), kind, pass, variant), seen)
+          const minMoved = pass === 'picking' ? 30 : 200
+          assertSame(await evaluate((args) => compare(...args), kind, pass, variant), minMoved)
         })
     })
 
     for (const kind of ['Standard', 'PBR']) {
       for (const how of ['clone', 'Parse'])
-        test(`${how} of a ${kind}Material has its own warp`, async () =>
-          assertSame(await ask((given) => copied(...given), kind, how)))
+        test(`a ${kind}Material copied by ${how} has its own warp`, async () =>
+          assertSame(await evaluate((args) => compareCopy(...args), kind, how)))
 
-      test(`along the normals of a torus, ${kind}Material`, async () => {
-        assertSame(await ask((given) => torus(...given), kind, true))
-        const { differing } = await ask((given) => torus(...given), kind, false)
+      test(`a ${kind}Material has exact normals if it moves along the normals of a torus`, async () => {
+        assertSame(await evaluate((args) => torus(...args), kind, true))
+        const { differing } = await evaluate((args) => torus(...args), kind, false)
         assert.ok(differing > 100, `${differing} pixels differ without surface variation`)
       })
     }
   })
 
-test('a material that was saved in another page comes without its warp, and says so', async () => {
-  printed()
+test('a material that was saved on another page is loaded without its warp, with a warning', async () => {
+  takeMessages()
   assert.equal(await opened.page.evaluate(() => parseForeign()), true)
-  const [message, ...others] = printed()
+  const [message, ...others] = takeMessages()
   assert.match(
     message,
     /^BabylonWarp: the material "standard" was saved with a warp, .*after loading\.$/,

@@ -7,6 +7,7 @@ import validator from 'gltf-validator'
 import { compileWarp } from 'warpjet'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import { readGlb, writeGlb } from '../support/glb.js'
+import { readNormalMap } from '../support/normal-map.js'
 import {
   folder,
   write,
@@ -44,7 +45,7 @@ describe('bake', () => {
     assert.deepEqual(out.material, model.material)
   })
 
-  test('a mirror, by a uniform: reverses triangles too, so that normals agree with their fronts', async () => {
+  test('reverses triangles if a uniform mirrors the mesh, so that normals agree with their front sides', async () => {
     write(
       'flip.js',
       `export const uniforms = { flip: 1 }
@@ -74,7 +75,7 @@ export default ({ glsl, position, uniforms }) =>
     assert.equal(await countAgreeing(-1), before)
   })
 
-  test('vectors, negative numbers; --quiet', async () => {
+  test('accepts vectors and negative numbers, and prints nothing with --quiet', async () => {
     const { stderr } = await works(
       'bake',
       'model.glb',
@@ -91,7 +92,7 @@ export default ({ glsl, position, uniforms }) =>
     assert.ok(Math.abs(out.positions[1] - model.positions[1] + 2.5) < 1e-6)
   })
 
-  test('uniforms that warp.js exports, overridden by --set', async () => {
+  test('uses uniforms that warp.js exports, unless --set overrides them', async () => {
     write(
       'uniforms.js',
       `export const uniforms = { center: [1, -2.5, 0], follow: () => [10, 20] }
@@ -120,7 +121,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     )
   })
 
-  test('--subdivide makes more triangles, up to --max-triangles', async () => {
+  test('subdivides with --subdivide, up to --max-triangles', async () => {
     const args = ['bake', 'model.glb', 'named.js', '-o', 'fine.glb', '--subdivide', '0.001']
     const { stderr } = await works(...args)
     assert.match(stderr, /\nSubdivided: [\d,]+ triangles/)
@@ -133,7 +134,36 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     assert.ok((await load('fine.glb')).indices.length <= 3 * 300)
   })
 
-  test('an image that a GLB may not have is left out, with a warning', async () => {
+  test('--normal-map writes a normal map into the file', async () => {
+    const { stderr } = await works(
+      ...['bake', 'model.glb', 'wave.js', '-o', 'map.glb', '--set', 'millis=0.5'],
+      ...['--normal-map', '64', '--subdivide', '0.1'],
+    )
+    assert.match(stderr, /\nSubdivided: .*\nNormal map: 64 × 64\nmap\.glb: [\d,]+ bytes\n$/)
+    const glb = readFileSync(join(folder, 'map.glb'))
+    const { issues } = await validator.validateBytes(glb)
+    assert.deepEqual(issues.messages, [])
+    const { image, TANGENT } = readNormalMap(new Uint8Array(glb))
+    assert.equal(image.width, 64)
+    assert.ok(TANGENT.length > 0)
+    const bake = ['bake', 'model.glb', 'named.js', '-o', 'map.glb']
+    await usage(
+      [...bake, '--normal-map', '0'],
+      /expected a whole number from 1 to 8192 .*--normal-map/,
+    )
+    await usage(
+      [...bake, '--normal-map', '8', '--frames', 'x'],
+      /'normalized' or 'mikktspace'.*--frames/,
+    )
+    await usage([...bake, '--frames', 'mikktspace'], /--frames needs --normal-map/)
+    write('bare.glb', exportGLB({ ...model, uvs: undefined, material: undefined }))
+    await failsWithError(
+      ['bake', 'bare.glb', 'named.js', '-q', '-o', 'map.glb', '--normal-map', '64'],
+      /bakeNormalMap: the mesh has no uvs/,
+    )
+  })
+
+  test('omits an image that a GLB cannot contain, with a warning', async () => {
     const { json, chunks } = readGlb(exportGLB(model))
     json.images[0].mimeType = 'image/webp'
     const { byteOffset } = json.bufferViews[json.images[0].bufferView]
@@ -158,7 +188,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     await usage(['emit', 'named.js', '-o', 'linked.js'], /does not overwrite the warp/)
   })
 
-  test('mistakes in files and warps', async () => {
+  test('reports invalid files and warps', async () => {
     write('text.glb', 'no model')
     write(
       'pole.js',
@@ -204,7 +234,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
   })
 })
 
-test('a warp along the normal is baked with the gradients of the normal, and its code reads these on request', async () => {
+test('bakes a warp along the normal with the gradients of the normal, and emit reads these on request', async () => {
   const { stderr } = await works('bake', 'model.glb', 'bumps.js', '-o', 'bumps.glb')
   assert.doesNotMatch(stderr, /constant/)
   const { default: bumps } = await import(join(folder, 'bumps.js'))

@@ -21,7 +21,7 @@ describe('emit', () => {
     }
   })
 
-  test('glsl300 by default; the only exported function of a file; into a file', async () => {
+  test('emits glsl300 by default, uses the only exported function of a file, and can write into a file', async () => {
     const { bend } = await import(join(folder, 'named.js'))
     const { stdout } = await works('emit', 'named.js')
     assert.ok(stdout.includes(compileWarp(bend).code.trim()))
@@ -30,7 +30,7 @@ describe('emit', () => {
     assert.match((await works('emit', 'named.js', '--tangents')).stdout, /warpedTangent/)
   })
 
-  test('invalid warps', async () => {
+  test('reports invalid warps', async () => {
     write('none.js', 'export const x = 1')
     write('two.js', 'export const a = () => 1, b = () => 2')
     write('broken.js', 'export default ({ glsl }) => {')

@@ -1,4 +1,4 @@
-// GLSL files in `npx warpjet`: emit, bake and derive.
+// Tests the commands of `npx warpjet` that read GLSL files: emit, bake and derive.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'

@@ -9,7 +9,7 @@ import { readGlb, writeGlb } from '../support/glb.js'
 import { write, model, failsWithError, works } from '../support/cli-tests.js'
 
 describe('info', () => {
-  test('shows nothing of a model that could control a terminal', async () => {
+  test('escapes control characters from a model', async () => {
     const { json, chunks } = readGlb(exportGLB(model))
     json.images[0].mimeType = 'image/\x1b[2J\u009b1m\u202egpj\r\nnote'
     write('steering.glb', writeGlb(json, chunks[1].bytes))
@@ -33,18 +33,18 @@ describe('info', () => {
     assert.match(stdout, /^texture +image\/png, \d+ bytes$/m)
   })
 
-  test('a path with special characters of URLs', async () => {
+  test('accepts a path with special characters of URLs', async () => {
     write('a#1?.glb', exportGLB(model))
     assert.match((await works('info', 'a#1?.glb')).stdout, /^triangles +168$/m)
   })
 
-  test('models in every format, also compressed', async () => {
+  test('describes models in every format, also compressed ones', async () => {
     const formats = {
       'text.stl': textVariants['a text STL'],
       'binary.stl': textVariants['a binary STL that begins with "solid"'],
       'wide.obj': textVariants['an OBJ in UTF-16, little endian'],
       'meshopt.glb': packedVariants['meshopt, vertices and triangles'],
-      'draco.glb': packedVariants['Draco, edge breaker'],
+      'draco.glb': packedVariants['Draco, edgebreaker encoding'],
     }
     for (const [name, make] of Object.entries(formats)) {
       write(name, make(shapes.cube).file)
@@ -54,7 +54,7 @@ describe('info', () => {
     assert.match((await works('info', 'unpacked.glb')).stdout, /^triangles +12$/m)
   })
 
-  test('invalid files', async () => {
+  test('reports invalid files', async () => {
     await failsWithError(['info', 'wave.js'], /loadMesh: /)
     await failsWithError(['info', 'gone.glb'], /does not exist/)
   })

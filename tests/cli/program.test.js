@@ -1,4 +1,4 @@
-// `npx warpjet`, started like from a shell: usage, and how it exits.
+// Starts `npx warpjet` as a shell does, and checks its usage message and exit status.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { existsSync, openSync } from 'node:fs'
@@ -7,7 +7,7 @@ import { version } from 'warpjet'
 import { program, folder, write, usage, failsWithError, works } from '../support/cli-tests.js'
 
 describe('the program', () => {
-  test('--version and --help', async () => {
+  test('prints its version and its help', async () => {
     assert.equal((await works('--version')).stdout, `${version}\n`)
     const { stdout } = await works('--help')
     for (const command of ['emit', 'bake', 'info'])
@@ -18,7 +18,7 @@ describe('the program', () => {
       assert.match((await works('bake', '-h')).stdout, new RegExp(option))
   })
 
-  test('wrong usage exits with 2', async () => {
+  test('exits with 2 after wrong usage', async () => {
     await usage([], /A command is missing\. `npx warpjet --help` shows how/)
     await usage(['bend'], /no command "bend"/)
     await usage(['toString'], /no command "toString"/)
@@ -50,16 +50,16 @@ describe('the program', () => {
         ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--subdivide', tolerance],
         /bake: expected a number above 0 for --subdivide, got /,
       )
-    const bakeWithLimit = (most) => [...bakeArguments, '--subdivide', '1', '--max-triangles', most]
+    const bakeWithLimit = (max) => [...bakeArguments, '--subdivide', '1', '--max-triangles', max]
     const bakeArguments = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
-    for (const most of ['1.5', String(2 ** 28 + 1), '1e20'])
+    for (const max of ['1.5', String(2 ** 28 + 1), '1e20'])
       await usage(
-        bakeWithLimit(most),
+        bakeWithLimit(max),
         /bake: expected a whole number from 1 to 268,435,456 for --max-triangles, got /,
       )
-    for (const most of ['0', '-1', 'x'])
+    for (const max of ['0', '-1', 'x'])
       await usage(
-        bakeWithLimit(most),
+        bakeWithLimit(max),
         /expected a whole number from 1 to .* for --max-triangles, got |ambiguous/,
       )
     await usage([...bakeArguments, '--max-triangles', '9'], /--max-triangles needs --subdivide/)
@@ -67,7 +67,7 @@ describe('the program', () => {
 })
 
 describe('how it exits', () => {
-  /** Returns whether it exits by itself, soon. */
+  /** Returns true if the program soon exits without being stopped. */
   async function exitsBySelf(args, prepare = () => {}) {
     const child = spawn(process.execPath, args, { cwd: folder, timeout: 20_000 })
     let stderr = ''
@@ -80,7 +80,7 @@ describe('how it exits', () => {
     return { code, stderr }
   }
 
-  test('a reader may close its output', async () => {
+  test('exits if the reader closes its output', async () => {
     const leave = ({ stdout }) => stdout.destroy()
     assert.deepEqual(await exitsBySelf([program, 'emit', 'named.js'], leave), {
       code: 0,
@@ -88,7 +88,7 @@ describe('how it exits', () => {
     })
   })
 
-  test('it does not wait for a timer of warp.js', async () => {
+  test('does not wait for a timer of warp.js', async () => {
     write('timer.js', 'setInterval(() => {}, 1000)\nexport { bend } from "./named.js"')
     const { code } = await exitsBySelf([program, 'emit', 'timer.js'], ({ stdout }) =>
       stdout.resume(),
@@ -97,7 +97,7 @@ describe('how it exits', () => {
   })
 
   const full = '/dev/full'
-  test('a full disk gives one message', { skip: !existsSync(full) }, async () => {
+  test('prints one message if the disk is full', { skip: !existsSync(full) }, async () => {
     const stdio = ['ignore', openSync(full, 'w'), 'pipe']
     const child = spawn(process.execPath, [program, 'emit', 'named.js'], { cwd: folder, stdio })
     let stderr = ''
@@ -107,7 +107,7 @@ describe('how it exits', () => {
     assert.equal(code, 1)
   })
 
-  test('a warp.js that never resolves gives one message', async () => {
+  test('prints one message if warp.js never resolves', async () => {
     write('waits.js', 'await new Promise(() => {})\nexport { bend } from "./named.js"')
     await failsWithError(
       ['emit', 'waits.js'],
@@ -115,7 +115,7 @@ describe('how it exits', () => {
     )
   })
 
-  test('an error clears the unfinished line', async () => {
+  test('clears the progress line before an error', async () => {
     const terminal = 'data:text/javascript,process.stderr.isTTY = true'
     const { code, stderr } = await exitsBySelf([
       ...['--import', terminal, program, 'bake', 'model.glb', 'named.js'],

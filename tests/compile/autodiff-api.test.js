@@ -1,5 +1,5 @@
-// glsl-autodiff's API, row by row of its README, through `gen`: each call in each documented form has the value and the derivatives of
-// plain JavaScript. support/run-glsl.js evaluates the statements.
+// Checks `gen` against the API in glsl-autodiff's README: each documented call has the value and the derivatives that plain JavaScript
+// computes. support/run-glsl.js evaluates the generated statements.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
@@ -22,7 +22,7 @@ function assertClose(actual, expected, tolerance, message) {
   }
 }
 
-test('the interpreter of the statements rejects invalid GLSL', () => {
+test('the interpreter in support/run-glsl.js rejects invalid GLSL', () => {
   const code = 'float y; bool b = x > 1.0; { y = b ? -x : p.yx.x * 2.0; } // done'
   assert.deepEqual(runGlsl(code, { x: 3, p: [5, 7] }), { x: 3, p: [5, 7], b: true, y: -3 })
   for (const [text, message] of [
@@ -41,7 +41,7 @@ test('the interpreter of the statements rejects invalid GLSL', () => {
     assert.throws(() => runGlsl(text, { x: 3, p: [5, 7] }), message)
 })
 
-// Numbers and nodes. A row has the forms of a call, the value, and the derivatives by x, y and z, derived by hand.
+// Operations on numbers. A row has the forms of a call, its value, and its derivatives with respect to x, y and z, written by hand.
 
 const random = seededRandom(7)
 const anywhere = Array.from({ length: 40 }, () => [0, 1, 2].map(() => 4 * random() - 2))
@@ -49,8 +49,8 @@ const positive = anywhere.map((point) => point.map((x) => abs(x) + 0.1))
 const grid = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z])))
 
 const none = () => [0, 0, 0]
-const isLeast = (x, ...others) => (x < min(...others) ? 1 : 0)
-const isMost = (x, ...others) => (x > max(...others) ? 1 : 0)
+const isSmallest = (x, ...others) => (x < min(...others) ? 1 : 0)
+const isLargest = (x, ...others) => (x > max(...others) ? 1 : 0)
 
 const arithmetic = [
   [[(ad) => ad.val(2.5), (ad) => ad.sqrt(6.25)], () => 2.5, none],
@@ -104,33 +104,33 @@ const functions = [
   [
     [(ad, x, y) => x.clamp(y.min(0), 1), (ad, x, y) => ad.clamp(x, y.min(0), 1)],
     (x, y) => clamp(x, min(y, 0), 1),
-    (x, y) => [isMost(x, min(y, 0)) * isLeast(x, 1), isLeast(x, y) * isLeast(y, 0), 0],
+    (x, y) => [isLargest(x, min(y, 0)) * isSmallest(x, 1), isSmallest(x, y) * isSmallest(y, 0), 0],
   ],
   [
     [(ad, x) => x.clamp(-0.5, 0.5), (ad, x) => ad.clamp(x, -0.5, 0.5)],
     (x) => clamp(x, -0.5, 0.5),
-    (x) => [isLeast(abs(x), 0.5), 0, 0],
+    (x) => [isSmallest(abs(x), 0.5), 0, 0],
   ],
   [[(ad, x) => ad.min(x), (ad, x) => ad.max(x)], (x) => x, () => [1, 0, 0]],
   [
     [(ad, x, y) => x.min(y), (ad, x, y) => ad.min(x, y)],
     (x, y) => min(x, y),
-    (x, y) => [isLeast(x, y), isLeast(y, x), 0],
+    (x, y) => [isSmallest(x, y), isSmallest(y, x), 0],
   ],
   [
     [(ad, x, y, z) => x.min(y, 0.5, z), (ad, x, y, z) => ad.min(0.5, x, y, z)],
     (x, y, z) => min(x, y, 0.5, z),
-    (x, y, z) => [isLeast(x, y, 0.5, z), isLeast(y, x, 0.5, z), isLeast(z, x, y, 0.5)],
+    (x, y, z) => [isSmallest(x, y, 0.5, z), isSmallest(y, x, 0.5, z), isSmallest(z, x, y, 0.5)],
   ],
   [
     [(ad, x, y) => x.max(y), (ad, x, y) => ad.max(x, y)],
     (x, y) => max(x, y),
-    (x, y) => [isMost(x, y), isMost(y, x), 0],
+    (x, y) => [isLargest(x, y), isLargest(y, x), 0],
   ],
   [
     [(ad, x, y, z) => x.max(y, -0.5, z), (ad, x, y, z) => ad.max(-0.5, x, y, z)],
     (x, y, z) => max(x, y, -0.5, z),
-    (x, y, z) => [isMost(x, y, -0.5, z), isMost(y, x, -0.5, z), isMost(z, x, y, -0.5)],
+    (x, y, z) => [isLargest(x, y, -0.5, z), isLargest(y, x, -0.5, z), isLargest(z, x, y, -0.5)],
   ],
   [
     [(ad, x, y, z) => x.gt(0).ifElse(y, z), (ad, x, y, z) => ad.ifElse(x.gt(0), y, z)],
@@ -141,7 +141,7 @@ const functions = [
   [[(ad, x) => ad.ifElse(1, x, 4)], (x) => x, () => [1, 0, 0]],
 ]
 
-/** A condition chooses between z and 5. */
+/** Makes a row in which a condition selects z or 5. */
 const choice = (form, isTrue) => [
   [form],
   (x, y, z) => (isTrue(x, y, z) ? z : 5),
@@ -283,7 +283,7 @@ const vectorRows = [
     ({ a }) => a,
   ],
 
-  // A vector is an Op too: these operations of numbers apply by component.
+  // glsl-autodiff's vectors inherit the methods of numbers, which apply to each component.
   [[({ a, b }) => a.sub(b)], ({ a, b }) => difference(a, b)],
   [[({ a, b }) => a.div(b)], ({ a, b }) => zip((x, y) => x / y, a, b)],
   [[({ a }) => a.sin()], ({ a }) => a.map(sin)],
@@ -294,13 +294,13 @@ const vectorRows = [
   [[({ a }) => a.abs()], ({ a }) => a.map(abs)],
 ]
 
-/** 13 numbers, 0.23 apart, in random order, so that no difference crosses a kink. */
-function apart() {
+/** Returns 13 numbers in random order, 0.23 apart, so that no finite difference crosses a kink. */
+function spacedNumbers() {
   const numbers = Array.from({ length: 13 }, (_, i) => [random(), 0.23 * i - 1.5])
   return numbers.sort(([a], [b]) => a - b).map(([, number]) => number)
 }
 
-/** Returns the derivative by one of the numbers, by central differences and Richardson extrapolation. */
+/** Returns the derivative with respect to one of the numbers, from central differences with Richardson extrapolation. */
 function slope(f, numbers, i) {
   const at = (step) => [f(numbers.map((x, k) => (k === i ? x + step : x)))].flat()
   const central = (h) => difference(at(h), at(-h)).map((rise) => rise / (2 * h))
@@ -330,7 +330,7 @@ for (const size of [2, 3, 4]) {
           })
           const f = (numbers) => value(toInputs(numbers))
           for (let round = 0; round < 10; round++) {
-            const numbers = apart()
+            const numbers = spacedNumbers()
             const { a, b, c, k } = toInputs(numbers)
             const results = runGlsl(code, { a, b, c, k })
             assertClose(results.value, f(numbers), 1e-7, `the value at ${numbers}`)
@@ -363,7 +363,7 @@ describe('inputs and outputs:', () => {
     )
   })
 
-  test('each kind of parameter is a variable of the shader, of each size', () => {
+  test('each param method reads a shader variable of its size', () => {
     const code = gen((ad) => {
       ad.param('speed').mult(2).output('a')
       ad.vec2Param('uv').mult(ad.vec2(2, 3)).output('b')
@@ -389,7 +389,7 @@ describe('inputs and outputs:', () => {
     assert.deepEqual([product, slope], [15, 5])
   })
 
-  test('a vector has a derivative by a number, and a number by a component', () => {
+  test('a vector can be differentiated with respect to a number, and a number with respect to a component', () => {
     const code = gen((ad) => {
       const [p, time] = [ad.vec3Param('p'), ad.param('time')]
       p.scale(time).outputDeriv('velocity', time)
@@ -400,7 +400,7 @@ describe('inputs and outputs:', () => {
     assert.deepEqual([velocity, column, byY], [[2, 3, 5], [1, 5, 0], 6])
   })
 
-  test('JavaScript’s loops and functions act as macros', () => {
+  test('JavaScript’s loops and functions are unrolled and inlined', () => {
     const code = gen((ad) => {
       const double = (node) => node.mult(2)
       let x = ad.param('x')
@@ -435,7 +435,7 @@ describe('settings:', () => {
     x.output('y')
   }
 
-  /** The assignments. A temporary has its type before it; results are declared above. */
+  /** Returns the assignments. Those to temporaries start with a type; results are declared before the code. */
   const linesOf = (text) =>
     [...text.matchAll(/^ *(float)? ?(\w+) = (.*);$/gm)].map(([, type, name, value]) => {
       return { isTemporary: type !== undefined, name, value }

@@ -1,4 +1,4 @@
-// The core API: its results, and the memory after a call.
+// Tests the core API: what it returns, and how much memory is in use after a call.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
@@ -12,7 +12,7 @@ const namesOf = (declared) => declared.map(({ name }) => name)
 const wave = ({ glsl, position, millis }) =>
   glsl.vec3(0, position.x().mult(4).add(millis.div(1000)).sin().mult(0.15), 0)
 
-test('a warp has statements, the inputs that it reads, and counts', () => {
+test('compileWarp returns statements, the inputs that they read, and statistics', () => {
   const warp = compileWarp(wave)
   assert.match(warp.code, /^vec3 offset, warpedPosition, warpedNormal;\n\{\n/)
   assert.match(warp.code, /offset = vec3\(0\.0, sin\(t0\) \* 0\.15, 0\.0\);/)
@@ -57,7 +57,7 @@ test('parameters are listed with the uniforms', () => {
   ])
 })
 
-test('an unused input is not read', () => {
+test('the code does not read unused inputs', () => {
   const { uniforms, attributes } = compileWarp(({ glsl }) => glsl.vec3(0, 1, 0), {
     normals: false,
   })
@@ -153,7 +153,7 @@ test('debug finds the file if the name of a function ends in “at”', (t) => {
   assert.match(message, / \(sketch-of-format\.js, line 2\):/)
 })
 
-test('the GLSL ES 1.00 code of this warp is the same', () => {
+test('a warp without features of GLSL ES 3.00 has the same code in GLSL ES 1.00', () => {
   assert.equal(compileWarp(wave, { target: 'glsl100' }).code, compileWarp(wave).code)
 })
 
@@ -176,7 +176,7 @@ test('inputs have the sizes that p5.warp documents', () => {
   })
 })
 
-test('components in any order, by any of their letters', () => {
+test('components can be selected in any order, by any of their letters', () => {
   const { code } = compile((glsl) => {
     const [v, uv] = [glsl.vec4Param('v'), glsl.vec2Param('uv')]
     return { a: v.zyx(), b: v.aa(), c: uv.ts(), d: v.q(), e: uv.xyyx() }
@@ -188,7 +188,7 @@ test('components in any order, by any of their letters', () => {
   assert.match(code, /e = uv\.xyyx;/)
 })
 
-test('scalars broadcast beside vectors, on either side', () => {
+test('a scalar applies to all components of a vector, as either operand', () => {
   const { code } = compile((glsl) => {
     const v = glsl.vec3Param('v')
     return { a: v.add(1), b: glsl.val(2).mult(v), c: v.mix(glsl.vec3(0, 0, 0), 0.5).neg() }
@@ -202,7 +202,7 @@ test('functions of the builder can be destructured', () => {
   assert.match(code, /sin\(millis\)/)
 })
 
-test('a component by name is the component', () => {
+test('a parameter named like a component reads that component', () => {
   const { code } = compileWarp(({ glsl }) => glsl.vec3(0, glsl.param('position.x').sin(), 0))
   assert.match(code, /cos\(position\.x\)/)
 })
@@ -212,13 +212,13 @@ test('normalize of zero is zero', () => {
   assert.match(code, /n = vec3\(0\.0\)/)
 })
 
-test('a condition as an offset counts as 0 or 1', () => {
+test('a condition in an offset counts as 0 or 1', () => {
   const { code } = compileWarp(({ position }) => position.gt(0))
   assert.match(code, /^vec3 offset/)
   assert.match(code, /offset = vec3\(float\(position\.x > 0\.0\)/)
 })
 
-test('no two signs are adjacent, and the sign of a zero is kept', () => {
+test('the code has no adjacent signs, and preserves the sign of a zero', () => {
   const { code } = compile((glsl) => {
     const x = glsl.param('x')
     return { a: glsl.val(-2).div(x).neg(), b: glsl.val(-0).add(glsl.val(0).atan(x)) }
@@ -232,7 +232,7 @@ test('each result can have its default name', () => {
   assert.match(code, /^vec3 offset, moved, warpedNormal;/)
 })
 
-test('numbers are exact', () => {
+test('literals in the code are exact', () => {
   for (const [number, text] of [
     [1e21, '1e21'],
     [1e-5, '1e-5'],
@@ -284,7 +284,7 @@ test('repeated squaring and a long chain take little time', () => {
   assert.equal(chain.stats.nodes, 300_000)
 })
 
-test('the version is that of the package', () => {
+test('version equals the version of the package', () => {
   const { version: packaged } = JSON.parse(
     readFileSync(new URL('../../package.json', import.meta.url)),
   )

@@ -25,7 +25,7 @@ after(async () => {
 const size = 32
 const width = 1.3
 
-/** Draws numbers from 0 to 1 as two of 8 bits, the high and the low part. */
+/** Encodes numbers from 0 to 1 as two 8-bit colors, the high and the low part. */
 const numberShader = `(name) => {
   const { code, declarations } = warpjet.compile((glsl) => {
     const p = glsl.vec2Param('p')
@@ -64,7 +64,7 @@ const expected = Array.from({ length: size * size }, (_, i) =>
   oracle([(i % size) + 0.5, Math.floor(i / size) + 0.5].map((x) => (width * x) / size)),
 )
 
-// gallery.test.js draws them in the everyday run.
+// gallery.test.js draws them in the default test run.
 const sketches = isRun('deep domain warping')
   ? ['domain-warping-2d', 'domain-warping-colours', 'domain-warping-lit', 'domain-warping-3d']
   : ['domain-warping-colours']
@@ -132,7 +132,7 @@ for (const [version, p5] of p5InThisRun)
   })
 
 if (isRun('p5 1.11'))
-  test('without light, both draw the same', () => {
+  test('both sketches draw the same without light', () => {
     for (const name of ['domain-warping-2d', 'domain-warping-colours'])
       assert.ok(differingPixels(...pictures[name], 4) < 300, name)
   })

@@ -7,7 +7,7 @@ import { plainDomainWarp, domainWarp } from '../support/domain-warp.js'
 
 const points = Array.from({ length: 100 }, (_, i) => [3 * Math.sin(1.7 * i), 3 * Math.cos(2.3 * i)])
 
-/** Returns the derivative of `f` by a coordinate, by central differences without their error of h². */
+/** Returns the derivative of `f` with respect to a coordinate, from central differences extrapolated to eliminate the error of h². */
 function slope(f, p, axis) {
   const at = (step) => f(p.with(axis, p[axis] + step))
   const difference = (h) => (at(h) - at(-h)) / (2 * h)

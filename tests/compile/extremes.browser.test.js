@@ -1,4 +1,4 @@
-// Normals in shaders are those of the exact derivative even if intermediate results overflow or underflow in float32.
+// Normals in shaders follow from the exact derivative even if intermediate results overflow or underflow in float32.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'

@@ -1,4 +1,4 @@
-// Normals, bounds and comparisons are those of exact numbers even if intermediate results overflow or underflow in float32.
+// Normals, bounds and comparisons equal those of exact arithmetic even if intermediate results overflow or underflow in float32.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
@@ -29,7 +29,7 @@ describe('a finite offset has a finite and correct normal:', () => {
   })
 })
 
-test('foldover finds the side even if the derivative of the offset is hard to compute', () => {
+test('foldover finds the correct side even if intermediate derivatives overflow', () => {
   const turned = compileWarp(({ glsl, position }) => {
     const x = position.x()
     return glsl.vec3(glsl.val(1).div(x.neg().exp().add(1)).sub(x.mult(2)), 0, 0)

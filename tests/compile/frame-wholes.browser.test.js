@@ -1,4 +1,4 @@
-// Whole numbers that are frame constants, which shaders of each language reassemble from halves, against those of JavaScript.
+// Integers that are frame constants: shaders of each language reassemble them from two halves, and the results must equal JavaScript's.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -35,7 +35,7 @@ const bitsOf = (x) => new Uint32Array(Float32Array.of(x).buffer)[0]
 const seeds = [0, 1, -1, 2.75, -3.5e-9, 123456789, -1e30, 6e8, 7]
 
 for (const target of ['glsl300', 'wgsl'])
-  test(`all 32 bits, in ${target}`, async () => {
+  test(`integers keep all 32 bits, in ${target}`, async () => {
     const source = `#version 300 es
       uniform float seed;
       uint hash(uint v) { uint h = (v ^ (v >> 16u)) * 747796405u; return h ^ (h >> 15u); }
@@ -51,7 +51,7 @@ for (const target of ['glsl300', 'wgsl'])
   })
 
 for (const target of ['glsl100', 'glsl300', 'wgsl'])
-  test(`operations that need no bits, in ${target}`, async () => {
+  test(`operations without bit manipulation are exact, in ${target}`, async () => {
     const source = `uniform float seed;
       vec3 offset(vec3 p) { int n = int(seed) / 3 + int(p.x); return vec3(float(n - n / 1000 * 1000), float(n / 1000), 0.0); }`
     const wholes = [0, 1, -1, 40000, -40000, 9999999, -1234567, 2e7, 6e8, -2e9]

@@ -1,4 +1,4 @@
-// Whole numbers that are frame constants or constants: all of their 32 bits, against the arithmetic of JavaScript.
+// Integers that are constants or frame constants keep all 32 bits: compares them with JavaScript's integer arithmetic.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
@@ -20,7 +20,7 @@ function pcg(v) {
   return ((word >>> 22) ^ word) >>> 0
 }
 
-/** Halves of whole numbers as coordinates, which float32 represents exactly. */
+/** Returns the two 16-bit halves of each integer as coordinates, which float32 represents exactly. */
 const halvesText = 'vec3(float(h & 65535u), float(h >> 16u), sin(millis) * 0.0)'
 const halvesOf = (h) => [h & 0xffff, h >>> 16]
 const offsetOf = (source, uniforms = 'uniform float millis;\n') =>
@@ -56,7 +56,7 @@ test('constants beyond 2^24 are exact beside frame constants', () => {
     }
 })
 
-test('also in loops and in functions with many calls', () => {
+test('frame constants are exact in loops and in functions with many calls', () => {
   const calls = Array.from({ length: 30 }, (_, i) => `mixed(p.x + ${i}.0)`).join(' + ')
   const rounds = 'h = (h ^ (h >> 16u)) * 747796405u; h = (h ^ (h >> 15u)) * 2891336453u;'.repeat(4)
   const offset = offsetOf(
@@ -133,7 +133,7 @@ test('frame constants are numbers that float32 represents exactly, in every lang
     }
 })
 
-test('as many as there is room for; the others remain in the code', () => {
+test('frame constants that exceed the limit remain in the code', () => {
   const terms = Array.from(
     { length: 100 },
     (_, i) => `float((floatBitsToUint(millis * ${i + 1}.0) ^ uint(p.x)) & 15u)`,
@@ -145,7 +145,7 @@ test('as many as there is room for; the others remain in the code', () => {
     assert.equal(movedBy(offset, options, { millis: 7.1875 })[1], sum(7.1875))
 })
 
-test('in three.js: in the shader, in its uniforms, and for raycasting', () => {
+test('three.js uses the exact values in the shader, in its uniforms, and for raycasting', () => {
   const offset = offsetOf(
     `${pcgText}\nvec3 offset(vec3 p) { uint h = pcg(floatBitsToUint(seed)) + uint(p.z); return ${halvesText}; }`,
     'uniform float millis, seed;\n',

@@ -29,7 +29,7 @@ test('a loop whose steps add different phases is unrolled, with a frame constant
   assert.ok(Math.abs(y - expected.reduce((a, b) => a + b)) < 1e-6)
 })
 
-test('so is a loop whose state carries the time', () => {
+test('a loop whose state depends on the time is unrolled, too', () => {
   const offset = ({ glsl, position, millis }) => {
     const start = glsl.vec2(position.x.add(millis.div(900)), 0)
     const step = (state) => glsl.vec2(state.x.mult(2), state.y.add(state.x.sin()))
@@ -43,7 +43,7 @@ test('so is a loop whose state carries the time', () => {
   assert.ok(Math.abs(y - expected.reduce((a, b) => a + b)) < 1e-5)
 })
 
-test('another loop remains, with frame constants that all of its steps share', () => {
+test('a loop whose steps share their frame constants remains a loop', () => {
   const offset =
     (steps) =>
     ({ glsl, position, millis, uniforms }) => {
@@ -58,7 +58,7 @@ test('another loop remains, with frame constants that all of its steps share', (
   assert.ok(Object.keys(warp.frameUniforms({ millis: week })).length > 0)
 })
 
-test('a long loop remains', () => {
+test('a long loop remains a loop', () => {
   const offset = ({ glsl, position, millis }) => {
     const sum = glsl.repeat(5000, 0, (sum, i) => sum.add(position.x.add(millis.mult(i)).sin()))
     return glsl.vec3(0, sum, 0)
@@ -72,7 +72,7 @@ const wave = ({ glsl, position, millis, uniforms }) =>
   glsl.vec3(0, position.x.mult(3).add(millis.mult(uniforms.speed)).sin(), 0)
 const waveAt = ([x, y, z], millis, speed) => [x, y + Math.sin(3 * x + millis * speed), z]
 
-test('also on the CPU: a point, a mesh, bounds, the inverse and folds, after a week', () => {
+test('all CPU methods are accurate after a week', () => {
   const warp = compileWarp(wave, { perFrame: true, uniforms: { speed: 0.01 } })
   const near = (found, expected, tolerance = 1e-6) =>
     assert.ok(
@@ -127,7 +127,8 @@ test('noise far from the origin is as accurate as near it: cells and positions i
     ridged: ({ glsl, at }) => glsl.ridged(at, { octaves: 3, lacunarity: 3 }),
     curl: ({ glsl, at }) => glsl.curl(at).y,
     'in a plane': ({ glsl, at }) => glsl.noise(at.xy),
-    'by time alone': ({ glsl, position, cells }) => glsl.noise(glsl.vec4(position, cells)),
+    'that depends only on time': ({ glsl, position, cells }) =>
+      glsl.noise(glsl.vec4(position, cells)),
   }
   for (const [name, kind] of Object.entries(kinds)) {
     const offset = ({ glsl, position, uniforms }) => {

@@ -17,7 +17,7 @@ test('every warp links in WebGL 1', async () => {
 })
 
 // WebGL 1 has no transform feedback, but WebGL 2 accepts its shaders.
-test('both have the same results', async () => {
+test('the code for WebGL 1 and WebGL 2 has the same results', async () => {
   const gpu = await openPipeline(browser)
   const inputs = { millis: 1234, mouse: [120, 250], size: [640, 480], pixelDensity: 2 }
   const compared = warps.filter(({ name }) => /twist|wobble|genie|flatten|space|ifElse/.test(name))

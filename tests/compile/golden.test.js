@@ -1,26 +1,26 @@
 // The shader code of the gallery and the stress test equals the golden files in tests/golden, and is readable.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { goldenTexts, keptTexts } from '../warps/golden.js'
+import { goldenTexts, readGoldenTexts } from '../warps/golden.js'
 
 const texts = goldenTexts()
-const kept = keptTexts()
+const golden = readGoldenTexts()
 
 describe('shader code', () => {
-  test('has one golden file each', () => {
+  test('has one golden file per warp', () => {
     const message = 'Renew the files with `npm run golden`.'
-    assert.deepEqual(Object.keys(kept).sort(), Object.keys(texts).sort(), message)
+    assert.deepEqual(Object.keys(golden).sort(), Object.keys(texts).sort(), message)
   })
 
   for (const [file, text] of Object.entries(texts))
     test(`${file} is unchanged`, () =>
-      assert.equal(text, kept[file], 'If the new text is right, keep it with `npm run golden`.'))
+      assert.equal(text, golden[file], 'If the new code is right, store it with `npm run golden`.'))
 })
 
 test('no two golden files are the same', () => {
   const files = Object.keys(texts)
   const same = files.filter((file, i) => files.slice(0, i).some((f) => texts[f] === texts[file]))
-  assert.deepEqual(same, [], 'What is kept twice proves nothing more, and may be a mistake.')
+  assert.deepEqual(same, [], 'Two equal golden files prove no more than one, and may be a mistake.')
 })
 
 describe('shader code is readable:', () => {

@@ -10,10 +10,10 @@ import { runGlsl } from '../support/run-glsl.js'
 const tolerance = 1e-11
 const formulas = 60
 
-/** A formula in two forms: for the compiler, and as a function inputs → [value, derivative by x]. */
+/** A formula in two forms: for the compiler, and as a function inputs → [value, derivative with respect to x]. */
 class Twin {
-  constructor(told, at) {
-    Object.assign(this, { told, at })
+  constructor(expression, at) {
+    Object.assign(this, { expression, at })
   }
 
   #one(name, f, slope) {
@@ -21,7 +21,7 @@ class Twin {
       const [value, derivative] = this.at(inputs)
       return [f(value), slope(value) * derivative]
     }
-    return new Twin(this.told[name](), at)
+    return new Twin(this.expression[name](), at)
   }
   /** `other` may be a number. */
   #two(name, other, f, slopeOfFirst, slopeOfSecond) {
@@ -30,7 +30,7 @@ class Twin {
       const [[a, da], [b, db]] = [this.at(inputs), isNumber ? [other, 0] : other.at(inputs)]
       return [f(a, b), slopeOfFirst(a, b) * da + slopeOfSecond(a, b) * db]
     }
-    return new Twin(this.told[name](isNumber ? other : other.told), at)
+    return new Twin(this.expression[name](isNumber ? other : other.expression), at)
   }
 
   neg = () =>
@@ -108,12 +108,12 @@ class Chance {
       const [value, derivative] = x.at(inputs)
       return [1 / value, -derivative / value ** 2]
     }
-    return new Twin(this.glsl.div(1, x.told), at)
+    return new Twin(this.glsl.div(1, x.expression), at)
   }
   positive = () => this.square(this.formula()).add(0.5)
 }
 
-/** Maps a name → function that makes a formula, and the pattern of its code, if the code of the value shows it. */
+/** Maps a name → function that makes a formula, and a pattern that its code must match, if the rewrite shows in the code. */
 const identities = {
   'sin² + cos² is 1': {
     write(chance) {
@@ -154,7 +154,7 @@ const identities = {
 }
 
 /** Rotates two formulas by a random angle: about a pivot or not, in either direction, with factors and terms in any order. */
-function rotated(chance, [p, q], angle) {
+function rotate(chance, [p, q], angle) {
   const [c, s] = [angle.cos(), angle.sin()]
   const times = (a, b) => chance.product(a, b)
   const [ahead, back] = chance.either(1, -1)
@@ -168,8 +168,8 @@ function check(seed, outputs, has = () => true) {
   const { code, stats } = compile((glsl) => {
     twins = outputs(new Chance(glsl, seed))
     const results = twins.flatMap((twin, i) => [
-      [`value${i}`, twin.told],
-      [`slope${i}`, glsl.derivative(twin.told, glsl.param('x'))],
+      [`value${i}`, twin.expression],
+      [`slope${i}`, glsl.derivative(twin.expression, glsl.param('x'))],
     ])
     return Object.fromEntries(results)
   })
@@ -201,22 +201,22 @@ describe('the value and the derivative:', () => {
       for (let seed = 0; seed < formulas; seed++) check(seed, (chance) => [write(chance)], has)
     })
 
-  test('a point that is rotated twice', () => {
+  test('a point that is rotated twice has the shortest code', () => {
     for (let seed = 0; seed < 5 * formulas; seed++)
       check(seed, (chance) => {
         const point = [chance.formula(1), chance.formula()]
-        const once = rotated(chance, point, chance.formula())
-        return [...once, ...rotated(chance, once, chance.formula())]
+        const once = rotate(chance, point, chance.formula())
+        return [...once, ...rotate(chance, once, chance.formula())]
       })
   })
 
-  test('a constant point that is rotated: its derivative is the other component times the slope of the angle', () => {
+  test('the derivative of a rotated constant point is the other component times the slope of the angle', () => {
     for (let seed = 0; seed < formulas; seed++)
       check(
         seed,
         (chance) => {
           const [x, y, z, w] = chance.inputs
-          return rotated(chance, [y.add(w), z], x.mult(w).add(chance.number()))
+          return rotate(chance, [y.add(w), z], x.mult(w).add(chance.number()))
         },
         // y + w, the angle, its sine and cosine, four products and two sums; then two products and a minus sign.
         ({ stats }) => stats.operations <= 1 + 2 + 2 + 6 + 3,

@@ -1,4 +1,4 @@
-// The compiler takes linear time in everything that a user may have thousands of.
+// The compiler takes time linear in the number of anything that a program may contain thousands of.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { loadMesh } from '../../dist/mesh.js'
@@ -13,12 +13,12 @@ const sumOf = (glsl, count, operand) => {
 const compileSum = (operand) => (count) =>
   compile((glsl) => ({ y: sumOf(glsl, count, (i) => operand(glsl, i)) }))
 
-test('parameters', () => isLinear(compileSum((glsl, i) => glsl.param(`p${i}`))))
+test('parameters take linear time', () => isLinear(compileSum((glsl, i) => glsl.param(`p${i}`))))
 
-test('parameters named like temporaries', () =>
+test('parameters named like temporaries take linear time', () =>
   isLinear(compileSum((glsl, i) => glsl.param(`t${i}`))))
 
-test('results', () =>
+test('results take linear time', () =>
   isLinear((count) =>
     compile((glsl) => {
       const x = glsl.param('x')
@@ -26,14 +26,14 @@ test('results', () =>
     }),
   ))
 
-test('functions', () => {
+test('functions take linear time', () => {
   const source = (i) => `float f${i}(float x) { return x; }`
   return isLinear(
     compileSum((glsl, i) => glsl.fn({ name: `f${i}`, arity: 1, source: source(i) })(i)),
   )
 })
 
-test('derivatives by parameters', () =>
+test('derivatives with respect to parameters take linear time', () =>
   isLinear(
     compileSum((glsl, i) => {
       const p = glsl.param(`p${i}`)
@@ -41,7 +41,7 @@ test('derivatives by parameters', () =>
     }),
   ))
 
-test('the option uniforms, also on the CPU', async () => {
+test('uniforms take linear time, also on the CPU', async () => {
   const offset = (count) => (inputs) =>
     inputs.glsl.vec3(
       0,
@@ -86,7 +86,7 @@ function gltfOf(count) {
   return new TextEncoder().encode(JSON.stringify(json))
 }
 
-test('the JSON of a glTF', async () => {
+test('reading the JSON of a glTF takes linear time', async () => {
   const files = new Map([few, many].map((count) => [count, gltfOf(count)]))
   await isLinear((count) => loadMesh(files.get(count)))
   // Relative to the time that the engine takes to parse the JSON, whatever the computer: 18 times, and 45 times before.

@@ -1,4 +1,4 @@
-// The code is short: the value and its derivatives share sines and cosines.
+// The generated code is short: the value and its derivatives share sines and cosines.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { warps } from '../warps/index.js'
@@ -37,7 +37,7 @@ test('300 stacked sines, 1,500 operations, are at most 40,000 characters', () =>
 })
 
 for (const workload of workloads)
-  test(`${workload.name}: not much longer than by hand`, () => {
+  test(`${workload.name}: the code is not much longer than code written by hand`, () => {
     const length = (name) => {
       const { declarations = '', body } = methods
         .find((method) => method.name === name)
@@ -92,7 +92,7 @@ test('a matrix that rotates several points has one variable in each body that re
   }
 })
 
-test('vectors are counted', () => {
+test('stats count vector operations', () => {
   const { stats, code } = compileWarp(nestedSines(8, 'xyz'))
   assert.equal(stats.vectors, code.match(/^ *vec\d t\d+ =/gm).length)
   assert.equal(stats.temporaries, code.match(/^ *(vec\d|float|bool) t\d+ =/gm).length)
@@ -104,13 +104,13 @@ test('code for positions only has no derivatives', () => {
   assert.doesNotMatch(code, /normal/i)
 })
 
-test('the wobble has at most 9 sines and 6 cosines', () => {
+test('the wobble warp has at most 9 sines and 6 cosines', () => {
   const { code } = warps.find(({ name }) => name === 'wobble').compile()
   assert.ok(calls(code, 'sin') <= 9, `${calls(code, 'sin')} sines`)
   assert.ok(calls(code, 'cos') <= 6, `${calls(code, 'cos')} cosines`)
 })
 
-/** Nests sines in each component, of the coordinate that `axes` names for it. */
+/** Returns nested sines in each component; `axes` names the coordinate for each. */
 const nestedSines =
   (depth, axes) =>
   ({ glsl, position }) => {
@@ -122,7 +122,7 @@ const nestedSines =
     return glsl.vec3(...[...axes].map(chain))
   }
 
-/** Warps the position by itself, `depth` times: every component depends on every coordinate. */
+/** Warps the position with a function of itself, `depth` times, so that every component depends on every coordinate. */
 const nestedWarps =
   (depth) =>
   ({ position }) => {
@@ -132,7 +132,7 @@ const nestedWarps =
   }
 
 for (const [axes, chains] of Object.entries({ xxx: 1, xxy: 2, xyz: 3 }))
-  test(`sines nested 24 deep, ${chains} different chains: 24 sines and 24 cosines for each`, () => {
+  test(`${chains} different chains of 24 nested sines have 24 sines and 24 cosines each`, () => {
     const { code } = compileWarp(nestedSines(24, axes))
     assert.deepEqual([components(code, 'sin'), components(code, 'cos')], [24 * chains, 24 * chains])
   })
@@ -212,7 +212,7 @@ function wobbleByComponent(glsl) {
   return results
 }
 
-/** Its assignments. A temporary has its type before it; results are declared above. */
+/** Returns its assignments. Those to temporaries start with a type; results are declared before the code. */
 function wobbleLines(maxDepthPerVariable) {
   const write = (ad) => {
     for (const [name, result] of Object.entries(wobbleByComponent(ad))) result.output(name)
@@ -225,7 +225,7 @@ function wobbleLines(maxDepthPerVariable) {
 test('maxDepthPerVariable 1 writes one operation per line', () => {
   const operation = /\w\(| [-+*/?<>] |\|\||^-[a-z]/g
   const counts = wobbleLines(1).map(({ value }) => value.match(operation)?.length ?? 0)
-  // Results that are constants have none.
+  // Constant results have no derivative.
   assert.deepEqual([...new Set(counts)].sort(), [0, 1])
   assert.equal(counts.filter(Boolean).length, compile(wobbleByComponent).stats.operations)
 })

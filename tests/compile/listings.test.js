@@ -25,14 +25,14 @@ function assertClose(actual, expected, tolerance) {
   }
 }
 
-/** Requests a vector or number and its derivatives by the coordinates of `position`. */
+/** Requests a vector or number and its derivatives with respect to the coordinates of `position`. */
 function outputAll(result, position) {
   result.output('value')
   for (const axis of ['x', 'y', 'z']) result.outputDeriv(`by_${axis}`, position[axis]())
 }
 
 describe('the article:', () => {
-  test('the derivative of its example, a tenth of a squared sine', () => {
+  test('the derivative of its example, a tenth of a squared sine, is correct', () => {
     const code = gen((ad) => {
       const x = ad.param('x')
       const wave = x.mult(10).add(20).sin().pow(2).mult(0.1)
@@ -46,7 +46,7 @@ describe('the article:', () => {
     }
   })
 
-  test('the chain rule: the derivative of sin(u) is cos(u) times that of u', () => {
+  test('the chain rule holds: the derivative of sin(u) is cos(u) times that of u', () => {
     const code = gen((ad) => {
       const x = ad.param('x')
       const u = x.pow(3).sub(x.mult(2))
@@ -60,7 +60,7 @@ describe('the article:', () => {
   })
 
   // glsl-autodiff's README begins with the same example.
-  test('a plane moved by sines within sines, and the normal from its two tangents', () => {
+  test('a plane moved by nested sines has the normal of its two tangents', () => {
     const code = gen((ad) => {
       const [x, y, time] = [ad.param('x'), ad.param('y'), ad.param('time')]
       const angle = (height) => ad.sum(height.mult(0.5), x.mult(1.5), y.mult(2.8), time.mult(0.002))
@@ -87,7 +87,7 @@ describe('the article:', () => {
       }
   })
 
-  test('a height over x and y of a position, on a plane', () => {
+  test('a height that depends on x and y moves a plane', () => {
     const code = gen((ad) => {
       const position = ad.vec3Param('position')
       const height = position.x().mult(3).sin().mult(position.y().mult(2).cos()).mult(0.2)
@@ -109,7 +109,7 @@ describe('the article:', () => {
     }
   })
 
-  test('a shift in three dimensions: the tangents along x and along y and z together', () => {
+  test('an offset in three dimensions has the right tangents along x and along (y, z)', () => {
     const code = gen((ad) => {
       const position = ad.vec3Param('position')
       const [x, y, z] = [position.x(), position.y(), position.z()]
@@ -176,7 +176,7 @@ describe('the paper:', () => {
       outputAll(warp({ glsl: ad, position, millis }), position)
     })
 
-  test('the offset and the Jacobian of its example, which has a column for y only', () => {
+  test('the Jacobian of its example has nonzero entries only in the column of y', () => {
     const code = toCode(warps['the paper: its example of an offset'].warp)
     for (const [y, millis] of [
       [0, 0],
@@ -191,7 +191,7 @@ describe('the paper:', () => {
     }
   })
 
-  test('if a warp flattens the mesh, the remaining side has a normal, and the others have none', () => {
+  test('a flattened mesh has normals only on the sides that remain visible', () => {
     const { code } = compileWarp(({ glsl, position }) => glsl.vec3(position.x().neg(), 0, 0))
     const normalOf = (normal) => runGlsl(code, { position: [1, 2, 3], normal }).warpedNormal
     assertClose(normalOf([-0.6, 0.8, 0]), [-1, 0, 0], 1e-12)
@@ -199,7 +199,7 @@ describe('the paper:', () => {
   })
 
   for (const [name, { warp, size }] of Object.entries(warps))
-    test(`its equation for a normal, for any tangents: ${name}`, () => {
+    test(`its equation for a normal holds for any tangents: ${name}`, () => {
       const [columns, { code }] = [toCode(warp), compileWarp(warp)]
       for (const vertex of vertices(size)) {
         const { by_x, by_y, by_z } = runGlsl(columns, vertex)

@@ -35,7 +35,7 @@ function volumeOf(mesh) {
 }
 
 /** The minimum cosine of the angle between a vertex normal and the front of a triangle around it. */
-function leastCosine(mesh) {
+function minCosine(mesh) {
   let least = 1
   for (const corners of trianglesOf(mesh)) {
     const [a, b, c] = corners.map((i) => vec(mesh.positions, i))
@@ -58,7 +58,7 @@ const round = (() => {
 })()
 
 function isOutside(mesh, message) {
-  const [volume, cosine] = [volumeOf(mesh), leastCosine(mesh)]
+  const [volume, cosine] = [volumeOf(mesh), minCosine(mesh)]
   assert.ok(volume > 0.5, `${message}: the triangles enclose ${volume}`)
   assert.ok(cosine > 0.5, `${message}: a normal is off by the cosine ${cosine}`)
 }
@@ -78,29 +78,29 @@ const mirrors = {
   'two axes changed for each other': to(({ glsl, position }) =>
     glsl.vec3(position.y(), position.x(), position.z()),
   ),
-  'a mirror that grows to the side': to(({ glsl, position: p }) =>
+  'a mirror with a scale that grows to the side': to(({ glsl, position: p }) =>
     glsl.vec3(p.x().mult(p.y().mult(p.y()).add(1)).neg(), p.y(), p.z()),
   ),
   'a mirror with a wave': to(({ glsl, position: p }) =>
     glsl.vec3(p.x().neg(), p.y().add(p.x().mult(2).sin().mult(0.2)), p.z()),
   ),
-  'a mirror that is thicker here than there': to(({ glsl, position: p }) =>
+  'a mirror with varying thickness': to(({ glsl, position: p }) =>
     glsl.vec3(p.x().mult(p.z().mult(3).sin().mult(0.4).sub(1)), p.y(), p.z()),
   ),
-  'a mirror, twisted': chain(mirror, twist({ angle: 0.8, length: 1 })),
+  'a twisted mirror': chain(mirror, twist({ angle: 0.8, length: 1 })),
   'a twist, mirrored': chain(twist({ angle: 0.8, length: 1 }), mirror),
-  'a mirror, inflated': chain(mirror, inflate({ amount: 0.2 })),
-  'a mirror, twisted about an oblique axis': chain(
+  'an inflated mirror': chain(mirror, inflate({ amount: 0.2 })),
+  'a mirror twisted about an oblique axis': chain(
     mirror,
     twist({ angle: 0.8, length: 1, axis: [0.3, 1, -0.2] }),
   ),
-  'a mirror, turned': chain(mirror, ({ glsl, position }) =>
+  'a rotated mirror': chain(mirror, ({ glsl, position }) =>
     glsl
       .rotate(glsl.vec3(1, 2, 0.5), 0.7)
       .mult(position)
       .sub(position),
   ),
-  'a mirror by shader text': glslOffset(
+  'a mirror in GLSL source': glslOffset(
     'vec3 offset(vec3 position) { return vec3(-2.0 * position.x, 0.0, 0.0); }',
   ),
 }
@@ -124,7 +124,7 @@ describe('the outer side stays outside', () => {
     )
   })
 
-  test('a warp that does not mirror keeps its triangles, and so does one that folds', () => {
+  test('a warp that does not mirror leaves triangles unchanged, and so does one that folds', () => {
     for (const offset of [
       twist({ angle: 0.8, length: 1 }),
       ({ glsl, position }) => glsl.vec3(position.x().mult(-2), position.y().mult(-2), 0),
@@ -148,7 +148,7 @@ describe('the outer side stays outside', () => {
   })
 })
 
-describe('uniforms decide', () => {
+describe('uniforms decide whether a warp mirrors', () => {
   const uniforms = { scale: 1 }
   const ofSize = {
     'a width': byUniform,
@@ -158,7 +158,7 @@ describe('uniforms decide', () => {
     'a width of something thicker here than there': to(({ glsl, position: p, uniforms }) =>
       glsl.vec3(p.x().mult(p.y().mult(p.y()).add(1)).mult(uniforms.scale), p.y(), p.z()),
     ),
-    'an amount of change': ({ glsl, position: p, uniforms }) =>
+    'a change that depends on a uniform': ({ glsl, position: p, uniforms }) =>
       glsl.vec3(p.x().mult(uniforms.scale.sub(1)), 0, 0),
     'a mirror of uniform width': to(({ glsl, position: p, uniforms }) =>
       glsl.vec3(p.x().mult(uniforms.scale.neg()), p.y().neg(), p.z()),
@@ -170,11 +170,11 @@ describe('uniforms decide', () => {
         const warp = compileWarp(offset, { uniforms, perFrame })
         for (const size of [1, 0.8, -0.8, -1, -1.5])
           isOutside(bakeWarp(round, warp, { uniforms: { scale: size } }), `${size}`)
-        // The present value of the option.
+        // The current value of the option applies.
         isOutside(bakeWarp(round, warp), 'as declared')
       })
 
-  test('the time', () => {
+  test('the time can decide it, too', () => {
     const warp = compileWarp(
       to(({ glsl, position: p, millis }) =>
         glsl.vec3(p.x().mult(millis.div(1000).cos()), p.y(), p.z()),
@@ -185,7 +185,7 @@ describe('uniforms decide', () => {
       isOutside(bakeWarp(round, warp, { uniforms: { millis } }), `${millis}`)
   })
 
-  test('the deformer stretch, pulled through itself', () => {
+  test('the deformer stretch mirrors if it is pulled through itself', () => {
     const warp = compileWarp(stretch({ amount: ({ uniforms }) => uniforms.by }), {
       uniforms: { by: 0 },
     })
@@ -200,7 +200,7 @@ describe('uniforms decide', () => {
     assert.deepEqual(at([0.6, 0.8, 0]), [1, 0, 0])
   })
 
-  test('the code has one factor for it, which is a frame constant', () => {
+  test('the code has one sign factor, which is a frame constant', () => {
     const warp = compileWarp(byUniform, { uniforms, perFrame: true })
     const { warpjetFrame0 } = warp.frameUniforms({ scale: -3 })
     assert.ok(warpjetFrame0.includes(-1), `${warpjetFrame0}`)
@@ -211,7 +211,7 @@ describe('uniforms decide', () => {
     }
   })
 
-  test('the code of a warp that cannot mirror has no factor', () => {
+  test('the code of a warp that cannot mirror has no sign factor', () => {
     for (const offset of [
       to(({ glsl, position: p, uniforms }) =>
         glsl.vec3(p.x().mult(uniforms.scale.exp()), p.y(), p.z()),
@@ -229,7 +229,7 @@ describe('uniforms decide', () => {
   })
 })
 
-test('adjustNormal and its parts', () => {
+test('adjustNormal and its building blocks return normals on the outer side', () => {
   const { evaluate } = compile((glsl) => {
     const position = glsl.vec3Param('position')
     const of = (factor) =>
@@ -265,7 +265,7 @@ describe('offsets that depend on the normal and on uv', () => {
     )
 
   for (const surfaceVariation of [true, false])
-    test(`a mirror inflated along the normal${surfaceVariation ? ', with surface variation' : ''}`, () => {
+    test(`a mirror inflated along the normal is right${surfaceVariation ? ', with surface variation' : ''}`, () => {
       const warp = compileWarp(grown, { surfaceVariation })
       const baked = bakeWarp(round, warp)
       isOutside(baked, 'baked')
@@ -319,18 +319,18 @@ describe('bakes', () => {
     isOutside(bakeWarp({ positions, indices }, warp), 'computed')
   })
 
-  test('into a file and back', async () => {
+  test('and the result survives export and loading', async () => {
     const mesh = await loadMesh(exportGLB(bakeWarp(round, warp)))
     isOutside(mesh, 'from the file')
   })
 
-  test('subdivided for it', () => {
+  test('and subdivides for the warp', () => {
     const finer = subdivide(round, { warp, tolerance: 0.002 })
     assert.ok(volumeOf(finer) > 0, 'the mesh before the warp')
     isOutside(bakeWarp(finer, warp), 'subdivided')
   })
 
-  test('a geometry of three.js, with groups and morph targets, indexed and not', () => {
+  test('three.js geometries with groups and morph targets, indexed and not indexed', () => {
     for (const geometry of [
       new THREE.BoxGeometry(1, 1, 1, 8, 8, 8),
       new THREE.BoxGeometry(1, 1, 1, 8, 8, 8).toNonIndexed(),
@@ -349,7 +349,7 @@ describe('bakes', () => {
     }
   })
 
-  test('an object with its own evaluate keeps its triangles', () => {
+  test('an object with its own evaluate without reversing its triangles', () => {
     const byHand = { evaluate: ({ positions, normals }) => ({ positions, normals }) }
     assert.deepEqual(bakeWarp(round, byHand).indices, round.indices)
   })
@@ -394,7 +394,7 @@ describe('rays of three.js', () => {
               count++
               assert.equal(faceIndex, expected[i].faceIndex)
               assert.ok(point.distanceTo(expected[i].point) < 1e-5)
-              // Points of the other one are before its matrix.
+              // Local points of the other mesh, before its matrix is applied.
               const mirrored = (v) => v.clone().set(-v.x, v.y, v.z)
               assert.ok(face.normal.distanceTo(mirrored(expected[i].face.normal)) < 1e-4)
               assert.ok(normal.normalize().angleTo(mirrored(expected[i].normal)) < 1e-3)
@@ -404,7 +404,7 @@ describe('rays of three.js', () => {
           warped.dispose()
         })
 
-  test('in world space, an object that is mirrored by its matrix', () => {
+  test('in world space, rays hit an object that its matrix mirrors', () => {
     const [mesh, other] = pair(THREE.FrontSide)
     const [, still] = pair(THREE.FrontSide)
     other.scale.x = 1

@@ -109,10 +109,10 @@ function assertOnGpu({ name, degrees, collapses }, builtIn, exact) {
 }
 
 function assertOnCpu({ degrees, reach, collapses }, baked, expected, points) {
-  const kept = points.map(({ normal }) => !normal.some(isTiny))
+  const isCompared = points.map(({ normal }) => !normal.some(isTiny))
   const found = compare(
-    baked.map((results) => results.filter((_, i) => kept[Math.floor(i / 6)])),
-    expected.map((moment) => moment.filter((_, i) => kept[i])),
+    baked.map((results) => results.filter((_, i) => isCompared[Math.floor(i / 6)])),
+    expected.map((moment) => moment.filter((_, i) => isCompared[i])),
     reach,
     degrees,
   )

@@ -1,4 +1,4 @@
-// An offset function is called once, however often shader code is written from it: a random one remains the same warp.
+// An offset function is called only once, even if shader code is generated several times: one that uses random() remains the same warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from '../support/browser/browser.js'
@@ -20,7 +20,7 @@ after(async () => {
 
 for (const [version, p5] of Object.entries(p5Versions)) {
   describe(`a random warp on p5 ${version}`, () => {
-    test('is the same on a new renderer, with another material, after a lost context', async () => {
+    test('stays the same on a new renderer, with another material, and after a lost context', async () => {
       const shape = `background(0); distort(); fill('red'); lights(); sphere(50)`
       const images = await drawScenes(browser, server, [p5, addon], {
         setup: `

@@ -1,4 +1,4 @@
-// The oracle of tests/compile/normals.browser.test.js is correct: its differences agree with derivatives derived by hand.
+// The oracle of tests/compile/normals.browser.test.js is correct: its finite differences agree with derivatives computed by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
@@ -18,7 +18,7 @@ const points = [
   [-100, 100, -12.5],
 ]
 
-test('the partial derivatives of a twist', () => {
+test('the partial derivatives of a twist are correct', () => {
   const twist = ([x, y, z]) => {
     const a = 0.02 * x + 98.765
     return [x, y * cos(a) - (z + 500) * sin(a), y * sin(a) + (z + 500) * cos(a) - 500]
@@ -36,7 +36,7 @@ test('the partial derivatives of a twist', () => {
   }
 })
 
-test('the partial derivatives of sines', () => {
+test('the partial derivatives of sines are correct', () => {
   const sines = ([x, y, z]) => [0.05 * sin(2 + 20 * y), 0.05 * sin(1 + 10 * z), 0.05 * sin(15 * x)]
   for (const p of points.map((point) => point.map((value) => value / 100))) {
     const [x, y, z] = p
@@ -49,7 +49,7 @@ test('the partial derivatives of sines', () => {
   }
 })
 
-test('there are no partial derivatives at or near a kink or a jump', () => {
+test('the oracle returns no partial derivatives at or near a kink or a jump', () => {
   const functions = {
     kink: ([x]) => [Math.abs(x), 0, 0],
     jump: ([x, y]) => [0, Math.sign(x) * y, 0],
@@ -61,7 +61,7 @@ test('there are no partial derivatives at or near a kink or a jump', () => {
   }
 })
 
-test('the normals of a sphere that becomes an ellipsoid', () => {
+test('the normals of a sphere that becomes an ellipsoid are correct', () => {
   // x²/4 + y² + z²/9 = 1 has the gradient (x/2, 2y, 2z/9).
   const stretch = ([x, , z]) => [x, 0, 2 * z]
   for (const p of [

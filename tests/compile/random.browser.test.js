@@ -1,5 +1,6 @@
-// The random expressions of tests/compile/random.test.js on real GPU pipelines in every language: values and some derivatives, within
-// the effect of errors of the size of float32's. Forty expressions share a shader; a failure is traced to one of them, and minimized.
+// Runs the random expressions of tests/compile/random.test.js on real GPU pipelines in every language, and compares values and some
+// derivatives within the error that float32 rounding can cause. Forty expressions share a shader; a failure is traced to one of them, and
+// minimized.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { setImmediate } from 'node:timers/promises'
@@ -63,7 +64,7 @@ async function failureOf(target, test) {
   return failures[0]?.failure
 }
 
-/** Describes the failures of a seed in some languages, minimized in the first one. */
+/** Describes the failures of one random case. It is minimized for the first language in which it failed. */
 async function report([{ target, test, failure }, ...others]) {
   const small = await shrink(test, failure, (smaller) => failureOf(target, smaller))
   const source = callbackText(small.test.root, gpuResults(small.test))
@@ -80,7 +81,7 @@ test(`${count} random expressions compile and agree in every language`, async (t
     const expected = []
     for (const test of cases) {
       expected.push(expectedOf(test))
-      // Lets messages to and from the browser pass, which works meanwhile.
+      // Lets the event loop handle messages of the browser, which evaluates the shaders meanwhile.
       await setImmediate()
     }
     for (const [i, target] of targets.entries()) {

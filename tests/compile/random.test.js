@@ -29,13 +29,13 @@ function evaluateCase(source) {
     )
 }
 
-/** Describes the first `most` failures, minimized. */
-async function failuresOf(check, most, among = cases) {
+/** Describes the first `max` failures, minimized. */
+async function failuresOf(check, max, among = cases) {
   const failures = []
   for (const test of among) {
     const { failure } = check(test)
     if (failure) failures.push(await shrink(test, failure, (smaller) => check(smaller).failure))
-    if (failures.length === most) break
+    if (failures.length === max) break
   }
   return failures
 }
@@ -77,7 +77,7 @@ test(`${compared} random expressions have correct values and derivatives`, async
 const operationsOf = ({ test }) =>
   [...nodesOf(test.root)].map(({ op }) => op).filter((op) => op !== 'input' && op !== 'number')
 
-test('a wrong value is detected, and minimized to that operation', async () => {
+test('a wrong value is detected, and minimized to the wrong operation', async () => {
   const wrong = {
     smoothstep: (low, high, x) => Math.min(Math.max((x - low) / (high - low), 0), 1),
     reflect: (v, normal) => v.map((x, i) => x - normal[i]),
@@ -90,7 +90,7 @@ test('a wrong value is detected, and minimized to that operation', async () => {
   }
 })
 
-test('a wrong derivative is detected, and minimized to that operation', async () => {
+test('a wrong derivative is detected, and minimized to the wrong operation', async () => {
   // The value of one expression, and the derivatives of another.
   const evaluateWrong = (source) => {
     const wrong = source.replace(/^ *const value = (.*)$/m, (line, text) =>

@@ -131,19 +131,19 @@ describe('labels in different spellings are one variable', () => {
     return code.match(/d = (.*);/)[1]
   }
 
-  test('spaces behind a vector', () => {
+  test('with spaces after a vector', () => {
     assert.equal(
       slope((glsl) => [glsl.vec3Param('p').x(), glsl.param('p .x')]),
       'p.x * 2.0',
     )
   })
-  test('spaces around a number', () => {
+  test('with spaces around a number', () => {
     assert.equal(
       slope((glsl) => [glsl.param(' p'), glsl.param('p')]),
       'p * 2.0',
     )
   })
-  test('parentheses', () => {
+  test('with parentheses', () => {
     assert.equal(
       slope((glsl) => [glsl.vec3Param('p').x(), glsl.param('(p).x')]),
       'p.x * 2.0',
@@ -153,7 +153,7 @@ describe('labels in different spellings are one variable', () => {
       'p.x * 2.0',
     )
   })
-  test('parts of a matrix', () => {
+  test('for parts of a matrix', () => {
     for (const part of ['m[0].x', 'm[0][0]', '( m ) [0].r'])
       assert.equal(
         slope((glsl) => [glsl.mat3Param('m').column(0).x(), glsl.param(part)]),
@@ -164,7 +164,7 @@ describe('labels in different spellings are one variable', () => {
       'm[1].y * 2.0',
     )
   })
-  test('ambiguous labels are rejected', () => {
+  test('unless they are ambiguous, which throws', () => {
     const both = (first, second) => () => compile((glsl) => ({ a: first(glsl), b: second(glsl) }))
     throwsWarpError(
       both(

@@ -66,7 +66,7 @@ describe('types follow from the values:', () => {
   })
 })
 
-describe('names of properties of Object:', () => {
+describe('uniforms named like properties of Object:', () => {
   const names = ['constructor', 'toString', 'hasOwnProperty', 'valueOf']
 
   test('are read if they are declared or passed', () => {
@@ -78,7 +78,7 @@ describe('names of properties of Object:', () => {
     }
   })
 
-  test('in objects without a prototype', () => {
+  test('are read from objects without a prototype', () => {
     const bare = (entries) => Object.assign(Object.create(null), entries)
     const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.toString, uniforms.reach, 0)
     const declared = bare({ toString: 2, reach: 5 })
@@ -86,7 +86,7 @@ describe('names of properties of Object:', () => {
     assert.deepEqual(movedTo(offset, declared, bare({ toString: 3 })), [3, 5, 0])
   })
 
-  test('inherited properties are neither declared nor passed', () => {
+  test('are not declared or passed by inheritance', () => {
     const inheriting = Object.create({ amount: 1 })
     inheriting.reach = 5
     throwsWarpError(
@@ -98,7 +98,7 @@ describe('names of properties of Object:', () => {
     assert.deepEqual(movedTo(offset, { reach: 5 }, Object.create({ reach: 7 })), [5, 0, 0])
   })
 
-  test('__proto__ is a key like others, and not a valid name in a shader', () => {
+  test('__proto__ is an ordinary key, but not a valid name in a shader', () => {
     const uniforms = JSON.parse('{ "__proto__": 1 }')
     throwsWarpError(
       () => compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms['__proto__']), { uniforms }),
@@ -188,8 +188,8 @@ describe('on the CPU', () => {
   })
 })
 
-describe('errors:', () => {
-  test('with the option', () => {
+describe('throws for', () => {
+  test('an invalid option `uniforms`', () => {
     const option = (uniforms) => () => compileWarp(({ position }) => position, { uniforms })
     throwsWarpError(
       option(3),
@@ -199,7 +199,7 @@ describe('errors:', () => {
     throwsWarpError(option(null), /expected an object, .* got null/)
   })
 
-  test('with a value', () => {
+  test('an invalid value', () => {
     const cases = [
       ['red', /expected a number, .* for the uniform "value", got the text "red"/],
       [undefined, /expected a number, .* for the uniform "value", got undefined/],
@@ -220,7 +220,7 @@ describe('errors:', () => {
     for (const [value, message] of cases) throwsWarpError(() => declare(value), message)
   })
 
-  test('with a name', () => {
+  test('an invalid name', () => {
     const compileNamed = (name, names) => () =>
       compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms[name]), {
         uniforms: { [name]: 1 },
@@ -243,7 +243,7 @@ describe('errors:', () => {
     assert.deepEqual(compileNamed('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
-  test('reading an undeclared uniform, and writing', () => {
+  test('reading an undeclared uniform, and for writing one', () => {
     const readUndeclared = (uniforms) => () =>
       compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
     throwsWarpError(
@@ -268,7 +268,7 @@ describe('errors:', () => {
     )
   })
 
-  test('values of a call', () => {
+  test('invalid values passed in a call', () => {
     const warp = compileWarp(({ uniforms }) => uniforms.center.mult(uniforms.amount), {
       uniforms: { center: [0, 0, 0], amount: 1, unread: [1, 2] },
     })
@@ -294,7 +294,7 @@ describe('errors:', () => {
     )
   })
 
-  test('names of properties of Object', () => {
+  test('missing parameters named like properties of Object', () => {
     const offset = ({ glsl }) => glsl.vec3(glsl.param('toString'), glsl.param('constructor'), 0)
     const warp = compileWarp(offset)
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
@@ -309,7 +309,7 @@ describe('errors:', () => {
     assert.deepEqual(evaluate({ toString: 2 }), { y: 4 })
   })
 
-  test('names of inputs that have other names in the shader', () => {
+  test('parameters named like an input that is renamed in the shader', () => {
     const offset = ({ glsl, millis }) => glsl.vec3(glsl.param('millis').mult(millis), 0, 0)
     throwsWarpError(
       () => compileWarp(offset, { names: { millis: 'uTime' } }),

@@ -9,7 +9,7 @@ import { randomCase, randomOf } from '../random/generate.js'
 
 const count = 2000
 const pointsOfEach = 32
-// The compiler takes inputs to be no larger than the last of the usual ones (`assumedMagnitude` in src/graph/graph.hpp).
+// The compiler assumes that inputs are no larger than the last of these (`assumedMagnitude` in src/graph/graph.hpp).
 const usual = [0, 1e-30, 1e-19, 1, 1e4]
 const huge = [1e19, 1e20, 2.5e20, 1e30]
 

@@ -1,4 +1,4 @@
-// Each mistake throws one clear sentence, and the next warp works as if nothing had happened.
+// Each mistake throws one clear message, and does not affect the next warp.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 import { inspect } from 'node:util'
@@ -12,7 +12,7 @@ afterEach(() => assert.match(compileWarp(still).code, /warpedPosition/))
 
 const offset = (callback) => () => compileWarp(callback)
 
-test('wrong results of the offset function', () => {
+test('rejects wrong results of the offset function', () => {
   throwsWarpError(
     offset(() => undefined),
     /must return a vec3.*undefined/,
@@ -43,7 +43,7 @@ test('wrong results of the offset function', () => {
   )
 })
 
-test("JavaScript's operators", () => {
+test("rejects JavaScript's operators on expressions", () => {
   throwsWarpError(
     offset(({ position }) => position.x() * 2),
     /own \+ - \* \/ .* do not work on expressions/,
@@ -54,7 +54,7 @@ test("JavaScript's operators", () => {
   )
 })
 
-test('expressions converted to strings', () => {
+test('reports expressions that are converted to strings', () => {
   // The string is for messages of other libraries; a shader rejects it.
   compile((glsl) => {
     const x = glsl.param('x')
@@ -72,7 +72,7 @@ test('expressions converted to strings', () => {
   })
 })
 
-test('expressions of another copy of warpjet', async () => {
+test('rejects expressions of another copy of warpjet', async () => {
   const other = await import('../../dist/warpjet.min.js')
   let foreign
   other.compileWarp(({ position }) => (foreign = position))
@@ -87,7 +87,7 @@ test('expressions of another copy of warpjet', async () => {
   )
 })
 
-test('values that are not offset functions', () => {
+test('rejects values that are not offset functions', () => {
   throwsWarpError(() => compileWarp(), /expected a function, got undefined/)
   throwsWarpError(() => compileWarp('x'), /expected a function, got the text "x"\.$/)
   throwsWarpError(
@@ -106,7 +106,7 @@ test('values that are not offset functions', () => {
   )
 })
 
-test('operands', () => {
+test('rejects invalid operands', () => {
   const with_ = (operand) => offset(({ position }) => position.add(operand))
   throwsWarpError(
     with_(undefined),
@@ -140,7 +140,7 @@ test('operands', () => {
   )
 })
 
-test('sizes', () => {
+test('rejects vectors of different sizes', () => {
   throwsWarpError(
     offset(({ position, uv }) => position.add(uv)),
     /add: a vec3 and a vec2 do not fit/,
@@ -175,7 +175,7 @@ test('sizes', () => {
   )
 })
 
-test('constants without a finite result', () => {
+test('rejects constants without a finite result', () => {
   throwsWarpError(
     offset(({ glsl }) => glsl.val(1).div(0)),
     /div: it divides by zero/,
@@ -190,7 +190,7 @@ test('constants without a finite result', () => {
   )
 })
 
-test('divisions by zero, and sizes inside of a composition', () => {
+test('rejects divisions by zero, and wrong sizes inside of a composition', () => {
   throwsWarpError(
     offset(({ position }) => position.div(0)),
     /div: it divides by zero/,
@@ -201,7 +201,7 @@ test('divisions by zero, and sizes inside of a composition', () => {
   )
 })
 
-test('expressions of another warp', () => {
+test('rejects expressions of another warp', () => {
   let stolen
   compileWarp(({ glsl, position }) => ((stolen = position), glsl.vec3(0, 0, 0)))
   throwsWarpError(
@@ -215,7 +215,7 @@ test('expressions of another warp', () => {
   throwsWarpError(() => stolen.add(1), /add: the function that made this expression is over/)
 })
 
-test('options', () => {
+test('rejects invalid options', () => {
   throwsWarpError(
     () => compileWarp(still, { target: 'hlsl' }),
     /expected 'glsl300', 'glsl100' or 'wgsl' for the option "target", got the text "hlsl"/,
@@ -237,7 +237,7 @@ test('options', () => {
   )
 })
 
-test('results requested by .output(…) outside of gen', () => {
+test('rejects results requested by .output(…) outside of gen', () => {
   const asks = (warp) =>
     offset(({ glsl, millis, position }) => {
       const slope = glsl.fn({
@@ -278,7 +278,7 @@ test('results requested by .output(…) outside of gen', () => {
   )
 })
 
-test('a class in the place of a function', () => {
+test('rejects a class instead of a function', () => {
   class Offset {}
   const isClass = /expected a function, got a class\./
   for (const run of [compileWarp, compile, gen]) throwsWarpError(() => run(Offset), isClass)
@@ -306,7 +306,7 @@ test('a class in the place of a function', () => {
   throwsWarpError(() => inSpace(Offset, still), /for the matrix, got a class/)
 })
 
-test('names of results', () => {
+test('rejects invalid names of results', () => {
   const withOutputs = (outputs) => () => compileWarp(still, { outputs })
   throwsWarpError(withOutputs({ position: '2x' }), /"2x" cannot name a result/)
   throwsWarpError(withOutputs({ position: 'vec3' }), /"vec3" cannot name a result/)
@@ -333,7 +333,7 @@ test('names of results', () => {
   )
 })
 
-test('names of parameters', () => {
+test('rejects invalid names of parameters', () => {
   const param = (name) => offset(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
   throwsWarpError(
     param('for'),
@@ -356,7 +356,7 @@ test('names of parameters', () => {
   throwsWarpError(param(undefined), /expected the name of a shader variable, got undefined/)
 })
 
-test('derivatives', () => {
+test('rejects derivatives with respect to anything but an input', () => {
   const by = (choose) => () =>
     compile((glsl) => {
       const v = glsl.vec3Param('v')
@@ -376,7 +376,7 @@ test('derivatives', () => {
   )
 })
 
-test('two spellings of one variable', () => {
+test('treats two spellings of one variable as the same, or rejects them', () => {
   const { code } = compile((glsl) => {
     const p = glsl.vec3Param('p')
     const square = (x) => glsl.derivative(x.mult(x), p.z())
@@ -393,7 +393,7 @@ test('two spellings of one variable', () => {
   )
 })
 
-test('vectors of inputs', () => {
+test('rejects invalid uses of vector inputs', () => {
   const of = (callback) => () =>
     compile((glsl) => ({ d: callback(glsl, glsl.vec3Param('v'), glsl.vec2Param('u')) }))
   throwsWarpError(
@@ -418,7 +418,7 @@ test('vectors of inputs', () => {
   )
 })
 
-test('matrices', () => {
+test('rejects invalid uses of matrices', () => {
   const of = (callback) => () => compile((glsl) => ({ r: callback(glsl, glsl.mat3Param('m')) }))
   throwsWarpError(
     of((glsl, m) => m.sin()),
@@ -469,7 +469,7 @@ test('matrices', () => {
   )
 })
 
-test('singular constants', () => {
+test('rejects inverses of singular constants', () => {
   const of = (callback) => () => compile((glsl) => ({ r: callback(glsl) }))
   for (const [name, callback] of Object.entries({
     atan: (glsl) => glsl.atan(0, 0),
@@ -484,7 +484,7 @@ test('singular constants', () => {
     throwsWarpError(of(callback), new RegExp(`^${name}: `))
 })
 
-test('functions of the shader', () => {
+test('rejects invalid shader functions', () => {
   const a = { name: 'a', source: 'float a(float x) { return x; }', arity: 1 }
   const of =
     (options, use = (f, x) => f(x), target) =>
@@ -547,7 +547,7 @@ test('functions of the shader', () => {
   )
 })
 
-test('numbers for evaluate', () => {
+test('rejects invalid numbers passed to evaluate', () => {
   const { evaluate } = compile((glsl) => ({ r: glsl.vec2Param('v').x().add(glsl.param('x')) }))
   assert.deepEqual(evaluate({ v: [1, 2], x: 3 }), { r: 4 })
   throwsWarpError(
@@ -564,7 +564,7 @@ test('numbers for evaluate', () => {
   )
 })
 
-test('constants that only a derivative combines', () => {
+test('reports constants that only a derivative combines to an infinite result', () => {
   throwsWarpError(
     () =>
       compile((glsl) => {
@@ -575,7 +575,7 @@ test('constants that only a derivative combines', () => {
   )
 })
 
-test('an endless loop throws a sentence', { timeout: 60_000 }, () => {
+test('stops an endless loop with a message', { timeout: 60_000 }, () => {
   throwsWarpError(
     offset(({ millis }) => {
       for (let v = millis; ;) v = v.sin().add(1)

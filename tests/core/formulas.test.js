@@ -1,4 +1,4 @@
-// The formulas beside each plot of the docs, against results of warpjet.
+// Compares the formulas next to each plot in the docs with the results of warpjet.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'

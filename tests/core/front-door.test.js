@@ -1,4 +1,4 @@
-// The notation of users of other libraries: components without parentheses, and names from other libraries.
+// Notation that users of other libraries may try: components without parentheses, and the names of operations there.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
@@ -22,7 +22,7 @@ test('a component is a value that can also be called', () => {
       name,
     )
   }
-  // Methods whose names are also properties of every function in JavaScript.
+  // These methods have the names of properties that every JavaScript function has.
   assert.equal(
     textOf((_, a) => a.xy.length()),
     textOf((_, a) => a.xy().length()),
@@ -74,7 +74,7 @@ const operands = {
 }
 const withoutOperands = ['neg', 'inversesqrt', 'length', 'normalize', 'fract', 'noise']
 
-test('other names are the same operation, as methods and as functions', () => {
+test('aliases are the same operation, as methods and as functions', () => {
   for (const [alias, name] of Object.entries(sameAs)) {
     const others = withoutOperands.includes(name) ? [] : (operands[name] ?? [2])
     const isOfVectors = ['length', 'normalize'].includes(name)

@@ -1,4 +1,4 @@
-// The plots of the docs mark jumps of a value or a derivative at points that were derived by hand.
+// Checks where the plots in the docs mark a jump of a function or of its derivative. The expected points were found by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { plotOf } from '../../web/site/plot.js'
@@ -24,4 +24,4 @@ for (const [call, expected, ...range] of [
   })
 
 for (const call of ['x.sin()', 'x.exp()', 'x.pow(3)', 'glsl.smoothstep(-1, 1, x)', 'x.tanh()'])
-  test(`${call} has none`, () => assert.deepEqual(kinksOf(call), []))
+  test(`${call} has no kinks`, () => assert.deepEqual(kinksOf(call), []))

@@ -37,7 +37,7 @@ describe('glsl', () => {
       assert.deepEqual(Reflect.ownKeys(glsl), before)
     }))
 
-  test('keeps what is assigned, defined and deleted', () =>
+  test('remembers assigned, defined and deleted properties', () =>
     inside(({ glsl }) => {
       const mine = () => 1
       glsl.sin = mine
@@ -58,7 +58,7 @@ describe('glsl', () => {
 })
 
 describe('the inputs of an offset function', () => {
-  test('are the same expression each time, in their order', () =>
+  test('are the same expression each time they are read, in a fixed order', () =>
     inside((inputs) => {
       assert.equal(inputs.position, inputs.position)
       assert.equal(inputs.mouseX, { ...inputs }.mouseX)
@@ -69,7 +69,7 @@ describe('the inputs of an offset function', () => {
       assert.throws(() => inputs.time, /An offset function gets no "time"/)
     }))
 
-  test('have the uniforms of the option', () =>
+  test('include the uniforms of the option', () =>
     inside(
       ({ uniforms, ...others }) => {
         assert.deepEqual(Object.keys(uniforms), ['amount'])

@@ -40,7 +40,7 @@ const isAccepted = (name, target) => {
 }
 
 for (const target of targets)
-  test(`in ${target}`, async () => {
+  test(`every accepted name compiles in ${target}`, async () => {
     const names = candidates.filter((name) => isAccepted(name, target))
     assert.ok(names.length > 100, `${names.length}`)
     const run = async (some) => {

@@ -15,7 +15,7 @@ const declare = (name, target) =>
   )
 
 for (const target of targets) {
-  test(`functions of ${target}`, () => {
+  test(`names of built-in functions of ${target} are rejected`, () => {
     assert.ok(functions[target].length > 40)
     for (const name of functions[target])
       throwsWarpError(
@@ -24,7 +24,7 @@ for (const target of targets) {
       )
   })
 
-  test(`main, and names like those of warpjet, in ${target}`, () => {
+  test(`main and names reserved for warpjet are rejected in ${target}`, () => {
     throwsWarpError(() => declare('main', target), /"main" cannot .* the entry point of a shader/)
     throwsWarpError(
       () => declare('warpjetHash', target),
@@ -33,7 +33,7 @@ for (const target of targets) {
     assert.match(declare('bump', target).code, /height = bump\(steepness\)/)
   })
 
-  test(`a function of warpjet as the name of a result or a variable in ${target}`, () => {
+  test(`names of functions that warpjet generates cannot name results or variables in ${target}`, () => {
     const compileNamed = (result, variable) => () =>
       compile(
         (glsl) => ({ [result]: glsl.noise(glsl.vec2Param('place')).add(glsl.param(variable)) }),

@@ -47,7 +47,7 @@ function triangle(p) {
   return { count: 3, s: 99.2043, o, g, r: o.map((away) => Math.max(0.5 - dot(away, away), 0)) }
 }
 
-/** Locates the nearest point by its distances from three places around it. */
+/** Locates the nearest feature point, from the distances to it at three places. */
 function nearest(p) {
   const places = [0, 1, 2].map((i) =>
     p.map(

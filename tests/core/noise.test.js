@@ -28,7 +28,7 @@ function evaluatorOf({ kind, dimensions }, options, derive = () => []) {
 
 const moved = (point, axis, by) => point.map((x, i) => (i === axis ? x + by : x))
 
-/** Derivatives of order 1 to 3: by the last input, then by the first ones. */
+/** Derivatives of order 1 to 3: with respect to the last input, then to the first ones. */
 const chain = (glsl, value, inputs) => {
   const first = glsl.derivative(value, inputs.at(-1))
   const second = glsl.derivative(first, inputs[0])
@@ -67,7 +67,7 @@ describe('values and slopes do not jump across borders of cells:', () => {
   for (const noise of kindsOfNoise.filter(({ dimensions }) => dimensions < 4))
     test(`${noise.kind} of ${noise.dimensions} dimensions`, () => {
       const all = evaluatorOf(noise, {}, slopes)
-      // Only the values of these are continuous; their slopes jump by definition.
+      // These noises have continuous values, but by definition their slopes jump.
       const values = { worley: 2, ridged: 1, turbulence: 1 }[noise.kind]
       const random = randomOf(noise.dimensions)
       const step = 1e-7
@@ -117,7 +117,7 @@ describe('range, mean and spread:', () => {
     })
 })
 
-/** The correlation, from -1 to 1, of values at points and at points shifted by `by`. */
+/** The correlation, from -1 to 1, between the values at points and at the same points shifted by `by`. */
 function correlation(at, by, random) {
   const pairs = range(4000).map(() => {
     const point = by.map(() => 400 * random())
@@ -225,7 +225,7 @@ describe('the code of a noise', () => {
     for (const target of targets) assert.doesNotMatch(text(target), /\bsin\b|43758/)
   })
 
-  test('has gain and lacunarity as expressions, with their derivatives', () => {
+  test('accepts expressions as gain and lacunarity, and differentiates with respect to them', () => {
     const { evaluate } = compile((glsl) => {
       const x = glsl.param('x')
       const n = x.fbm({ gain: x.mult(0.1), lacunarity: x.add(1) })
@@ -279,7 +279,7 @@ describe('a warp of noise on the CPU', () => {
   })
 })
 
-describe('errors', () => {
+describe('noise throws for wrong arguments:', () => {
   const refusals = [
     [
       (glsl, p) => p.noise({ sed: 1 }),

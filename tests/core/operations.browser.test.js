@@ -1,6 +1,6 @@
-// Every operation in every language on a real GPU pipeline, WebGL 1 and 2 and WebGPU: the value, and every derivative by every number
-// of every operand, against the reference of tests/operations, at 320 points. Each row of the reference has its own tolerances,
-// explained in tests/operations/reference/tolerances.js.
+// Runs every operation in every language on a real GPU pipeline (WebGL 1 and 2 and WebGPU), and compares the value and its derivatives with
+// respect to every number of every operand with the reference of tests/operations, at 320 points. Each row of the reference has its own
+// tolerances, explained in tests/operations/reference/tolerances.js.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { brokenConventions, problemsOf } from '../operations/check.js'

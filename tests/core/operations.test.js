@@ -1,4 +1,4 @@
-// Every operation on the CPU, in double precision, against the reference of tests/operations, which must cover every operation.
+// Compares every operation on the CPU, in double precision, with the reference of tests/operations, which must cover every operation.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
@@ -44,7 +44,7 @@ function surface() {
   }
 }
 
-describe('the reference has', () => {
+describe('the reference covers', () => {
   const { builder, method } = surface()
   const proved = new Set([...cases.map(({ name }) => name), ...inputMakers, ...swizzles])
 
@@ -60,7 +60,7 @@ describe('the reference has', () => {
       [],
     ))
 
-  test('no operation that does not exist, in either form', () => {
+  test('only operations that exist, in both forms', () => {
     const called = cases.flatMap((operation) =>
       forms(operation).map((form) => [form, operation.name]),
     )

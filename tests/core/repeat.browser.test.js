@@ -1,4 +1,4 @@
-// Random nested loops on real GPU pipelines: values and slopes, against plain loops in double precision.
+// Runs random nested loops on real GPU pipelines, and compares values and slopes with plain loops in double precision.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'

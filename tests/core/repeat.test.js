@@ -12,7 +12,7 @@ const near = (got, expected, tolerance, message) =>
     message ?? `${got} for ${expected}`,
   )
 
-describe('values', () => {
+describe('glsl.repeat returns values', () => {
   test('of a number, with the number of the step', () => {
     const { evaluate } = compile((glsl) => ({
       sum: glsl.repeat(5, 0, (sum, i) => sum.add(i.mult(glsl.param('x')))),
@@ -34,7 +34,7 @@ describe('values', () => {
     near(z[1], y, 1e-12)
   })
 
-  test('of a record, whose parts are read and written together', () => {
+  test('of a record, whose parts change together', () => {
     const { evaluate } = compile((glsl) => {
       const { a, b } = glsl.repeat(10, { a: 0, b: 1 }, ({ a, b }) => ({ b: a.add(b), a: b }))
       return { fibonacci: a.add(b.mult(1000)), same: glsl.repeat(4, { a }, ({ a }) => ({ a })).a }
@@ -42,14 +42,14 @@ describe('values', () => {
     assert.deepEqual(evaluate({}), { fibonacci: 55 + 89 * 1000, same: 55 })
   })
 
-  test('of no steps are the start', () => {
+  test('equal to the start if there are no steps', () => {
     const { evaluate } = compile((glsl) => ({
       x: glsl.repeat(0, 7, (x) => x.mult(glsl.param('y'))),
     }))
     assert.deepEqual(evaluate({ y: 3 }), { x: 7 })
   })
 
-  test('and derivatives of 200 random loops', () => {
+  test('and derivatives that equal those of 200 random JavaScript loops', () => {
     const compared = { value: 0, slope: 0, second: 0 }
     for (let seed = 0; seed < 200; seed++) {
       const fold = randomFoldCase(seed)
@@ -150,65 +150,74 @@ test('bounds contain the results of the loop', () => {
 describe('rejects', () => {
   const compileWith = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
   const cases = {
-    'a count of an expression': [
+    'an expression as the count': [
       (g, x) => g.repeat(x, 0, (s) => s),
       /argument 1 is an expression.*ifElse/,
     ],
-    'half a step': [
+    'a fractional count': [
       (g) => g.repeat(2.5, 0, (s) => s),
       /expected a whole number from 0 to 2147483647 for argument 1, got the number 2\.5/,
     ],
-    'fewer than none': [
+    'a negative count': [
       (g) => g.repeat(-1, 0, (s) => s),
       /expected a whole number from 0 to .* for argument 1, got the number -1/,
     ],
-    'no count': [
+    'a missing count': [
       (g) => g.repeat(undefined, 0, (s) => s),
       /expected a whole number .* for argument 1, got undefined/,
     ],
     'too many steps': [(g) => g.repeat(20000, 0, (s) => s), /at most 10000 steps/],
-    'too many steps within others': [
+    'too many steps in nested loops': [
       (g) => g.repeat(200, 0, (s) => g.repeat(200, s, (t) => t.add(1))),
       /at most 10000 steps.*multiplied.*40000/,
     ],
-    'repeats too deep in each other': [
+    'loops nested too deeply': [
       (g) => {
         const nest = (s, left) => (left ? g.repeat(2, s, (t) => nest(t, left - 1)) : s.add(1))
         return nest(g.val(0), 9)
       },
       /at most 8 deep/,
     ],
-    'no start': [
+    'a missing initial state': [
       (g) => g.repeat(2, undefined, (s) => s),
       /expected a number or an expression for the start of the state/,
     ],
-    'an empty start': [(g) => g.repeat(2, {}, (s) => s), /empty object/],
-    'an array': [(g) => g.repeat(2, [1, 2], (s) => s), /glsl\.vec3/],
-    'no function': [
+    'an empty initial state': [(g) => g.repeat(2, {}, (s) => s), /empty object/],
+    'an array as the initial state': [(g) => g.repeat(2, [1, 2], (s) => s), /glsl\.vec3/],
+    'a missing body': [
       (g) => g.repeat(2, 0, 1),
       /expected a function \(state, i\) => … for argument 3, got the number 1/,
     ],
     'a fourth argument': [(g) => g.repeat(2, 0, (s) => s, 5), /the number 5 is too many/],
-    'nothing returned': [(g) => g.repeat(2, 0, () => {}), /returns nothing; put a return/],
-    'a promise': [(g) => g.repeat(2, 0, async (s) => s), /promise|must return one state/],
-    'another shape': [
+    'a body that returns nothing': [
+      (g) => g.repeat(2, 0, () => {}),
+      /returns nothing; put a return/,
+    ],
+    'a body that returns a promise': [
+      (g) => g.repeat(2, 0, async (s) => s),
+      /promise|must return one state/,
+    ],
+    'a new state of another shape': [
       (g) => g.repeat(2, 0, () => g.vec3(1, 2, 3)),
       /the state starts as a single number, but the function returns a vec3 for it; start with a vec3/,
     ],
-    'another shape in a record': [
+    'a new state of another shape in a record': [
       (g) => g.repeat(2, { p: g.vec3(1), t: 0 }, ({ t }) => ({ p: t, t })).t,
       /"p" starts as a vec3, but the function returns a single number for it/,
     ],
-    'a part that is missing': [
+    'a new state without one of the parts': [
       (g) => g.repeat(2, { a: 0, b: 0 }, ({ a }) => ({ a })).a,
       /must return "b" too/,
     ],
-    'a part that is new': [
+    'a new state with an additional part': [
       (g) => g.repeat(2, { a: 0 }, ({ a }) => ({ a, c: a })).a,
       /returns "c", but the start has a/,
     ],
-    'one state for a record': [(g) => g.repeat(2, { a: 0 }, ({ a }) => a).a, /object with a/],
-    'a state that got out': [
+    'a single new state instead of a record': [
+      (g) => g.repeat(2, { a: 0 }, ({ a }) => a).a,
+      /object with a/,
+    ],
+    'a state used outside its body': [
       (g) => {
         let out
         g.repeat(2, 0, (s) => (out = s))
@@ -216,7 +225,7 @@ describe('rejects', () => {
       },
       /can be used only in its function; use the result of repeat/,
     ],
-    'a step that got out': [
+    'a step number used outside its body': [
       (g) => {
         let out
         g.repeat(2, 0, (s, i) => ((out = i), s.add(i)))
@@ -245,7 +254,7 @@ describe('rejects', () => {
     )
   })
 
-  test('and continues after an error that the user catches', () => {
+  test('and works again after an error that the user catches', () => {
     const { evaluate } = compile((glsl) => {
       assert.throws(
         () =>
@@ -260,7 +269,7 @@ describe('rejects', () => {
   })
 })
 
-test('an expression of a body that does not depend on the state can be differentiated by an input', () => {
+test('an expression of a body that does not depend on the state can be differentiated with respect to an input', () => {
   const { evaluate } = compile((glsl) => {
     const x = glsl.param('x')
     return { r: glsl.repeat(3, 0, (s, i) => s.add(glsl.derivative(x.mult(i).sin(), x))) }
@@ -268,7 +277,7 @@ test('an expression of a body that does not depend on the state can be different
   near(evaluate({ x: 0.4 }).r, Math.cos(0.4) + 2 * Math.cos(0.8), 1e-12)
 })
 
-test('a function of the host in a body keeps its own derivatives', () => {
+test('the body can call a function of the host, whose derivatives are used', () => {
   const { code, declarations } = compile((glsl) => {
     const x = glsl.param('x')
     const bump = glsl.fn({

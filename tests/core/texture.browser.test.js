@@ -1,5 +1,5 @@
-// glsl.texture on every pipeline: values, gradients and second derivatives against the interpolation in double precision and its
-// finite differences; wrapping, several images at once, and continuity at texels.
+// Tests glsl.texture on every pipeline: compares values, gradients and second derivatives with an interpolation in double precision and its
+// finite differences. Also tests wrapping, several images at once, and continuity at texels.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -35,7 +35,7 @@ async function run(target, shapes, build, points, images = { heights: image }) {
   })
 }
 
-/** Float32 points in the image and two images around it, 1/64 texel from the lines where pieces meet. */
+/** Float32 points in the image and two images around it, at least 1/64 texel from the borders of the polynomial pieces. */
 function smoothPoints(count) {
   const random = randomOf(11)
   const along = (size) => {
@@ -49,7 +49,7 @@ const points = smoothPoints(150)
 /** A small fraction of a texel, in u and in v. */
 const steps = [image.width, image.height].map((size) => 1 / (128 * size))
 
-/** Derivatives of red by differences that are exact for polynomials of third degree in u and in v. */
+/** Computes derivatives of red from finite differences that are exact for polynomials of third degree in u and in v. */
 function derivatives([u, v], options) {
   const at = (i, j) => sample(image, u + i * steps[0], v + j * steps[1], options)[0]
   const slope = (f, step) => (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * step)
@@ -73,7 +73,7 @@ for (const target of targets)
   describe(`glsl.texture in ${target}`, () => {
     for (const filter of filters)
       for (const wrap of wraps)
-        test(`${filter} and ${wrap}: value, gradient, second derivatives`, async () => {
+        test(`${filter} and ${wrap}: value, gradient and second derivatives agree with the interpolation in double precision`, async () => {
           const options = { filter, wrap }
           const results = await run(
             target,
@@ -94,7 +94,7 @@ for (const target of targets)
           })
         })
 
-    test('the texel itself: nearest, and GLSL source with texelFetch and textureSize', async () => {
+    test('the filter nearest returns the texel itself, and so does GLSL source with texelFetch and textureSize', async () => {
       const text = `uniform sampler2D heights;
         vec4 fetched(vec2 uv) {
           ivec2 size = textureSize(heights, 0);
@@ -126,7 +126,7 @@ for (const target of targets)
       })
     })
 
-    test('GLSL source with texture, and with an image as an argument: value, gradient, second derivatives', async () => {
+    test('GLSL source with texture() has the right value, gradient and second derivatives, also if the image is an argument', async () => {
       const text = `#version 300 es
         uniform sampler2D heights;
         float heightOf(sampler2D image, vec2 at) { return texture(image, at).r; }
@@ -149,7 +149,7 @@ for (const target of targets)
       })
     })
 
-    test('GLSL 1.00 source with texture2D, differentiated to code of its own', async () => {
+    test('GLSL 1.00 source with texture2D can be differentiated to GLSL 1.00', async () => {
       const text = `#version 100
         uniform sampler2D heights;
         float height(vec2 uv) { return texture2D(heights, uv).r; }`
@@ -171,8 +171,8 @@ for (const target of targets)
       })
     })
 
-    // Just before and just after the line through centers of texels.
     test('is continuous at texels, and smooth if cubic', async () => {
+      // The points are just before and just after a line through the centers of texels.
       const side = 2 ** -20
       const lines = [0.5, 1.5, 3.5, 6.5, 7.5, -0.5].map((x) => x / image.width)
       const pairs = lines.flatMap((u) => [
@@ -219,7 +219,7 @@ for (const target of targets)
       }
     })
 
-    test('several images, filters and wraps together', async () => {
+    test('several images, filters and wrap modes can be combined', async () => {
       const images = { a: image, B: randomImage(4, 8, 2), b: randomImage(1, 1, 3) }
       const results = await run(
         target,

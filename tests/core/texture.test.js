@@ -1,4 +1,4 @@
-// glsl.texture in Node: the names in the code, shared calls, and errors.
+// Tests glsl.texture in Node: the names in the generated code, shared calls, and errors.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'
@@ -10,7 +10,7 @@ const inverted = ({ glsl, position }) =>
 
 const count = (text, word) => text.split(word).length - 1
 
-test('the image is among the uniforms, and so is its size where the language cannot query it', () => {
+test('the image is listed as a uniform, and so is its size if the language cannot query it', () => {
   for (const target of targets) {
     const { uniforms, attributes } = compileWarp(inverted, { target })
     const image = { name: 'heightMap', type: 'sampler2D' }
@@ -60,7 +60,7 @@ test('value and gradient are one call, and a value alone computes no gradient', 
   assert.doesNotMatch(textOf('red').declarations, /Gradient/)
 })
 
-test('errors', () => {
+test('rejects invalid arguments', () => {
   const of =
     (...args) =>
     () =>

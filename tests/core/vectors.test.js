@@ -1,4 +1,4 @@
-// Methods of p5.Vector on expressions: the values of p5's own class, or an error that says what to write.
+// Methods of p5.Vector on expressions have the same values as p5's own class, or throw an error that says what to write instead.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
@@ -42,7 +42,7 @@ function compare(size, write, name = write.toString()) {
   }
 }
 
-test('a vector can be passed as its numbers, by component like in p5', () => {
+test('a vector can be passed as separate numbers, as in p5', () => {
   for (const name of ['add', 'sub', 'mult', 'div']) {
     compare(3, (v) => v[name](0.5, 2, -4), `${name} of three`)
     compare(2, (v) => v[name](0.5, 2), `${name} of two`)
@@ -57,7 +57,7 @@ test('a vector can be passed as its numbers, by component like in p5', () => {
   compare(3, (v, w) => v.copy().lerp(w, 0.25))
 })
 
-test('the numbers can be expressions, also for functions of the builder and for aliases', () => {
+test('these numbers can be expressions, also for functions of the builder and for aliases', () => {
   const text = (write) =>
     compile((glsl) => ({
       result: write(glsl, glsl.vec3Param('v'), glsl.param('a'), glsl.vec2Param('uv')),
@@ -72,7 +72,7 @@ test('the numbers can be expressions, also for functions of the builder and for 
     [(glsl, v, a) => v.cross(a, 2, 3), (glsl, v, a) => v.cross(glsl.vec3(a, 2, 3))],
     [(glsl, v, a) => v.lerp(a, 2, 3, 0.5), (glsl, v, a) => v.mix(glsl.vec3(a, 2, 3), 0.5)],
     [(glsl, v) => glsl.vec3(...v.array()), (glsl, v) => glsl.vec3(v.x, v.y, v.z)],
-    // Operands beside a vector, and operands of numbers, are unchanged.
+    // Other operands next to a vector, and the operands of methods of numbers, stay as they are.
     [(glsl, v, a) => v.add(v, a, 2), (glsl, v, a) => v.add(v).add(a).add(2)],
     [(glsl, v, a) => a.mult(2, 3, 4), (glsl, v, a) => a.mult(2).mult(3).mult(4)],
     [(glsl, v, a) => v.mult(2).add(a), (glsl, v, a) => v.mult(2).add(glsl.vec3(a, a, a))],
@@ -80,7 +80,7 @@ test('the numbers can be expressions, also for functions of the builder and for 
   for (const [short, long] of pairs) assert.equal(text(short), text(long), short.toString())
 })
 
-test('the methods of p5.Vector that are compositions', () => {
+test('compositions have the values of the methods of p5.Vector', () => {
   for (const size of [2, 3]) {
     compare(size, (v) => v.copy())
     compare(size, (v) => v.mag())
@@ -99,7 +99,7 @@ test('the methods of p5.Vector that are compositions', () => {
   compare(2, (v, w) => v.angleBetween(w))
 })
 
-test('the derivatives of compositions', () => {
+test('compositions have the right derivatives', () => {
   const near = (size, write) => {
     const run = compile((glsl) => {
       const v = glsl[`vec${size}Param`]('v')
@@ -157,7 +157,7 @@ test('unsupported uses throw, and say what to write', () => {
     )
 })
 
-test('a copy that the user means to change is warned about, once per line', (t) => {
+test('warns once per line about copy(), which the user may want to modify', (t) => {
   const warn = t.mock.method(console, 'warn', () => {})
   const said = () => warn.mock.calls.map(({ arguments: [text] }) => text)
   compileWith((v) => {

@@ -33,7 +33,7 @@ struct Bench {
   int method(std::string_view name, const std::vector<int>& operands) {
     return call(name, operands, true);
   }
-  int own(int function, const std::vector<int>& operands) {
+  int callFunction(int function, const std::vector<int>& operands) {
     for (const int operand : operands) builder.push(operand);
     return builder.callFunction(function);
   }
@@ -53,16 +53,16 @@ struct Bench {
     return code.substr(start, code.find(";\n", start) - start);
   }
 
-  // All results added to date, with temporaries chosen by depth only.
-  ShaderTextResult written() const {
+  // All results, with temporaries chosen by depth only.
+  ShaderTextResult writeResults() const {
     return write(builder.module(), dialect_, {.emit = {8, EmitOptions::maxTrackedReads}});
   }
   std::string code() const {
-    const ShaderTextResult made = written();
+    const ShaderTextResult made = writeResults();
     return made.text ? made.text->emitted.code : made.problem;
   }
   // The message if there is no shader code.
-  std::string problemOfText() const { return written().problem; }
+  std::string problemOfText() const { return writeResults().problem; }
 
   int hostFunction(std::string_view name, std::string_view source, int arity) {
     return builder.addFunction(name, {{"glsl", std::string(source)}}, arity);

@@ -1,5 +1,5 @@
-// Evaluation by blocks of vertices: against the evaluation of each single vertex in double, which
-// program_test.cpp checks; and registers against lifetimes determined by hand.
+// Compares evaluation in blocks of vertices with the evaluation of each single vertex in double,
+// which program_test.cpp checks, and registers with lifetimes determined by hand.
 #include "eval/blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ class BlocksTest : public testing::Test {
   }
 };
 
-// The float of an operation within its domain, so that float and double agree.
-TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
+// Samples each operation within its domain, where float and double agree.
+TEST_F(BlocksTest, EveryRowHasTheValueOfTheTable) {
   std::mt19937 random(1);
   std::size_t i = 0;
   std::apply(
@@ -90,21 +90,22 @@ TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
 }
 
 // Floats can't represent all 32 bits: tests known, uniform and per-vertex integers.
-TEST_F(BlocksTest, WholeNumbersHave32Bits) {
+TEST_F(BlocksTest, IntegersHave32Bits) {
   const auto apply = [&](std::string_view name, NodeId x, NodeId y = {}) {
     return graph.apply(rowNamed(name), {x, y});
   };
-  const auto whole = [&](int value) {
+  const auto integer = [&](int value) {
     return graph.apply(rowNamed("int"), {graph.constant(value)});
   };
   // Split as in shader source: a float can't represent all of its bits.
-  const auto known = [&](int value) {
-    return apply("bitOr", apply("shiftLeft", whole(value >> 16), whole(16)), whole(value & 65535));
+  const auto constantBits = [&](int value) {
+    return apply("bitOr", apply("shiftLeft", integer(value >> 16), integer(16)),
+                 integer(value & 65535));
   };
   const NodeId bits = apply("floatBitsToInt", p[0].id), now = apply("floatBitsToInt", time.id);
-  const NodeId mixed = apply("intMult", apply("bitXor", bits, now), known(2146121005));
-  const NodeId low = apply("intToFloat", apply("bitAnd", mixed, known(65535)));
-  const NodeId high = apply("bitsToFloat", apply("bitsShiftRight", mixed, known(16)));
+  const NodeId mixed = apply("intMult", apply("bitXor", bits, now), constantBits(2146121005));
+  const NodeId low = apply("intToFloat", apply("bitAnd", mixed, constantBits(65535)));
+  const NodeId high = apply("bitsToFloat", apply("bitsShiftRight", mixed, constantBits(16)));
   const NodeId same = apply("intBitsToFloat", bits);
   const std::vector<float> positions = randomPositions(37);
   const std::vector<float> found = run({low, high, same}, positions, 1.3f);
@@ -120,7 +121,7 @@ TEST_F(BlocksTest, WholeNumbersHave32Bits) {
 }
 
 // All numbers of vertices around the width of a SIMD register, and around parts of a block.
-TEST_F(BlocksTest, AnyNumberOfVertices) {
+TEST_F(BlocksTest, EvaluatesAnyNumberOfVertices) {
   const std::vector<NodeId> roots{(p[0] * 2.0 + time).id, (p[1] - p[2]).id};
   for (const std::size_t vertices : {0, 1, 2, 3, 4, 5, 7, 8, 9, 63, 64, 65, 255, 257, 1000}) {
     const std::vector<float> positions = randomPositions(vertices);
@@ -134,7 +135,7 @@ TEST_F(BlocksTest, AnyNumberOfVertices) {
 }
 
 // Long-lived values next to short-lived ones, in more registers than fit into a block.
-TEST_F(BlocksTest, RegistersHoldWhatIsStillRead) {
+TEST_F(BlocksTest, RegistersPreserveValuesThatAreStillRead) {
   std::vector<Expression> early;
   for (int i = 0; i < 400; ++i) early.push_back(sin(p[i % 3] * (0.1 * i)));
   Expression sum = time;
@@ -152,30 +153,30 @@ TEST_F(BlocksTest, RegistersHoldWhatIsStillRead) {
   }
 }
 
-TEST_F(BlocksTest, AConditionChoosesByVertex) {
+TEST_F(BlocksTest, EvaluatesConditionsPerVertex) {
   const Expression chosen = ifElse(logicalAnd(lt(p[0], p[1]), gt(time, 0.0)), p[0], p[1] * 10.0);
   EXPECT_EQ(run({chosen.id}, {1, 2, 0, 2, 1, 0, 3, 3, 0}, 1), (std::vector<float>{1, 10, 30}));
   EXPECT_EQ(run({chosen.id}, {1, 2, 0}, 0), std::vector<float>{20});
 }
 
-TEST_F(BlocksTest, ARegisterIsFreeAfterTheLastUse) {
+TEST_F(BlocksTest, FreesARegisterAfterItsLastUse) {
   Expression chain = p[0];
   for (int i = 0; i < 1000; ++i) chain = sin(chain) * chain;
-  const RegisterProgram made_ = registers({chain.id});
-  EXPECT_EQ(made_.blockRegisters, 2u) << "the chain, and its sine";
-  EXPECT_EQ(made_.body.size(), 2001u);
+  const RegisterProgram allocated = registers({chain.id});
+  EXPECT_EQ(allocated.blockRegisters, 2u) << "the chain, and its sine";
+  EXPECT_EQ(allocated.body.size(), 2001u);
 }
 
-TEST_F(BlocksTest, WhatAllVerticesShareIsComputedOnce) {
+TEST_F(BlocksTest, ComputesValuesSharedByAllVerticesOnce) {
   const Expression shared = cos(time * 3.0) + 1.0;
-  const RegisterProgram made_ = registers({(p[0] * shared).id});
-  EXPECT_EQ(made_.constants, (std::vector<float>{3, 1}));
-  EXPECT_EQ(made_.prologue.size(), 4u) << "time, product, cosine, sum";
-  EXPECT_EQ(made_.body.size(), 2u) << "position.x, product";
+  const RegisterProgram allocated = registers({(p[0] * shared).id});
+  EXPECT_EQ(allocated.constants, (std::vector<float>{3, 1}));
+  EXPECT_EQ(allocated.prologue.size(), 4u) << "time, product, cosine, sum";
+  EXPECT_EQ(allocated.body.size(), 2u) << "position.x, product";
   EXPECT_EQ(registers({(p[0] * shared).id}, false).prologue.size(), 0u);
 }
 
-TEST_F(BlocksTest, OnlyTheWantedResultsAreComputed) {
+TEST_F(BlocksTest, ComputesOnlyTheRequestedResults) {
   const std::vector<NodeId> roots{sin(p[0]).id, cos(p[1]).id};
   made = program(graph, roots);
   const std::vector<bool> perVertex(4, false);
@@ -187,7 +188,7 @@ TEST_F(BlocksTest, OnlyTheWantedResultsAreComputed) {
   EXPECT_EQ(second.results.size(), 1u);
 }
 
-TEST_F(BlocksTest, ResultsThatAreInputsOrConstantsOrTwiceTheSame) {
+TEST_F(BlocksTest, ResultsMayBeInputsConstantsOrRepeated) {
   const std::vector<NodeId> roots{p[1].id, graph.constant(7), p[1].id, time.id};
   EXPECT_EQ(run(roots, {1, 2, 3, 4, 5, 6}, 9), (std::vector<float>{2, 7, 2, 9, 5, 7, 5, 9}));
 }

@@ -35,7 +35,7 @@ struct Case {
   Warp warp;
 };
 
-Value turnedAboutY(const Value& p, Expression a) {
+Value rotateAboutY(const Value& p, Expression a) {
   return vector(p[0] * cos(a) - p[2] * sin(a), p[1], p[0] * sin(a) + p[2] * cos(a));
 }
 
@@ -51,7 +51,7 @@ const std::vector<Case> cases{
        return vector(p[0], p[1] * cos(a) - p[2] * sin(a), p[1] * sin(a) + p[2] * cos(a)) - p;
      }},
     {"twist by four turns", 100,
-     [](const Value& p, Expression t) { return turnedAboutY(p, 0.12 * p[1] * sin(t)) - p; }},
+     [](const Value& p, Expression t) { return rotateAboutY(p, 0.12 * p[1] * sin(t)) - p; }},
     {"sine cube", 100, [](const Value& p, Expression t) { return sines(p, t, 0.035, 22); }},
     {"sine sphere", 1, [](const Value& p, Expression t) { return sines(p, t, 7, 0.13); }},
     {"stacked sines", 100,
@@ -119,7 +119,7 @@ void extend(Range& range, double value) {
 double extent(const Range& range) { return range.high - range.low; }
 
 // The results of a program on a grid over the first three inputs.
-std::array<Range, 3> sampled(const Program& program, double size, double time, int n) {
+std::array<Range, 3> sampleRange(const Program& program, double size, double time, int n) {
   std::array<Range, 3> found{nothing, nothing, nothing};
   const auto at = [&](int i) { return size * (2.0 * i / n - 1); };
   std::array<double, 3> results;
@@ -137,7 +137,7 @@ std::array<Range, 3> sampled(const Program& program, double size, double time, i
 
 class BoundsOfWarp : public testing::TestWithParam<Case> {};
 
-TEST_P(BoundsOfWarp, HoldTheSamplesAndAreNearThem) {
+TEST_P(BoundsOfWarp, ContainTheSamplesAndAreClose) {
   const auto& [name, size, warp] = GetParam();
   for (const double time : {0.7, 1.9, 5.0}) {
     Graph graph;
@@ -147,7 +147,7 @@ TEST_P(BoundsOfWarp, HoldTheSamplesAndAreNearThem) {
     ASSERT_TRUE(made);
     const Range inputs[] = {{-size, size}, {-size, size}, {-size, size}, {time, time}};
     const auto outer = bounds(made->words, made->instructions, inputs, std::array{0u, 1u, 2u});
-    const auto inner = sampled(*made, size, time, 32);
+    const auto inner = sampleRange(*made, size, time, 32);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_LE(outer[axis].low, inner[axis].low);
       EXPECT_GE(outer[axis].high, inner[axis].high);
@@ -187,22 +187,22 @@ class BoundsTest : public testing::Test {
   }
 };
 
-TEST_F(BoundsTest, OfWhatIsKnownExactly) {
+TEST_F(BoundsTest, AreExactForLinearExpressions) {
   expectNear(ofBox(p[0] + p[1] * 3.0), -8, 8, 1e-3);
   expectNear(ofBox({&graph, graph.constant(7)}), 7, 7, 1e-3);
   expectNear(ofBox(time), 0, 0, 1e-3);
 }
 
-TEST_F(BoundsTest, AreTightenedBySplitting) {
+TEST_F(BoundsTest, AreTightenedBySplittingTheBox) {
   expectNear(ofBox(p[0] * p[0] * p[0] * (1.0 - p[0])), -24, 27.0 / 256, 0.6);
   expectNear(ofBox(p[0] * (p[1] - p[0])), -8, 1, 0.25);
 }
 
-TEST_F(BoundsTest, WithoutBudgetAreThoseOfPlainArithmetic) {
+TEST_F(BoundsTest, AreThoseOfIntervalArithmeticWithoutBudget) {
   expectNear(ofBox(p[0] * (1.0 - p[0]), {.tolerance = 0, .budget = 0}), -6, 6, 1e-3);
 }
 
-TEST_F(BoundsTest, MoreBudgetIsNeverWorse) {
+TEST_F(BoundsTest, AreNeverWiderWithMoreBudget) {
   const Expression f = sin(p[0] * p[1]) * (p[2] - p[0] * cos(p[2] * p[1]));
   double last = infinity;
   for (const std::uint64_t budget : {0u, 1000u, 10'000u, 100'000u, 1'000'000u}) {
@@ -212,12 +212,12 @@ TEST_F(BoundsTest, MoreBudgetIsNeverWorse) {
   }
 }
 
-TEST_F(BoundsTest, WhatCancelsDoesNotCount) {
+TEST_F(BoundsTest, IgnoreTermsThatCancel) {
   expectNear(ofBox(p[0] + (sin(p[1]) - p[0]), {.tolerance = 0, .budget = 0}), -1, 1, 1e-3);
   expectNear(ofBox(p[0] * 5.0 - (p[0] * 4.0 + p[1])), -4, 4, 1e-3);
 }
 
-TEST_F(BoundsTest, PartsOfAUnitVectorAreAtMostOne) {
+TEST_F(BoundsTest, ComponentsOfAUnitVectorAreAtMostOne) {
   for (const int axis : {0, 1, 2}) {
     expectNear(ofBox(normalize(p)[axis]), -1, 1, 0.05);
     expectNear(ofBox(p[axis] / length(p)), -1, 1, 0.05);
@@ -225,19 +225,19 @@ TEST_F(BoundsTest, PartsOfAUnitVectorAreAtMostOne) {
   expectNear(ofBox((normalize(p) * p)[1]), 0, 2, 0.1);
 }
 
-TEST_F(BoundsTest, SmoothstepIsFlatAtItsEnds) {
+TEST_F(BoundsTest, AreExactForSmoothstep) {
   const Expression s = clamp(p[0], 0, 1);
   for (const Expression smooth : {s * s * (3.0 - 2.0 * s), s * s * (s * -2.0 + 3.0)})
     expectNear(ofBox(smooth, {.tolerance = 0, .budget = 0}), 0, 1, 1e-3);
 }
 
-TEST_F(BoundsTest, APoleIsInfinite) {
+TEST_F(BoundsTest, AreInfiniteAtAPole) {
   const Range range = ofBox(1.0 / (p[0] - 0.3));
   EXPECT_EQ(range.low, -infinity);
   EXPECT_EQ(range.high, infinity);
 }
 
-TEST_F(BoundsTest, FollowFloat32BeyondItsEnds) {
+TEST_F(BoundsTest, FollowFloat32ToOverflowAndUnderflow) {
   const Expression x = p[0] * 100.0;
   EXPECT_EQ(ofBox(cosh(x)).high, infinity);
   EXPECT_GE(ofBox(ifElse(gt(exp(x), 0.0), 0.0, 100.0) - x).high, 300);
@@ -247,16 +247,16 @@ TEST_F(BoundsTest, FollowFloat32BeyondItsEnds) {
   EXPECT_LE(ofBox((p[0] + 3.0) * 1e-30 * (p[1] + 3.0) * 1e-20).low, 0);
 }
 
-TEST_F(BoundsTest, WhereNothingIsANumberThereIsNoRange) {
+TEST_F(BoundsTest, AreEmptyIfEveryValueIsNaN) {
   const Range range = ofBox(sqrt(p[0] - 5.0));
   EXPECT_GT(range.low, range.high);
 }
 
-TEST_F(BoundsTest, PointsWithoutANumberAreLeftOut) {
+TEST_F(BoundsTest, IgnorePointsWhereTheValueIsNaN) {
   expectNear(ofBox(sqrt(p[0] - 1.0)), 0, 1, 0.05);
 }
 
-TEST_F(BoundsTest, InputsMayBeInfiniteOrNoNumbers) {
+TEST_F(BoundsTest, AcceptInfiniteAndNaNInputs) {
   const Range all{-infinity, infinity}, none{NAN, NAN};
   expectNear(of(sin(p[0]) + p[1], {all, {-2, 2}, {0, 0}, {0, 0}}), -3, 3, 0.05);
   expectNear(of(clamp(p[0], 0, 1), {none, {0, 0}, {0, 0}, {0, 0}}), 0, 1, 0.05);
@@ -264,14 +264,14 @@ TEST_F(BoundsTest, InputsMayBeInfiniteOrNoNumbers) {
   expectNear(of(p[1] * 2.0, {none, {0, 1}, {0, 0}, {0, 0}}), 0, 2, 0.05);
 }
 
-TEST_F(BoundsTest, AreTheSameEveryTime) {
+TEST_F(BoundsTest, AreDeterministic) {
   const Expression f = sin(p[0] * p[1]) * (p[2] - p[0] * cos(p[2] * p[1]));
   const Range first = ofBox(f), second = ofBox(f);
   EXPECT_EQ(first.low, second.low);
   EXPECT_EQ(first.high, second.high);
 }
 
-TEST_F(BoundsTest, OfALongProgramStopAtTheBudget) {
+TEST_F(BoundsTest, StopAtTheBudgetInALongProgram) {
   Expression f = p[0];
   for (int i = 0; i < 30'000; ++i) f = sin(f * 1.5 + p[1]);
   const Range range = ofBox(f);
@@ -321,7 +321,7 @@ NodeId randomExpression(Graph& graph, const Value& p, std::mt19937& random) {
   return graph.apply(rowNamed("add"), {nodes.back(), p[0].id});
 }
 
-TEST(Bounds, HoldSamplesOfRandomExpressions) {
+TEST(Bounds, ContainTheSamplesOfRandomExpressions) {
   std::mt19937 random(1);
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);

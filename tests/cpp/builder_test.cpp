@@ -11,28 +11,28 @@ namespace {
 
 class BuilderTest : public testing::Test, protected Bench {};
 
-TEST_F(BuilderTest, ChainedOperationsGoFromLeftToRight) {
+TEST_F(BuilderTest, ChainedOperationsApplyFromLeftToRight) {
   const int a = input("a"), b = input("b");
   EXPECT_EQ(text(call("sub", {x, a, b})), "x - a - b");
   EXPECT_EQ(text(call("max", {x})), "x");
   EXPECT_EQ(text(method("div", {x, x, a})), "x / x / a");
 }
 
-TEST_F(BuilderTest, AtanOfTwoIsTheAngleOfAPoint) {
+TEST_F(BuilderTest, AtanWithTwoOperandsIsTheAngleOfAPoint) {
   EXPECT_EQ(text(call("atan", {x, input("a")})), "atan(x, a)");
   EXPECT_EQ(text(call("atan", {x})), "atan(x)");
   Bench modern(wgsl);
   EXPECT_EQ(modern.text(modern.method("atan", {modern.x, modern.input("a")})), "atan2(x, a)");
 }
 
-TEST_F(BuilderTest, NumbersCountForEachComponent) {
+TEST_F(BuilderTest, ANumberAppliesToEachComponent) {
   EXPECT_EQ(text(call("min", {v2, number(1)})), "min(v2, 1.0)");
   const int doubled = call("mult", {number(2), m2});
   EXPECT_EQ(builder.shape(doubled), matrixOf(2, 2));
   EXPECT_EQ(text(doubled), "mat2(m2[0].x * 2.0, m2[0].y * 2.0, m2[1].x * 2.0, m2[1].y * 2.0)");
 }
 
-TEST_F(BuilderTest, ProductsOfMatricesHaveTheShapeOfLinearAlgebra) {
+TEST_F(BuilderTest, MatrixProductsHaveTheShapesOfLinearAlgebra) {
   const auto shape = [&](int a, int b) { return builder.shape(call("mult", {a, b})); };
   EXPECT_EQ(shape(m23, v2), vectorOf(3));
   EXPECT_EQ(shape(v3, m23), vectorOf(2));
@@ -42,14 +42,14 @@ TEST_F(BuilderTest, ProductsOfMatricesHaveTheShapeOfLinearAlgebra) {
             "vec2(m2[0].x, m2[1].x) * v2.x + vec2(m2[0].y, m2[1].y) * v2.y");
 }
 
-TEST_F(BuilderTest, VectorsAreMadeFromParts) {
+TEST_F(BuilderTest, BuildsVectorsFromParts) {
   EXPECT_EQ(text(call("vec3", {v2, x})), "vec3(v2, x)");
   EXPECT_EQ(text(call("vec3", {x})), "vec3(x)");
   EXPECT_EQ(text(call("vec2", {call("lt", {v2, x})})), "vec2(float(v2.x < x), float(v2.y < x))");
   EXPECT_EQ(text(builder.swizzle(v3, 2, 0b00'10)), "v3.zx");
 }
 
-TEST_F(BuilderTest, MatricesAreMadeFromColumnsOrRows) {
+TEST_F(BuilderTest, BuildsMatricesFromColumnsOrRows) {
   const int w2 = input("w2", vectorOf(2));
   EXPECT_EQ(text(call("mat2", {v2, w2})), "mat2(v2.x, v2.y, w2.x, w2.y)");
   EXPECT_EQ(text(call("mat2Rows", {v2, w2})), "mat2(v2.x, w2.x, v2.y, w2.y)");
@@ -58,18 +58,18 @@ TEST_F(BuilderTest, MatricesAreMadeFromColumnsOrRows) {
             "mat2(1.0, 3.0, 2.0, 4.0)");
 }
 
-TEST_F(BuilderTest, AMatrixOfAnotherSizeIsCutOffOrFilledUp) {
+TEST_F(BuilderTest, TruncatesOrPadsAMatrixOfAnotherSize) {
   EXPECT_EQ(text(call("mat2", {m3})), "mat2(m3[0].x, m3[0].y, m3[1].x, m3[1].y)");
   EXPECT_EQ(text(call("mat3", {m2})),
             "mat3(m2[0].x, m2[0].y, 0.0, m2[1].x, m2[1].y, 0.0, 0.0, 0.0, 1.0)");
 }
 
-TEST_F(BuilderTest, ColumnsAndRowsOfAMatrix) {
+TEST_F(BuilderTest, ReadsColumnsAndRowsOfAMatrix) {
   EXPECT_EQ(text(method("column", {m23, number(1)})), "m23[1]");
   EXPECT_EQ(text(method("row", {m23, number(2)})), "vec2(m23[0].z, m23[1].z)");
 }
 
-TEST_F(BuilderTest, APartOfAVectorIsItsComponents) {
+TEST_F(BuilderTest, APartOfAVectorReadsTheComponentsOfThatVector) {
   input("position", vectorOf(3));
   const auto inputs = builder.graph().inputCount();
   EXPECT_EQ(text(input("position.y")), "position.y");
@@ -81,13 +81,13 @@ TEST_F(BuilderTest, APartOfAVectorIsItsComponents) {
   EXPECT_EQ(builder.graph().inputCount(), inputs) << "none of them is another input";
 }
 
-TEST_F(BuilderTest, DerivativesKnowThatAPartIsTheSame) {
+TEST_F(BuilderTest, DerivativesTreatAPartAndItsVectorAsTheSameVariable) {
   const int position = input("position", vectorOf(3)), y = input("position.y");
   const int slope = call("derivative", {call("dot", {position, position}), y});
   EXPECT_EQ(text(slope), "position.y * 2.0");
 }
 
-TEST_F(BuilderTest, WhatIsNoPartOfAVectorIsAnInputOfItsOwn) {
+TEST_F(BuilderTest, ANameThatIsNotPartOfAVectorIsASeparateInput) {
   for (const auto& [label, shape] :
        std::vector<std::pair<const char*, Shape>>{{"v2.z", oneNumber},
                                                   {"v2[2]", oneNumber},
@@ -100,21 +100,21 @@ TEST_F(BuilderTest, WhatIsNoPartOfAVectorIsAnInputOfItsOwn) {
     ASSERT_GE(own, 0) << label;
     builder.output("gen", "r" + std::to_string(own), own);
   }
-  EXPECT_EQ(written().text->emitted.inputs.size(), 7u);
+  EXPECT_EQ(writeResults().text->emitted.inputs.size(), 7u);
 }
 
-TEST_F(BuilderTest, AskingTwiceForAnInputGivesTheSame) {
+TEST_F(BuilderTest, ReturnsTheSameInputForTheSameName) {
   const int again = input("v3", vectorOf(3));
   const int difference = call("sub", {again, v3});
   EXPECT_EQ(text(difference), "vec3(0.0)");
 }
 
-TEST_F(BuilderTest, ConditionsAndNumbersConvert) {
+TEST_F(BuilderTest, ConvertsBetweenConditionsAndNumbers) {
   const int less = call("lt", {x, number(1)});
   EXPECT_EQ(text(call("ifElse", {less, v2, number(0)})), "x < 1.0 ? v2 : vec2(0.0)");
 }
 
-TEST_F(BuilderTest, ResultsOfAllShapes) {
+TEST_F(BuilderTest, ReturnsResultsOfAllShapes) {
   builder.output("gen", "moved", v3);
   builder.output("gen", "jacobian", call("jacobian", {v3, v2}));
   builder.output("gen", "near", call("lt", {x, number(1)}));
@@ -126,7 +126,7 @@ TEST_F(BuilderTest, ResultsOfAllShapes) {
             "}\n");
 }
 
-TEST_F(BuilderTest, ASumIsWrittenShort) {
+TEST_F(BuilderTest, ASumReadsAnEarlierResult) {
   const int offset = call("mult", {v2, x});
   const int moved = call("add", {v2, offset});
   builder.output("warp", "offset", offset);
@@ -138,7 +138,7 @@ TEST_F(BuilderTest, ASumIsWrittenShort) {
             "}\n");
 }
 
-TEST_F(BuilderTest, WhatALanguageLacksIsLoweredInTheText) {
+TEST_F(BuilderTest, LowersOperationsThatALanguageLacks) {
   const auto codeIn = [](const Dialect& dialect) {
     Bench bench(dialect);
     bench.builder.output("gen", "y", bench.call("trunc", {bench.x}));
@@ -148,7 +148,7 @@ TEST_F(BuilderTest, WhatALanguageLacksIsLoweredInTheText) {
   EXPECT_EQ(codeIn(glsl300), "float y;\n{\n  y = trunc(x);\n}\n");
 }
 
-TEST_F(BuilderTest, CommentsStandAboveTheStatements) {
+TEST_F(BuilderTest, WritesCommentsAboveStatements) {
   builder.comment("inputs");
   const int u = call("sin", {x});
   builder.comment("let u = sin(x)");
@@ -164,7 +164,7 @@ TEST_F(BuilderTest, CommentsStandAboveTheStatements) {
 }
 
 // trunc is lowered in GLSL ES 1.00, so the product is rebuilt.
-TEST_F(BuilderTest, CommentsStandAboveLoweredStatementsToo) {
+TEST_F(BuilderTest, WritesCommentsAboveLoweredStatements) {
   Bench old(glsl100);
   old.builder.comment("inputs");
   const int u = old.call("trunc", {old.x});
@@ -180,7 +180,7 @@ TEST_F(BuilderTest, CommentsStandAboveLoweredStatementsToo) {
             "}\n");
 }
 
-TEST_F(BuilderTest, TwentyThousandValuesKeepTheirHandles) {
+TEST_F(BuilderTest, TwentyThousandHandlesStayValid) {
   std::vector<int> handles;
   for (int i = 0; i < 20'000; ++i)
     handles.push_back(call("add", {i % 2 == 0 ? x : m3, number(i + 1)}));
@@ -193,7 +193,7 @@ TEST_F(BuilderTest, TwentyThousandValuesKeepTheirHandles) {
             "vec3(m3[0].x, m3[1].x, m3[2].x) + 20000.0");
 }
 
-TEST_F(BuilderTest, TheProgramOfResults) {
+TEST_F(BuilderTest, MakesAProgramOfTheResults) {
   builder.output("gen", "a", call("mult", {v2, number(3)}));
   builder.output("gen", "b", call("trunc", {x}));
   const std::uint32_t both[] = {0, 1};

@@ -22,7 +22,7 @@ class DialectTest : public testing::Test {
   }
 };
 
-TEST_F(DialectTest, AreFoundByName) {
+TEST_F(DialectTest, FindsDialectsByName) {
   EXPECT_EQ(findDialect("glsl300"), &glsl300);
   EXPECT_EQ(findDialect("glsl100"), &glsl100);
   EXPECT_EQ(findDialect("wgsl"), &wgsl);
@@ -30,7 +30,7 @@ TEST_F(DialectTest, AreFoundByName) {
   EXPECT_EQ(findDialect(""), nullptr);
 }
 
-TEST_F(DialectTest, NamesOfTypes) {
+TEST_F(DialectTest, NamesTypes) {
   EXPECT_EQ(glsl300.typeName(Type::Float, oneNumber), "float");
   EXPECT_EQ(glsl300.typeName(Type::Bool, oneNumber), "bool");
   EXPECT_EQ(glsl300.typeName(Type::Float, vectorOf(2)), "vec2");
@@ -47,7 +47,7 @@ TEST_F(DialectTest, NamesOfTypes) {
   EXPECT_EQ(wgsl.typeName(Type::Float, matrixOf(2, 4)), "mat2x4f");
 }
 
-TEST_F(DialectTest, DeclarationsTemporariesAndLiterals) {
+TEST_F(DialectTest, WritesDeclarationsTemporariesAndLiterals) {
   const Expression u = sin(x * 2.0);
   const std::string glsl =
       "float y;\n{\n"
@@ -63,7 +63,7 @@ TEST_F(DialectTest, DeclarationsTemporariesAndLiterals) {
             "}\n");
 }
 
-TEST_F(DialectTest, WgslDeclaresEachResultByItself) {
+TEST_F(DialectTest, WgslDeclaresEachResultSeparately) {
   const Value v = variable(graph, "v", vectorOf(2));
   const std::vector<Output> outputs{result("a", v), result("b", v), result("near", lt(x, y))};
   EXPECT_EQ(emit(graph, wgsl, outputs, {}).code,
@@ -80,7 +80,7 @@ TEST_F(DialectTest, WgslDeclaresEachResultByItself) {
             "}\n");
 }
 
-TEST_F(DialectTest, AnExpressionOfTheHostIsComputedOnceInWgslToo) {
+TEST_F(DialectTest, ComputesAHostExpressionOnceInWgslToo) {
   const Value p = vector3(graph, "(model * vec4<f32>(p, 1.0)).xyz");
   EXPECT_EQ(code(p[0] + p[1], 8, wgsl),
             "var y: f32;\n{\n"
@@ -89,7 +89,7 @@ TEST_F(DialectTest, AnExpressionOfTheHostIsComputedOnceInWgslToo) {
             "}\n");
 }
 
-TEST_F(DialectTest, VectorsAndMatricesAreMadeByTheTypesOfTheLanguage) {
+TEST_F(DialectTest, ConstructsVectorsAndMatricesByTheLanguagesTypes) {
   Value swapped(graph, vectorOf(2)), m(graph, matrixOf(2, 2)), near(graph, vectorOf(2));
   swapped.set(0, y.id);
   swapped.set(1, x.id);
@@ -111,7 +111,7 @@ TEST_F(DialectTest, VectorsAndMatricesAreMadeByTheTypesOfTheLanguage) {
             "}\n");
 }
 
-TEST_F(DialectTest, SpellingsThatDiffer) {
+TEST_F(DialectTest, UsesEachLanguagesFunctionNames) {
   struct Spelled {
     Expression e;
     const char *glsl, *wgsl;
@@ -132,7 +132,7 @@ TEST_F(DialectTest, SpellingsThatDiffer) {
 }
 
 // WGSL has no precedence between && and ||, and comparisons can't be chained.
-TEST_F(DialectTest, MixedConditionsAreInParentheses) {
+TEST_F(DialectTest, ParenthesizesMixedConditionsInWgsl) {
   const Expression a = lt(x, y), b = gt(y, z), c = eq(x, z);
   EXPECT_EQ(body(logicalOr(logicalAnd(a, b), c), wgsl), "(x < y && y > z) || x == z");
   EXPECT_EQ(body(logicalAnd(a, logicalOr(b, c)), wgsl), "x < y && (y > z || x == z)");
@@ -140,7 +140,7 @@ TEST_F(DialectTest, MixedConditionsAreInParentheses) {
   EXPECT_EQ(body(lt(lt(x, y) + 0.0, z), wgsl), "f32(x < y) < z");
 }
 
-TEST_F(DialectTest, WordsOfALanguageAreRefusedAsNames) {
+TEST_F(DialectTest, RejectsReservedWordsOfALanguageAsNames) {
   for (const char* word :
        {"fn",         "let",          "var",        "loop",    "override",    "alias",  "enable",
         "diagnostic", "const_assert", "continuing", "default", "switch",      "struct", "true",
@@ -162,7 +162,7 @@ TEST_F(DialectTest, WordsOfALanguageAreRefusedAsNames) {
   EXPECT_EQ(outputProblem(glsl100, "sinh"), "") << "lowered there, so that it is not called";
 }
 
-TEST_F(DialectTest, ExpressionsOfAWgslHostAreAccepted) {
+TEST_F(DialectTest, AcceptsExpressionsOfAWgslHost) {
   for (const char* text :
        {"position", "inputs.position.xyz", "vec4<f32>(p, 1.0)", "(u.model * vec4<f32>(p, 1.0)).xyz",
         "vec4f(p, 1.0)", "mat3x3<f32>(a, b, c)[0].x", "f32(index)", "select(a, b, c < d)",
@@ -170,7 +170,7 @@ TEST_F(DialectTest, ExpressionsOfAWgslHostAreAccepted) {
     EXPECT_EQ(inputProblem(wgsl, text), "") << text;
 }
 
-TEST_F(DialectTest, ExpressionsThatWgslLacksAreRefused) {
+TEST_F(DialectTest, RejectsExpressionsThatWgslLacks) {
   for (const char* text : {"a ? b : c", "a++", "a--", "x; y", "vec4<f32>", "float<f32>(x", "a ^^ b",
                            "fn(x)", "var", "vec3(x", "f32"})
     EXPECT_NE(inputProblem(wgsl, text), "") << text;

@@ -23,7 +23,7 @@ class DiffTest : public testing::Test {
   }
 };
 
-TEST_F(DiffTest, OfLeaves) {
+TEST_F(DiffTest, DifferentiatesInputsAndConstants) {
   EXPECT_EQ(at(derivative(x, x), 3), 1);
   EXPECT_EQ(at(derivative(y, x), 3, 5), 0);
   EXPECT_EQ(at(derivative({&graph, graph.constant(7)}, x), 3), 0);
@@ -31,7 +31,7 @@ TEST_F(DiffTest, OfLeaves) {
 
 // A sum under a stack of sines, which read none of its parameters: each of the nodes depends on all
 // of them.
-TEST_F(DiffTest, ByHundredsOfParametersOfALargeGraphRemembersLittle) {
+TEST_F(DiffTest, HundredsOfParametersOfALargeGraphNeedLittleMemory) {
   constexpr int count = isSanitized ? 100 : 300;
   std::vector<Expression> parameters;
   Expression sum = x;
@@ -48,7 +48,7 @@ TEST_F(DiffTest, ByHundredsOfParametersOfALargeGraphRemembersLittle) {
   EXPECT_LT(differentiator.bytes(), std::size_t{130} << 20);
 }
 
-TEST_F(DiffTest, ByThousandsOfParametersRemembersWhatDependsOnEach) {
+TEST_F(DiffTest, ThousandsOfParametersNeedMemoryOnlyForTheirDependents) {
   constexpr int count = 3000;
   for (int i = 0; i < count; ++i) {
     const Expression p = scalar(graph, "p" + std::to_string(i));
@@ -58,7 +58,7 @@ TEST_F(DiffTest, ByThousandsOfParametersRemembersWhatDependsOnEach) {
   EXPECT_LT(differentiator.bytes(), std::size_t{count} * 4 * 512 * 12);
 }
 
-TEST_F(DiffTest, ProductQuotientAndChainRule) {
+TEST_F(DiffTest, AppliesTheProductQuotientAndChainRules) {
   const Expression f = sin(x * y) / (x + 2.0);
   const double a = 0.7, b = -1.3;
   EXPECT_DOUBLE_EQ(at(derivative(f, x), a, b),
@@ -66,30 +66,30 @@ TEST_F(DiffTest, ProductQuotientAndChainRule) {
   EXPECT_DOUBLE_EQ(at(derivative(f, y), a, b), a * std::cos(a * b) / (a + 2));
 }
 
-TEST_F(DiffTest, OfEveryOrder) {
+TEST_F(DiffTest, DifferentiatesToAnyOrder) {
   Expression f = sin(x * 2.0);
   for (int i = 0; i < 4; ++i) f = derivative(f, x);
   EXPECT_NEAR(at(f, 0.3), 16 * std::sin(0.6), 1e-12);
 }
 
-TEST_F(DiffTest, OfAPowerOfANegativeBase) {
+TEST_F(DiffTest, DifferentiatesPowersOfANegativeBase) {
   EXPECT_DOUBLE_EQ(at(derivative(pow(x, 3.0), x), -2), 12);
   EXPECT_DOUBLE_EQ(at(derivative(pow(x, -2.0), x), -2), 0.25);
 }
 
-TEST_F(DiffTest, BoundsThatVaryCount) {
+TEST_F(DiffTest, DifferentiatesVaryingBoundsOfClamp) {
   const Expression clamped = min(max(x, y), y * y);
   EXPECT_EQ(at(derivative(clamped, y), 10, 3), 6);
   EXPECT_EQ(at(derivative(clamped, x), 10, 3), 0);
   EXPECT_EQ(at(derivative(clamped, x), 4, 3), 1);
 }
 
-TEST_F(DiffTest, AtAKinkOfTheRootItIsZeroInsteadOfNaN) {
+TEST_F(DiffTest, TheSlopeOfARootIsZeroInsteadOfNaNAtItsKink) {
   EXPECT_EQ(at(derivative(sqrt(x * x + y * y), x), 0, 0), 0);
   EXPECT_DOUBLE_EQ(at(derivative(sqrt(x * x + y * y), x), 3, 4), 0.6);
 }
 
-TEST_F(DiffTest, AtTheEdgeOfADomainItIsZeroInsteadOfInfinity) {
+TEST_F(DiffTest, TheSlopeIsZeroInsteadOfInfiniteAtTheEdgeOfADomain) {
   EXPECT_EQ(at(derivative(atan2(y, x), x), 0, 0), 0);
   EXPECT_EQ(at(derivative(atan2(y, x), y), 0, 0), 0);
   EXPECT_EQ(at(derivative(asin(x), x), 1), 0);
@@ -99,7 +99,7 @@ TEST_F(DiffTest, AtTheEdgeOfADomainItIsZeroInsteadOfInfinity) {
 }
 
 // 0 * infinity is NaN, so the choice must come after the product.
-TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThere) {
+TEST_F(DiffTest, AnInfinityInTheBranchNotTakenHasNoEffect) {
   const Expression guarded = ifElse(gt(x, 0.0), log(x), 0.0) + ifElse(gt(x, 0.0), y / x, 0.0);
   EXPECT_EQ(at(derivative(guarded, x), 0, 1), 0);
   EXPECT_EQ(at(derivative(guarded, y), 0, 1), 0);
@@ -107,14 +107,14 @@ TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThere) {
   EXPECT_EQ(at(derivative(min(-(1.0 / x), y) * 3.0, x), 2, 5), 0.75);
 }
 
-TEST_F(DiffTest, TheBranchNotTakenDoesNotCount) {
+TEST_F(DiffTest, TheBranchNotTakenHasNoEffect) {
   const Expression f = ifElse(gt(x, 0.0), log(x), x * 5.0);
   EXPECT_EQ(at(derivative(f, x), -1), 5);
   EXPECT_EQ(at(derivative(f, x), 2), 0.5);
 }
 
 // f(u, v) with df/du = v and df/dv = 3: the chain rule adds u' v + 3 v'.
-TEST_F(DiffTest, ACallFollowsTheChainRuleByItsPartials) {
+TEST_F(DiffTest, CallsFollowTheChainRuleWithTheirPartials) {
   const std::uint32_t f = graph.addFunction({"f", 2});
   const Expression u = sin(x), v = x * y;
   const NodeId call = graph.call(f, std::vector{u.id, v.id});
@@ -125,7 +125,7 @@ TEST_F(DiffTest, ACallFollowsTheChainRuleByItsPartials) {
   EXPECT_DOUBLE_EQ(at(derivative(f1 * 5.0, y), 0.5, 2), 15 * 0.5);
 }
 
-TEST_F(DiffTest, ACallThatDoesNotDependOnTheInputHasNoDerivative) {
+TEST_F(DiffTest, ACallIndependentOfTheInputHasNoDerivative) {
   const std::uint32_t f = graph.addFunction({"f", 1});
   const NodeId call = graph.call(f, std::vector{y.id});
   graph.setPartials(call, std::vector{y.id});
@@ -133,14 +133,14 @@ TEST_F(DiffTest, ACallThatDoesNotDependOnTheInputHasNoDerivative) {
 }
 
 // A partial that is infinite for a constant argument must not make the sum NaN.
-TEST_F(DiffTest, APartialByAnArgumentThatDoesNotMoveDoesNotCount) {
+TEST_F(DiffTest, IgnoresPartialsWithRespectToConstantArguments) {
   const std::uint32_t f = graph.addFunction({"f", 2});
   const NodeId call = graph.call(f, std::vector{x.id, y.id});
   graph.setPartials(call, std::vector{graph.constant(2), log(x).id});
   EXPECT_EQ(at(derivative({&graph, call}, x), 0, 0), 2);
 }
 
-TEST_F(DiffTest, ValueAndDerivativeShareTheirWork) {
+TEST_F(DiffTest, ValueAndDerivativeShareNodes) {
   const Expression u = x * 3.0 + y;
   sin(u);
   const std::size_t before = graph.size();
@@ -149,7 +149,7 @@ TEST_F(DiffTest, ValueAndDerivativeShareTheirWork) {
 }
 
 // With u = |p|^2, the gradient of exp(sin(u)) u is one factor times (2x, 2y, 2z).
-TEST_F(DiffTest, ColumnsShareWhatComesAfterTheirInputsHaveMet) {
+TEST_F(DiffTest, ColumnsShareFactorsAboveTheirCommonNode) {
   const Value p = vector3(graph, "p");
   const Expression u = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
   const Expression f = exp(sin(u)) * u;
@@ -164,7 +164,7 @@ TEST_F(DiffTest, ColumnsShareWhatComesAfterTheirInputsHaveMet) {
 }
 
 // The derivative of x / y with respect to y is infinite at y = 0, where the branch 10 is taken.
-TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThereUnderAChain) {
+TEST_F(DiffTest, AnInfinityInTheBranchNotTakenHasNoEffectInAChain) {
   const Value p = vector3(graph, "p");
   const Expression quotient = p[0] / p[1], ten{&graph, graph.constant(10)};
   const Expression clamped{
@@ -180,7 +180,7 @@ TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThereUnderAChain) {
 }
 
 // x contributes through u, and once more directly.
-TEST_F(DiffTest, AnInputThatComesByTwoWaysCountsTwice) {
+TEST_F(DiffTest, AddsTheContributionsOfAllPathsFromAnInput) {
   const Value p = vector3(graph, "p");
   const Expression u = p[0] * p[1];
   const Expression f = sin(u) * p[0] + u;
@@ -192,7 +192,7 @@ TEST_F(DiffTest, AnInputThatComesByTwoWaysCountsTwice) {
                    std::cos(a * b) * a * a + a);
 }
 
-TEST_F(DiffTest, ALongChainNeitherRecursesNorTakesLong) {
+TEST_F(DiffTest, HandlesALongChainWithoutRecursion) {
   Expression f = x;
   for (int i = 0; i < 100'000; ++i) f = sin(f);
   derivative(f, x);

@@ -17,11 +17,11 @@ class EmitTest : public testing::Test {
   Expression zero() { return {&graph, graph.constant(0)}; }
 };
 
-TEST_F(EmitTest, ANodeUsedOnceIsWrittenInPlace) {
+TEST_F(EmitTest, WritesANodeInlineIfItIsUsedOnce) {
   EXPECT_EQ(code(sin(x * 2.0) + y), "float y;\n{\n  y = sin(x * 2.0) + y;\n}\n");
 }
 
-TEST_F(EmitTest, ASharedNodeIsATemporary) {
+TEST_F(EmitTest, WritesASharedNodeAsATemporary) {
   const Expression u = sin(x);
   EXPECT_EQ(code(u * u),
             "float y;\n{\n"
@@ -30,7 +30,7 @@ TEST_F(EmitTest, ASharedNodeIsATemporary) {
             "}\n");
 }
 
-TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
+TEST_F(EmitTest, WritesParenthesesOnlyWhereNeeded) {
   const Expression z = scalar(graph, "z");
   EXPECT_EQ(body((x + y) + z), "x + y + z");
   EXPECT_EQ(body((x - y) - z), "x - y - z");
@@ -52,25 +52,25 @@ TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
       << "WGSL wants them";
 }
 
-// ANGLE makes a branch of a choice between anything else.
-TEST_F(EmitTest, AChoiceIsBetweenNamesAndNumbers) {
-  const auto chosen = [&](Expression yes, Expression no) { return ifElse(lt(x, y), yes, no); };
-  EXPECT_EQ(code(chosen(x, zero())), "float y;\n{\n  y = x < y ? x : 0.0;\n}\n");
+// ANGLE compiles other choices to branches.
+TEST_F(EmitTest, ChoosesOnlyBetweenNamesAndNumbers) {
+  const auto choose = [&](Expression yes, Expression no) { return ifElse(lt(x, y), yes, no); };
+  EXPECT_EQ(code(choose(x, zero())), "float y;\n{\n  y = x < y ? x : 0.0;\n}\n");
   const Expression yes = -x, no = sin(y);
-  EXPECT_EQ(code(chosen(yes, no) * 2.0),
+  EXPECT_EQ(code(choose(yes, no) * 2.0),
             "float y;\n{\n"
             "  float t0 = -x;\n"
             "  float t1 = sin(y);\n"
             "  y = (x < y ? t0 : t1) * 2.0;\n"
             "}\n");
-  EXPECT_EQ(code(ifElse(lt(x, 1.0), chosen(x, y), x)),
+  EXPECT_EQ(code(ifElse(lt(x, 1.0), choose(x, y), x)),
             "float y;\n{\n"
             "  float t0 = x < y ? x : y;\n"
             "  y = x < 1.0 ? t0 : x;\n"
             "}\n");
 }
 
-TEST_F(EmitTest, TheDepthOfAnExpressionIsBounded) {
+TEST_F(EmitTest, LimitsTheDepthOfExpressions) {
   Expression v = x;
   for (int i = 0; i < 4; ++i) v = sin(v);
   EXPECT_EQ(code(v, 2),
@@ -81,7 +81,7 @@ TEST_F(EmitTest, TheDepthOfAnExpressionIsBounded) {
 }
 
 // Four angles are read by the sum and by its derivative before many more are computed.
-TEST_F(EmitTest, FewValuesWaitToBeRead) {
+TEST_F(EmitTest, KeepsFewValuesAlive) {
   Expression sum = zero(), slope = zero();
   for (int i = 1; i <= 6; ++i) {
     const Expression angle = x * double(i) + y;
@@ -103,7 +103,7 @@ TEST_F(EmitTest, FewValuesWaitToBeRead) {
             "}\n");
 }
 
-TEST_F(EmitTest, AnExpressionThatReadsManyTemporariesIsCut) {
+TEST_F(EmitTest, SplitsExpressionsThatReadManyTemporaries) {
   Expression sum = zero();
   for (int i = 0; i < 6; ++i) {
     const Expression wave = sin(x + double(i));
@@ -122,7 +122,7 @@ TEST_F(EmitTest, AnExpressionThatReadsManyTemporariesIsCut) {
             "}\n");
 }
 
-TEST_F(EmitTest, AnOutputIsAssignedAsSoonAsThatEndsALife) {
+TEST_F(EmitTest, AssignsAnOutputAsSoonAsThatFreesAValue) {
   const Expression u = sin(x), v = cos(y);
   Value pair(graph, vectorOf(2));
   pair.set(0, (u * 2.0).id);
@@ -136,14 +136,14 @@ TEST_F(EmitTest, AnOutputIsAssignedAsSoonAsThatEndsALife) {
             "}\n");
 }
 
-TEST_F(EmitTest, TemporariesAvoidTheNamesInUse) {
+TEST_F(EmitTest, TemporariesAvoidNamesInUse) {
   const Expression t0 = scalar(graph, "t0"), u = sin(t0);
   const std::vector<Output> outputs{result("t1", u * u)};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "float t1;\n{\n  float t2 = sin(t0);\n  t1 = t2 * t2;\n}\n");
 }
 
-TEST_F(EmitTest, AnExpressionOfTheHostIsComputedOnce) {
+TEST_F(EmitTest, ComputesAHostExpressionOnce) {
   const Value p = vector3(graph, "(uModel * vec4(aPosition, 1.0)).xyz");
   const std::vector<Output> outputs{result("y", p[0] + p[1])};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
@@ -153,7 +153,7 @@ TEST_F(EmitTest, AnExpressionOfTheHostIsComputedOnce) {
             "}\n");
 }
 
-TEST_F(EmitTest, VectorsAreWrittenShort) {
+TEST_F(EmitTest, WritesVectorsInTheShortestForm) {
   const Value p = vector3(graph, "position");
   const Value zero = constantLike(p, 0);
   Value none(graph, vectorOf(3)), turned = p;
@@ -172,7 +172,7 @@ TEST_F(EmitTest, VectorsAreWrittenShort) {
 }
 
 // mat2(1.0) is the unit matrix, so equal components cannot be written once.
-TEST_F(EmitTest, MatricesAreWrittenComponentByComponentDownTheColumns) {
+TEST_F(EmitTest, WritesMatricesInColumnMajorOrder) {
   const Value m = variable(graph, "m", matrixOf(2, 3));
   Value ones(graph, matrixOf(2, 2)), lastRow(graph, vectorOf(2));
   for (int i = 0; i < 4; ++i) ones.set(i, graph.constant(1));
@@ -188,7 +188,7 @@ TEST_F(EmitTest, MatricesAreWrittenComponentByComponentDownTheColumns) {
             "}\n");
 }
 
-TEST_F(EmitTest, AnInputIsWrittenWholeOnlyInItsOwnShape) {
+TEST_F(EmitTest, WritesAnInputAsAWholeOnlyInItsOwnShape) {
   const Value m = variable(graph, "m", matrixOf(2, 2));
   Value v(graph, vectorOf(4)), transposed(graph, matrixOf(2, 2));
   for (int i = 0; i < 4; ++i) v.set(i, m[i].id);
@@ -201,7 +201,7 @@ TEST_F(EmitTest, AnInputIsWrittenWholeOnlyInItsOwnShape) {
             "}\n");
 }
 
-TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
+TEST_F(EmitTest, ReusesAnEarlierResultInASumWithAnInput) {
   const Value p = vector3(graph, "position"), offset = p * 2.0;
   const std::vector<Output> outputs{result("offset", offset), result("moved", p + offset)};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
@@ -211,7 +211,7 @@ TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
             "}\n");
 }
 
-TEST_F(EmitTest, AFunctionOfTheHostIsCalledWithItsArgumentsInOrder) {
+TEST_F(EmitTest, CallsAHostFunctionWithItsArgumentsInOrder) {
   const std::uint32_t noise = graph.addFunction({"noise", 3}),
                       unused = graph.addFunction({"other", 1});
   const NodeId arguments[] = {(x + y).id, ifElse(lt(x, y), x, 1.0).id, lt(x, y).id};
@@ -223,7 +223,7 @@ TEST_F(EmitTest, AFunctionOfTheHostIsCalledWithItsArgumentsInOrder) {
   EXPECT_EQ(emitted.operations, 5u) << "x + y, x < y, the choice, float and the call, but no list";
 }
 
-TEST_F(EmitTest, ACallThatIsUsedTwiceIsMadeOnce) {
+TEST_F(EmitTest, MakesACallOnceIfItIsUsedTwice) {
   const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId arguments[] = {x.id, y.id};
   const Expression called{&graph, graph.call(noise, arguments)};
@@ -234,7 +234,7 @@ TEST_F(EmitTest, ACallThatIsUsedTwiceIsMadeOnce) {
             "}\n");
 }
 
-TEST_F(EmitTest, ACommentStandsAboveTheStatementsOfItsNodes) {
+TEST_F(EmitTest, WritesACommentAboveTheStatementsOfItsNodes) {
   const auto nodes = [&] { return NodeId{static_cast<std::uint32_t>(graph.size())}; };
   Comments comments{{"u", "the sum"}, {}};
   const NodeId start = nodes();
@@ -254,9 +254,9 @@ TEST_F(EmitTest, ACommentStandsAboveTheStatementsOfItsNodes) {
             "}\n");
 }
 
-TEST_F(EmitTest, WithoutResultsThereIsNoText) { EXPECT_EQ(emit(graph, glsl300, {}, {}).code, ""); }
+TEST_F(EmitTest, WritesNothingWithoutResults) { EXPECT_EQ(emit(graph, glsl300, {}, {}).code, ""); }
 
-TEST_F(EmitTest, CountsWhatTheResultsNeed) {
+TEST_F(EmitTest, CountsOnlyWhatTheResultsNeed) {
   sin(y);
   const std::vector<Output> outputs{result("r", sin(x) * sin(x))};
   const EmittedCode emitted = emit(graph, glsl300, outputs, {});
@@ -266,7 +266,7 @@ TEST_F(EmitTest, CountsWhatTheResultsNeed) {
   EXPECT_EQ(emitted.inputs, std::vector<std::uint32_t>{0}) << "y is not read";
 }
 
-TEST_F(EmitTest, CallsWithinCallsAreBoundedInDepthToo) {
+TEST_F(EmitTest, LimitsTheDepthOfNestedCalls) {
   const std::uint32_t noise = graph.addFunction({"noise", 2});
   Expression v = x;
   for (int i = 0; i < 9; ++i) {
@@ -281,7 +281,7 @@ TEST_F(EmitTest, CallsWithinCallsAreBoundedInDepthToo) {
             "}\n");
 }
 
-TEST_F(EmitTest, ASumOfManyTemporariesTakesLittleToRemember) {
+TEST_F(EmitTest, ASumOfManyTemporariesNeedsLittleMemory) {
   Expression sum = zero();
   for (int i = 1; i <= 20'000; ++i) {
     const Expression wave = sin(x * double(i));
@@ -293,7 +293,7 @@ TEST_F(EmitTest, ASumOfManyTemporariesTakesLittleToRemember) {
   EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", sum)}, options).temporaries, 20'317u);
 }
 
-TEST_F(EmitTest, ALongChainIsManyShortStatements) {
+TEST_F(EmitTest, SplitsALongChainIntoShortStatements) {
   Expression v = x;
   for (int i = 0; i < 100'000; ++i) v = sin(v);
   const std::vector<Output> outputs{result("r", v)};
@@ -301,7 +301,7 @@ TEST_F(EmitTest, ALongChainIsManyShortStatements) {
 }
 
 // The sum is recognized however the graph simplified it.
-TEST_F(EmitTest, AnInputPlusAnEarlierResultIsWrittenSo) {
+TEST_F(EmitTest, RecognizesAnInputPlusAnEarlierResultInSimplifiedSums) {
   const Value p = vector3(graph, "p"), q = vector3(graph, "q");
   const auto vec3 = [&](Expression a, Expression b, Expression c) {
     const Expression all[] = {a, b, c};

@@ -56,7 +56,7 @@ Expression constant(Expression x, double value) { return {x.graph, x.graph->cons
 
 Real sech(Real x) { return 2 / (std::exp(x) + std::exp(-x)); }
 
-// For rows: the argument itself.
+// For rows of the table, this is the argument itself.
 const std::vector<Case> rows{
     {"inversesqrt", [](auto x) { return inversesqrt(x); },
      [](Real x) { return -0.5L / (x * std::sqrt(x)); }},
@@ -166,7 +166,7 @@ std::vector<double> arguments() {
 
 class Float32 : public testing::TestWithParam<Case> {};
 
-TEST_P(Float32, HasTheDerivativeWhereItHasTheValue) {
+TEST_P(Float32, TheDerivativeIsFiniteWhereverTheValueIs) {
   const Case& test = GetParam();
   Graph graph;
   Differentiator differentiator(graph);
@@ -231,7 +231,7 @@ class Float32Warp : public testing::Test {
   }
 };
 
-TEST_F(Float32Warp, HugeOffsetsTurnTheNormal) {
+TEST_F(Float32Warp, HugeOffsetsRotateTheNormal) {
   expectNormal(p * 1e37, {1, 2, 3}, {0, 0.6, 0.8}, {0, 0.6, 0.8});
   for (const double size : {1e8, 1e10, 1e15, 1e20, 1e30}) {
     expectNormal(p * size, {1, 2, 3}, {0, 0.6, 0.8}, {0, 0.6, 0.8});
@@ -242,13 +242,13 @@ TEST_F(Float32Warp, HugeOffsetsTurnTheNormal) {
   }
 }
 
-TEST_F(Float32Warp, AStretchByAHugeNumberKeepsTheOthers) {
+TEST_F(Float32Warp, AHugeStretchAlongOneAxisPreservesTheOtherAxes) {
   expectNormal(vec3(p[0] * 1e12, zero, zero), {1, 2, 3}, {1, 0, 0}, {1, 0, 0});
   expectNormal(vec3(p[0] * 1e12, zero, zero), {1, 2, 3}, {0.6, 0.8, 0}, {0, 1, 0});
 }
 
 // Near the axis the unit vector rotates ever faster; on a coordinate axis the rotation is exact.
-TEST_F(Float32Warp, AUnitVectorNearItsAxis) {
+TEST_F(Float32Warp, AUnitVectorIsAccurateNearItsAxis) {
   for (const double x : {1e-4, 1e-7, 1e-10, 1e-13, 1e-16, 1e-18}) {
     const Expression squared = p[0] * p[0] + p[2] * p[2];
     const Expression shorten = ifElse(gt(squared, 0.0), inversesqrt(squared), 0.0);
@@ -267,7 +267,7 @@ TEST_F(Float32Warp, AUnitVectorNearItsAxis) {
 }
 
 // If the slope is unknown, the normal is zero.
-TEST_F(Float32Warp, AnInfiniteSlopeHasNoNormal) {
+TEST_F(Float32Warp, AnInfiniteSlopeGivesAZeroNormal) {
   const Expression steep = pow(p[0], -3.0);
   expectNormal(vec3(zero, steep, zero), {1e-12, 0, 0}, {0, 1, 0}, {0, 0, 0});
 }

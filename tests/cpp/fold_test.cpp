@@ -1,5 +1,5 @@
-// Folds: their values and derivatives, against loops and derivatives by hand in double, and their
-// code in each language.
+// Folds: their values and derivatives, against loops and hand-written derivatives in double, and
+// their code in each language.
 #include "functions/fold.hpp"
 
 #include <gtest/gtest.h>
@@ -53,20 +53,20 @@ double mandelbrotByHand(int steps, double x, double y) {
   return a;
 }
 
-TEST_F(FoldTest, IsTheLoop) {
+TEST_F(FoldTest, MatchesALoopInCpp) {
   for (const int steps : {0, 1, 2, 5})
     EXPECT_NEAR(at(mandelbrot(static_cast<std::uint32_t>(steps)), 0.3, 0.7),
                 mandelbrotByHand(steps, 0.3, 0.7), 1e-12)
         << steps;
 }
 
-TEST_F(FoldTest, CountsItsSteps) {
+TEST_F(FoldTest, PassesTheStepToTheBody) {
   const Expression sum =
       fold(5, {x}, [&](const Numbers& s, Expression i) { return Numbers{s[0] + i * y}; })[0];
   EXPECT_DOUBLE_EQ(at(sum, 1, 2), 1 + (0 + 1 + 2 + 3 + 4) * 2.0);
 }
 
-TEST_F(FoldTest, DerivativesAreDifferencesOfTheLoop) {
+TEST_F(FoldTest, DerivativesMatchFiniteDifferencesOfTheLoop) {
   const Expression f = mandelbrot(4);
   const double h = 1e-5;
   const auto g = [](double a, double b) { return mandelbrotByHand(4, a, b); };
@@ -94,7 +94,7 @@ TEST_F(FoldTest, HasDerivativesOfEveryOrder) {
   }
 }
 
-TEST_F(FoldTest, StatesThatDoNotMoveHaveNoDerivative) {
+TEST_F(FoldTest, StatesIndependentOfTheVariableHaveNoDerivative) {
   const Numbers both = fold(3, {x, y}, [&](const Numbers& s, Expression i) {
     return Numbers{s[0] + floor(s[1]) * y, s[1] + i};
   });
@@ -104,7 +104,7 @@ TEST_F(FoldTest, StatesThatDoNotMoveHaveNoDerivative) {
 }
 
 // The sum over i and k of sin(i x + k y).
-TEST_F(FoldTest, StandsInAnother) {
+TEST_F(FoldTest, FoldsCanBeNested) {
   const Expression zero{&graph, graph.constant(0)};
   const Expression sum = fold(3, {zero}, [&](const Numbers& s, Expression i) {
     return fold(4, {s[0]}, [&](const Numbers& inner, Expression k) {
@@ -124,7 +124,7 @@ TEST_F(FoldTest, StandsInAnother) {
   EXPECT_NEAR(at(derivative(derivative(sum, x), y)), mixed, 1e-12);
 }
 
-TEST_F(FoldTest, OutcomesHaveOnlyTheStatesThatTheyNeed) {
+TEST_F(FoldTest, AResultCarriesOnlyTheStatesItNeeds) {
   const Numbers both = fold(4, {x, y}, [&](const Numbers& s, Expression) {
     return Numbers{s[0] * 2.0, s[1] + s[0]};
   });
@@ -132,7 +132,7 @@ TEST_F(FoldTest, OutcomesHaveOnlyTheStatesThatTheyNeed) {
   EXPECT_EQ(graph.states(graph.operand(both[1].id, 0)).size(), 2u);
 }
 
-TEST_F(FoldTest, TextIsALoopInEachLanguage) {
+TEST_F(FoldTest, IsEmittedAsALoopInEachLanguage) {
   const Expression f = mandelbrot(4);
   const char* glsl =
       "float y;\n{\n"
@@ -162,7 +162,7 @@ TEST_F(FoldTest, TextIsALoopInEachLanguage) {
 
 // Code of a body that doesn't depend on its variables is before the loop; value and derivative
 // share a loop.
-TEST_F(FoldTest, TextOfALoopInAnotherWithADerivative) {
+TEST_F(FoldTest, EmitsANestedLoopWithADerivative) {
   const Expression zero{&graph, graph.constant(0)};
   const Expression sum = fold(3, {zero}, [&](const Numbers& s, Expression i) {
     return fold(4, {s[0]}, [&](const Numbers& inner, Expression k) {
@@ -197,7 +197,7 @@ TEST_F(FoldTest, TextOfALoopInAnotherWithADerivative) {
             "  r = vec2f(t3, t4);\n}\n");
 }
 
-TEST_F(FoldTest, ASwapOfStatesKeepsBoth) {
+TEST_F(FoldTest, SwappingStatesPreservesBoth) {
   const Numbers swapped = fold(3, {x, y}, [&](const Numbers& s, Expression) {
     return Numbers{s[1], s[0]};
   });
@@ -216,7 +216,7 @@ TEST_F(FoldTest, ASwapOfStatesKeepsBoth) {
 }
 
 // The same arithmetic for the same number of steps: the range contains the loop's values.
-TEST_F(FoldTest, BoundsHoldAllValues) {
+TEST_F(FoldTest, BoundsContainAllValues) {
   Module module;
   const Expression a = scalar(module.graph, "a");
   const Expression f = fold(5, {a}, [&](const Numbers& s, Expression i) {
@@ -227,19 +227,19 @@ TEST_F(FoldTest, BoundsHoldAllValues) {
   const Program made = *program(module, {&first, 1}).program;
   const Range range{-1, 1};
   const Range found = bounds(made.words, made.instructions, {&range, 1}, {&first, 1})[0];
-  double least = 10, most = -10;
+  double lowest = 10, highest = -10;
   for (double value = -1; value <= 1; value += 1e-3) {
     double s = value;
     for (int i = 0; i < 5; ++i) s = std::sin(s * 2) + i * value * 0.1;
-    least = std::min(least, s);
-    most = std::max(most, s);
+    lowest = std::min(lowest, s);
+    highest = std::max(highest, s);
   }
-  EXPECT_LE(found.low, least);
-  EXPECT_GE(found.high, most);
-  EXPECT_LT(found.high - found.low, 1.1 * (most - least));
+  EXPECT_LE(found.low, lowest);
+  EXPECT_GE(found.high, highest);
+  EXPECT_LT(found.high - found.low, 1.1 * (highest - lowest));
 }
 
-TEST_F(FoldTest, IsKeptInAModule) {
+TEST_F(FoldTest, SurvivesSerializationInAModule) {
   Module module;
   const Expression a = scalar(module.graph, "a");
   module.methods.push_back("param");

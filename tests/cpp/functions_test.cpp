@@ -114,7 +114,7 @@ TEST_F(FunctionsTest, AFunctionIsEmittedInEveryLanguage) {
             "}\n");
 }
 
-TEST_F(FunctionsTest, ManyResultsAreAStruct) {
+TEST_F(FunctionsTest, SeveralResultsAreReturnedAsAStruct) {
   const Output outputs[] = {result("a", derivative(derivative(called, x), y))};
   EXPECT_EQ(emit(graph, glsl300, outputs).code,
             "float a;\n"

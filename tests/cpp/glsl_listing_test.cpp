@@ -14,7 +14,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-Listing listed(const std::string& text, int function, int maxIterations = 0) {
+Listing lowerToListing(const std::string& text, int function, int maxIterations = 0) {
   Source source(text);
   EXPECT_EQ(source.problem(), "");
   Listing listing = source.lower(function, maxIterations);
@@ -22,9 +22,9 @@ Listing listed(const std::string& text, int function, int maxIterations = 0) {
   return listing;
 }
 
-class Ran {
+class Interpreter {
  public:
-  Ran(const Listing& listing, Numbers arguments, Numbers uniforms = {})
+  Interpreter(const Listing& listing, Numbers arguments, Numbers uniforms = {})
       : listing_(listing), arguments_(std::move(arguments)), uniforms_(std::move(uniforms)) {
     Numbers made;
     run(made, {});
@@ -59,11 +59,11 @@ class Ran {
           break;
         case Code::Call: {
           const std::uint32_t routine = word();
-          const Numbers given = operands(made, word());
+          const Numbers arguments = operands(made, word());
           ++called;
           const std::size_t back = std::exchange(at_, bodies_.at(routine));
           Numbers inner;
-          run(inner, given);
+          run(inner, arguments);
           const Numbers found = operands(inner, word());
           made.insert(made.end(), found.begin(), found.end());
           at_ = back;
@@ -198,12 +198,12 @@ double waveAt(double x, double y, double steep) {
 }
 
 TEST(GlslDefine, AFunctionCalledOftenIsDefinedOnce) {
-  const Listing listing =
-      listed(wave +
-                 "float f(float x, float y) { return wave(x, y, 0.5) + wave(y, x * x, 0.5) * "
-                 "wave(x + 1.0, 2.0, 0.5); }",
-             1);
-  const Ran run(listing, {0.3, -0.7});
+  const Listing listing = lowerToListing(
+      wave +
+          "float f(float x, float y) { return wave(x, y, 0.5) + wave(y, x * x, 0.5) * "
+          "wave(x + 1.0, 2.0, 0.5); }",
+      1);
+  const Interpreter run(listing, {0.3, -0.7});
   EXPECT_EQ(run.defined, 1);
   EXPECT_EQ(run.called, 3);
   EXPECT_EQ(listing.routines, std::vector<std::string>{"wave"});
@@ -220,8 +220,8 @@ TEST(GlslDefine, VaryingArgumentsComeFirstAndAreDifferentiated) {
       "+ cos(s - y); }\n"
       "float f(float x, float y) { return turned(0.25, x, y) + turned(0.25, "
       "y, x) + turned(0.25, x * y, y); }";
-  const Listing listing = listed(text, 1);
-  const Ran run(listing, {0.4, 1.1});
+  const Listing listing = lowerToListing(text, 1);
+  const Interpreter run(listing, {0.4, 1.1});
   ASSERT_EQ(run.defined, 1);
   EXPECT_EQ(run.sizes[0], 3u);
   EXPECT_EQ(run.variables[0], 2u);
@@ -232,9 +232,9 @@ TEST(GlslDefine, VaryingArgumentsComeFirstAndAreDifferentiated) {
 TEST(GlslDefine, AUniformThatAFunctionReadsBecomesAnArgument) {
   std::string text = "uniform float steep;\n" + wave;
   text.replace(text.find(", float steep"), 13, "");
-  const Listing listing =
-      listed(text + "float f(float x) { return wave(x, 1.0) + wave(1.0, x) + wave(x, x); }", 1);
-  const Ran run(listing, {0.6}, {0.8});
+  const Listing listing = lowerToListing(
+      text + "float f(float x) { return wave(x, 1.0) + wave(1.0, x) + wave(x, x); }", 1);
+  const Interpreter run(listing, {0.6}, {0.8});
   EXPECT_EQ(run.defined, 1);
   EXPECT_EQ(run.sizes[0], 3u);
   EXPECT_NEAR(run.results.at(0), waveAt(0.6, 1, 0.8) + waveAt(1, 0.6, 0.8) + waveAt(0.6, 0.6, 0.8),
@@ -242,7 +242,8 @@ TEST(GlslDefine, AUniformThatAFunctionReadsBecomesAnArgument) {
 }
 
 TEST(GlslDefine, AFunctionCalledOnceIsInlined) {
-  const Ran run(listed(wave + "float f(float x) { return wave(x, 1.0, 0.5); }", 1), {0.2});
+  const Interpreter run(lowerToListing(wave + "float f(float x) { return wave(x, 1.0, 0.5); }", 1),
+                        {0.2});
   EXPECT_EQ(run.defined + run.called, 0);
   EXPECT_NEAR(run.results.at(0), waveAt(0.2, 1, 0.5), 1e-12);
 }
@@ -257,8 +258,9 @@ TEST(GlslDefine, AFunctionMayCallAnother) {
     return a * std::sin(b) + b * std::cos(a) + std::sin(a * b) * std::cos(x - y) +
            std::sin(x * y + a);
   };
-  const Ran run(
-      listed(wave + twice + "float f(float x) { return twice(x, 0.5) + twice(x * x, x); }", 2),
+  const Interpreter run(
+      lowerToListing(wave + twice + "float f(float x) { return twice(x, 0.5) + twice(x * x, x); }",
+                     2),
       {0.9});
   EXPECT_EQ(run.defined, 2);
   EXPECT_NEAR(run.results.at(0), twiceAt(0.9, 0.5) + twiceAt(0.81, 0.9), 1e-12);
@@ -268,7 +270,7 @@ TEST(GlslDefine, AFunctionMayCallAnother) {
 const std::string body =
     "s += a * sin(q * 1.5 + cos(s)) * cos(q - s); q = q * 0.75 + sin(s) * 0.5; a *= 0.5;";
 
-double looped(double x, int steps, const std::function<bool(double, int)>& stops) {
+double runLoop(double x, int steps, const std::function<bool(double, int)>& stops) {
   double s = 0, a = 1, q = x;
   for (int i = 0; i < steps && !stops(q, i); ++i) {
     s += a * std::sin(q * 1.5 + std::cos(s)) * std::cos(q - s);
@@ -278,7 +280,7 @@ double looped(double x, int steps, const std::function<bool(double, int)>& stops
   return s + q;
 }
 
-std::string looping(const std::string& head, const std::string& first = "") {
+std::string sourceWithLoop(const std::string& head, const std::string& first = "") {
   return "float f(float x) { float s = 0.0, a = 1.0, q = x; " + head + " { " + first + body +
          " } return s + q; }";
 }
@@ -286,17 +288,17 @@ std::string looping(const std::string& head, const std::string& first = "") {
 const auto never = [](double, int) { return false; };
 
 TEST(GlslFold, ALongLoopBecomesAFold) {
-  const Listing listing = listed(looping("for (int i = 0; i < 12; i++)"), 0);
-  const Ran run(listing, {0.7});
+  const Listing listing = lowerToListing(sourceWithLoop("for (int i = 0; i < 12; i++)"), 0);
+  const Interpreter run(listing, {0.7});
   EXPECT_EQ(run.folds, 1);
   EXPECT_EQ(run.steps, 12u);
-  EXPECT_NEAR(run.results.at(0), looped(0.7, 12, never), 1e-12);
+  EXPECT_NEAR(run.results.at(0), runLoop(0.7, 12, never), 1e-12);
 }
 
 TEST(GlslFold, CountersAreComputedFromTheStep) {
-  const Listing listing =
-      listed(looping("for (int i = 9; i > -12; i -= 3)", "s += float(i) * q * 0.125;"), 0);
-  const Ran run(listing, {0.7});
+  const Listing listing = lowerToListing(
+      sourceWithLoop("for (int i = 9; i > -12; i -= 3)", "s += float(i) * q * 0.125;"), 0);
+  const Interpreter run(listing, {0.7});
   EXPECT_EQ(run.steps, 7u);
   double s = 0, a = 1, q = 0.7;
   for (int i = 9; i > -12; i -= 3) {
@@ -310,20 +312,20 @@ TEST(GlslFold, CountersAreComputedFromTheStep) {
 
 TEST(GlslFold, BreakBecomesAStateVariable) {
   const Listing listing =
-      listed(looping("for (int i = 0; i < 20; i++)", "if (q < 0.625) break; "), 0);
+      lowerToListing(sourceWithLoop("for (int i = 0; i < 20; i++)", "if (q < 0.625) break; "), 0);
   for (const double x : {0.1, 0.7, 1.9, 5.0}) {
-    const Ran run(listing, {x});
+    const Interpreter run(listing, {x});
     EXPECT_EQ(run.folds, 1);
-    EXPECT_NEAR(run.results.at(0), looped(x, 20, [](double q, int) { return q < 0.625; }), 1e-12)
+    EXPECT_NEAR(run.results.at(0), runLoop(x, 20, [](double q, int) { return q < 0.625; }), 1e-12)
         << x;
   }
 }
 
 TEST(GlslFold, ALoopWithADynamicConditionRunsToMaxIterations) {
-  const Listing listing = listed(looping("while (q > 0.625)"), 0, 15);
-  const Ran run(listing, {3.0});
+  const Listing listing = lowerToListing(sourceWithLoop("while (q > 0.625)"), 0, 15);
+  const Interpreter run(listing, {3.0});
   EXPECT_EQ(run.steps, 15u);
-  EXPECT_NEAR(run.results.at(0), looped(3, 15, [](double q, int) { return q <= 0.625; }), 1e-12);
+  EXPECT_NEAR(run.results.at(0), runLoop(3, 15, [](double q, int) { return q <= 0.625; }), 1e-12);
 }
 
 TEST(GlslFold, LoopsCanBeNested) {
@@ -331,7 +333,7 @@ TEST(GlslFold, LoopsCanBeNested) {
       "float f(float x) { float s = 0.0; for (int i = 0; i < 9; i++) { float t = s * 0.5; "
       "for (int j = 0; j < 20; j++) { t += sin(t * 1.5 + x * float(j)) * cos(t - float(i)) * 0.25; "
       "} s += sin(t) * cos(s * 2.0 + x); } return s; }";
-  const Ran run(listed(text, 0), {0.35});
+  const Interpreter run(lowerToListing(text, 0), {0.35});
   double s = 0;
   for (int i = 0; i < 9; ++i) {
     double t = s * 0.5;
@@ -343,12 +345,14 @@ TEST(GlslFold, LoopsCanBeNested) {
 }
 
 TEST(GlslFold, AShortLoopIsUnrolled) {
-  EXPECT_EQ(Ran(listed(looping("for (int i = 0; i < 2; i++)"), 0), {0.7}).folds, 0);
+  EXPECT_EQ(
+      Interpreter(lowerToListing(sourceWithLoop("for (int i = 0; i < 2; i++)"), 0), {0.7}).folds,
+      0);
 }
 
 TEST(GlslListing, IntUniformsAreReadInHalves) {
   const Listing listing =
-      listed("uniform int n; float f(float x) { return float(n % 1000) + x; }", 0);
+      lowerToListing("uniform int n; float f(float x) { return float(n % 1000) + x; }", 0);
   int halves = 0;
   for (std::size_t i = 0; i + 3 < listing.words.size(); ++i)
     halves += listing.words[i] == static_cast<std::uint32_t>(Code::Uniform) &&

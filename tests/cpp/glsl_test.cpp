@@ -11,7 +11,7 @@
 namespace warpjet::glsl {
 namespace {
 
-std::string preprocessed(std::string_view text) {
+std::string preprocessToText(std::string_view text) {
   Problems problems;
   const Preprocessed read = preprocess(readTokens(text, problems), problems);
   if (problems.any()) return problems.text(text);
@@ -22,7 +22,7 @@ std::string preprocessed(std::string_view text) {
   return all;
 }
 
-Listing listed(const std::string& text) {
+Listing lowerToListing(const std::string& text) {
   Source source(text);
   EXPECT_EQ(source.problem(), "");
   Listing listing = source.lower(0, 0);
@@ -31,13 +31,13 @@ Listing listed(const std::string& text) {
 }
 
 // The value of a function whose only result is a known number.
-double known(const std::string& body) {
-  const Listing listing = listed("float f() { " + body + " }");
+double evaluateConstant(const std::string& body) {
+  const Listing listing = lowerToListing("float f() { " + body + " }");
   EXPECT_EQ(listing.words.size(), 2u) << body;
   return listing.constants.empty() ? -1 : listing.constants[0];
 }
 
-TEST(GlslTokens, NumbersNamesAndSymbols) {
+TEST(GlslTokens, ReadsNumbersNamesAndSymbols) {
   Problems problems;
   const auto tokens = readTokens("a1<<=.5e-3f 0x1Fu//x\n/* y */1.", problems);
   ASSERT_EQ(tokens.size(), 6u);
@@ -56,7 +56,7 @@ std::string problemOf(const std::string& text) {
   return problem.empty() ? "" : problem.substr(start + 2, problem.find('\n') - start - 2);
 }
 
-TEST(GlslVersions, RefuseWhatTheOtherOneHas) {
+TEST(GlslVersions, RejectFeaturesOfTheOtherVersion) {
   const std::string bits = "int f(int n) { return n & 3; }";
   EXPECT_EQ(problemOf(bits), "");
   EXPECT_EQ(problemOf("#version 300 es\n" + bits), "");
@@ -67,12 +67,12 @@ TEST(GlslVersions, RefuseWhatTheOtherOneHas) {
             "\"varying\" is not in GLSL ES 3.00, the language of #version 300 es; write out.");
 }
 
-TEST(GlslVersions, LoopsOf100CountFromAConstantToAConstant) {
+TEST(GlslVersions, LoopsInVersion100MustHaveConstantBounds) {
   const auto loop = [](const std::string& head, const std::string& body = "") {
-    return problemOf("#version 100\nfloat f(int n) { const int most = 4; float s = 0.0; for (" +
+    return problemOf("#version 100\nfloat f(int n) { const int limit = 4; float s = 0.0; for (" +
                      head + ") { s += 1.0; " + body + " } return s; }");
   };
-  for (const char* head : {"int i = 0; i < most; i++", "int i = 8; i >= 2 * most; i -= 2",
+  for (const char* head : {"int i = 0; i < limit; i++", "int i = 8; i >= 2 * limit; i -= 2",
                            "float t = 0.0; t < 1.0; t += 0.25"})
     EXPECT_EQ(loop(head), "") << head;
   for (const char* head :
@@ -82,15 +82,15 @@ TEST(GlslVersions, LoopsOf100CountFromAConstantToAConstant) {
   EXPECT_NE(loop("int i = 0; i < 4; i++", "i += 1;"), "");
 }
 
-TEST(GlslPreprocessor, ExpandsMacrosOnceEach) {
-  EXPECT_EQ(preprocessed("#define A B\n#define B A\nA B"), "A B");
-  EXPECT_EQ(preprocessed("#define F(x, y) x - y\nF(F(1, 2), (3, 4))"), "1 - 2 - ( 3 , 4 )");
-  EXPECT_EQ(preprocessed("#define F(x) x\nF F(2)"), "F 2");
-  EXPECT_EQ(preprocessed("#define EMPTY\nEMPTY x EMPTY"), "x");
-  EXPECT_EQ(preprocessed("__LINE__\n#line 9\n__LINE__"), "1 9");
+TEST(GlslPreprocessor, ExpandsEachMacroOnce) {
+  EXPECT_EQ(preprocessToText("#define A B\n#define B A\nA B"), "A B");
+  EXPECT_EQ(preprocessToText("#define F(x, y) x - y\nF(F(1, 2), (3, 4))"), "1 - 2 - ( 3 , 4 )");
+  EXPECT_EQ(preprocessToText("#define F(x) x\nF F(2)"), "F 2");
+  EXPECT_EQ(preprocessToText("#define EMPTY\nEMPTY x EMPTY"), "x");
+  EXPECT_EQ(preprocessToText("__LINE__\n#line 9\n__LINE__"), "1 9");
 }
 
-std::string joined(std::string_view text) {
+std::string describeTokens(std::string_view text) {
   const Lines lines(text);
   Problems problems;
   const Preprocessed read = preprocess(readTokens(lines.joined, problems, lines.joins), problems);
@@ -103,57 +103,59 @@ std::string joined(std::string_view text) {
 }
 
 TEST(GlslTokens, ABackslashJoinsLines) {
-  EXPECT_EQ(joined("a\\\nb c"), "ab@1:1 c@2:3 @2:4 ");
-  EXPECT_EQ(joined("a // \\\nb\nc"), "a@1:1 c@3:1 @3:2 ");
-  EXPECT_EQ(joined("a\\\r\n\\\r\nb\rc"), "ab@1:1 c@4:1 @4:2 ");
-  EXPECT_EQ(joined("#define A \\\n 1\nA"), "1@3:1 @3:2 ");
-  EXPECT_EQ(joined("/* \\\n \n */ a \\ b"),
+  EXPECT_EQ(describeTokens("a\\\nb c"), "ab@1:1 c@2:3 @2:4 ");
+  EXPECT_EQ(describeTokens("a // \\\nb\nc"), "a@1:1 c@3:1 @3:2 ");
+  EXPECT_EQ(describeTokens("a\\\r\n\\\r\nb\rc"), "ab@1:1 c@4:1 @4:2 ");
+  EXPECT_EQ(describeTokens("#define A \\\n 1\nA"), "1@3:1 @3:2 ");
+  EXPECT_EQ(describeTokens("/* \\\n \n */ a \\ b"),
             "line 3, column 7: shaders do not allow this character: \"\\\".\n"
             "   */ a \\ b\n        ^");
 }
 
-TEST(GlslPreprocessor, NumbersLinesAndFiles) {
-  EXPECT_EQ(preprocessed("#line 5 2\n__LINE__ __FILE__\n__LINE__"), "5 2 6");
-  EXPECT_EQ(preprocessed("#define N 3\n#line (N + 4) N * 2\n__LINE__ __FILE__"), "7 6");
-  EXPECT_EQ(preprocessed("#define F(x) x __LINE__\nF(\n__LINE__\n) __LINE__"), "3 4 4");
-  EXPECT_EQ(preprocessed("#define L __LINE__\n#define F(x) L x\nF(\nL\n)"), "5 4");
-  EXPECT_EQ(preprocessed("__VERSION__"), "100");
+TEST(GlslPreprocessor, ExpandsLineAndFileNumbers) {
+  EXPECT_EQ(preprocessToText("#line 5 2\n__LINE__ __FILE__\n__LINE__"), "5 2 6");
+  EXPECT_EQ(preprocessToText("#define N 3\n#line (N + 4) N * 2\n__LINE__ __FILE__"), "7 6");
+  EXPECT_EQ(preprocessToText("#define F(x) x __LINE__\nF(\n__LINE__\n) __LINE__"), "3 4 4");
+  EXPECT_EQ(preprocessToText("#define L __LINE__\n#define F(x) L x\nF(\nL\n)"), "5 4");
+  EXPECT_EQ(preprocessToText("__VERSION__"), "100");
 }
 
-TEST(GlslPreprocessor, WhatItSkipsMayBeAnything) {
-  EXPECT_EQ(preprocessed("#if 0\n@ \"a' 1.e 0x #\n#nonsense\n#if\n#else A\n#endif\n#endif\na"),
+TEST(GlslPreprocessor, AcceptsAnythingInSkippedLines) {
+  EXPECT_EQ(preprocessToText("#if 0\n@ \"a' 1.e 0x #\n#nonsense\n#if\n#else A\n#endif\n#endif\na"),
             "a");
-  EXPECT_EQ(preprocessed("#define A @\nb"), "b");
-  EXPECT_EQ(preprocessed("#if 0 && A || 1 || B / 0\na\n#endif"), "a");
+  EXPECT_EQ(preprocessToText("#define A @\nb"), "b");
+  EXPECT_EQ(preprocessToText("#if 0 && A || 1 || B / 0\na\n#endif"), "a");
 }
 
-TEST(GlslPreprocessor, AnExpansionIsCalledByWhatFollows) {
-  EXPECT_EQ(preprocessed("#define F G\n#define G(x) x\nF(1)"), "1");
-  EXPECT_EQ(preprocessed("#define G(x) x\n#define E G\n#define F E\nF (F(2)) F"), "2 G");
-  EXPECT_EQ(preprocessed("#define A(x) x + B\n#define B(x) x\nA(1)(2)(3)"), "1 + 2 ( 3 )");
-  EXPECT_EQ(preprocessed("#define PICK(x) x\n#define G(x) -x\nPICK(G)(1)"), "- 1");
+TEST(GlslPreprocessor, ReadsArgumentsOfAnExpandedMacroNameFromTheFollowingTokens) {
+  EXPECT_EQ(preprocessToText("#define F G\n#define G(x) x\nF(1)"), "1");
+  EXPECT_EQ(preprocessToText("#define G(x) x\n#define E G\n#define F E\nF (F(2)) F"), "2 G");
+  EXPECT_EQ(preprocessToText("#define A(x) x + B\n#define B(x) x\nA(1)(2)(3)"), "1 + 2 ( 3 )");
+  EXPECT_EQ(preprocessToText("#define PICK(x) x\n#define G(x) -x\nPICK(G)(1)"), "- 1");
   // A call that an expansion opens is closed by the following tokens.
-  EXPECT_EQ(preprocessed("#define F(x, y) x - y\n#define OPEN F (\nOPEN 1, 2) + 3"), "1 - 2 + 3");
-  EXPECT_EQ(preprocessed("#define F(x) - x\n#define A F(\n#define B A 1\nB) 2"), "- 1 2");
+  EXPECT_EQ(preprocessToText("#define F(x, y) x - y\n#define OPEN F (\nOPEN 1, 2) + 3"),
+            "1 - 2 + 3");
+  EXPECT_EQ(preprocessToText("#define F(x) - x\n#define A F(\n#define B A 1\nB) 2"), "- 1 2");
   std::string deep = "#define M F(\n#define F(x) N x\n#define N G(\n#define G(x) M x\nM 1 ";
   for (int i = 0; i < 100'000; ++i) deep += ") ";
-  EXPECT_NE(preprocessed(deep).find("1,000 deep"), std::string::npos);
+  EXPECT_NE(preprocessToText(deep).find("1,000 deep"), std::string::npos);
   // A parenthesis that is not expanded yet doesn't make a call, unless the result is expanded
   // again.
-  EXPECT_EQ(preprocessed("#define F(x) - x\n#define L (\nF L 1)"), "F ( 1 )");
-  EXPECT_EQ(preprocessed("#define F(x) - x\n#define L (\n#define E(x) x\nE(F L 1))"), "- 1");
+  EXPECT_EQ(preprocessToText("#define F(x) - x\n#define L (\nF L 1)"), "F ( 1 )");
+  EXPECT_EQ(preprocessToText("#define F(x) - x\n#define L (\n#define E(x) x\nE(F L 1))"), "- 1");
   // A macro isn't expanded within its own expansion, nor are such tokens later.
-  EXPECT_EQ(preprocessed("#define F(x) x F\nF(1)(2)"), "1 F ( 2 )");
+  EXPECT_EQ(preprocessToText("#define F(x) x F\nF(1)(2)"), "1 F ( 2 )");
 }
 
-TEST(GlslPreprocessor, ChoosesLines) {
-  EXPECT_EQ(preprocessed("#if 1 + 2 * 3 == 7 && !defined(X)\na\n#else\nb\n#endif"), "a");
-  EXPECT_EQ(preprocessed("#define X 2\n#if X == 1\na\n#elif X == 2\nb\n#elif 1\nc\n#endif"), "b");
-  EXPECT_EQ(preprocessed("#if 0\n#if 1\na\n#endif\n#nonsense\n#else\nb\n#endif"), "b");
-  EXPECT_EQ(preprocessed("#ifdef GL_ES\na\n#endif\n#ifndef GL_ES\nb\n#endif"), "a");
+TEST(GlslPreprocessor, IncludesLinesByCondition) {
+  EXPECT_EQ(preprocessToText("#if 1 + 2 * 3 == 7 && !defined(X)\na\n#else\nb\n#endif"), "a");
+  EXPECT_EQ(preprocessToText("#define X 2\n#if X == 1\na\n#elif X == 2\nb\n#elif 1\nc\n#endif"),
+            "b");
+  EXPECT_EQ(preprocessToText("#if 0\n#if 1\na\n#endif\n#nonsense\n#else\nb\n#endif"), "b");
+  EXPECT_EQ(preprocessToText("#ifdef GL_ES\na\n#endif\n#ifndef GL_ES\nb\n#endif"), "a");
 }
 
-TEST(GlslTypes, OperatorsConvertNothing) {
+TEST(GlslTypes, OperatorsDoNotConvertTypes) {
   const Types types;
   const auto type = [&](Operator op, Type a, Type b) { return typeOfBinary(op, a, b, types); };
   const Type vec3 = vectorType(Base::Float, 3), vec2 = vectorType(Base::Float, 2);
@@ -168,7 +170,7 @@ TEST(GlslTypes, OperatorsConvertNothing) {
   EXPECT_EQ(type(Operator::Remainder, floatType, floatType), std::nullopt);
 }
 
-TEST(GlslTypes, BuiltInFunctionsAreFoundByTheirOperands) {
+TEST(GlslTypes, ResolvesBuiltInFunctionsByOperandTypes) {
   const Type vec3 = vectorType(Base::Float, 3), bvec3 = vectorType(Base::Bool, 3);
   const auto result = [](std::string_view name, std::vector<Type> operands) {
     const auto found = findBuiltIn(name, operands);
@@ -184,30 +186,35 @@ TEST(GlslTypes, BuiltInFunctionsAreFoundByTheirOperands) {
   EXPECT_EQ(result("max", {intType, floatType}), std::nullopt);
 }
 
-TEST(GlslLowering, WhatIsKnownIsFolded) {
-  EXPECT_EQ(known("float s = 0.; for (int i = 0; i < 5; i++) { if (i == 3) break; s += float(i); } "
-                  "return s;"),
+TEST(GlslLowering, FoldsKnownValues) {
+  EXPECT_EQ(evaluateConstant(
+                "float s = 0.; for (int i = 0; i < 5; i++) { if (i == 3) break; s += float(i); } "
+                "return s;"),
             3);
-  EXPECT_EQ(known("int i = 7; return float(i / 2 * 2 + i % 2 - -i);"), 14);
-  EXPECT_EQ(known("return float(-7 / 2);"), -3);
-  EXPECT_EQ(known("return float(2147483647 + 1);"), -2147483648.0);
-  EXPECT_EQ(known("return float(0u - 1u);"), static_cast<double>(4294967295.0f));
-  EXPECT_EQ(known("return float(-8 >> 1) + float(0xF0u >> 4);"), 11);
-  EXPECT_EQ(known("return float(int(-2.9)) + float(int(2.9));"), 0);
-  EXPECT_EQ(known("int a[3] = int[](4, 5, 6); a[1] += a[2]; return float(a[a.length() - 2]);"), 11);
-  EXPECT_EQ(known("float a[bool(0.5) ? 2 : 3]; return float(a.length());"), 2);
-  EXPECT_EQ(known("float a[bool(-0.0) ? 2 : 3]; return float(a.length());"), 3);
+  EXPECT_EQ(evaluateConstant("int i = 7; return float(i / 2 * 2 + i % 2 - -i);"), 14);
+  EXPECT_EQ(evaluateConstant("return float(-7 / 2);"), -3);
+  EXPECT_EQ(evaluateConstant("return float(2147483647 + 1);"), -2147483648.0);
+  EXPECT_EQ(evaluateConstant("return float(0u - 1u);"), static_cast<double>(4294967295.0f));
+  EXPECT_EQ(evaluateConstant("return float(-8 >> 1) + float(0xF0u >> 4);"), 11);
+  EXPECT_EQ(evaluateConstant("return float(int(-2.9)) + float(int(2.9));"), 0);
+  EXPECT_EQ(
+      evaluateConstant("int a[3] = int[](4, 5, 6); a[1] += a[2]; return float(a[a.length() - 2]);"),
+      11);
+  EXPECT_EQ(evaluateConstant("float a[bool(0.5) ? 2 : 3]; return float(a.length());"), 2);
+  EXPECT_EQ(evaluateConstant("float a[bool(-0.0) ? 2 : 3]; return float(a.length());"), 3);
   // The number of iterations in float32: the tenth sum is just above 1.
-  EXPECT_EQ(known("float n = 0.; for (float t = 0.; t < 1.; t += .1) n += 1.; return n;"), 10);
+  EXPECT_EQ(
+      evaluateConstant("float n = 0.; for (float t = 0.; t < 1.; t += .1) n += 1.; return n;"), 10);
 }
 
-TEST(GlslLowering, OnlyWhatAResultNeedsIsListed) {
-  const Listing listing = listed("float f(float x, float y) { float unused = sin(y); return x; }");
+TEST(GlslLowering, ListsOnlyWhatTheResultNeeds) {
+  const Listing listing =
+      lowerToListing("float f(float x, float y) { float unused = sin(y); return x; }");
   EXPECT_EQ(listing.words.size(), 4u);
   EXPECT_EQ(listing.words[0], static_cast<std::uint32_t>(Code::Argument));
 }
 
-TEST(GlslRecorder, ConditionsAreSimplified) {
+TEST(GlslRecorder, SimplifiesConditions) {
   Recorder recorder;
   const Id c = recorder.apply(
       Code::Lt, Base::Bool, {recorder.leaf(Code::Argument, 0), recorder.constant(Base::Float, 1)});
@@ -221,7 +228,7 @@ TEST(GlslRecorder, ConditionsAreSimplified) {
   EXPECT_EQ(recorder.choose(c, x, recorder.undefined(Base::Float)), x);
 }
 
-TEST(GlslLowering, TheMostThatATextMayAskFor) {
+TEST(GlslLowering, LimitsSourceLengthAndIterations) {
   std::string sum = "float f(float x) { return x";
   for (int i = 0; i < 10'000; ++i) sum += " + x";
   EXPECT_EQ(Source(sum + "; }").problem(), "");

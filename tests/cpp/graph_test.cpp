@@ -20,25 +20,25 @@ class GraphTest : public testing::Test {
   }
 };
 
-TEST_F(GraphTest, EqualOperationsAreOneNode) {
+TEST_F(GraphTest, InternsEqualOperations) {
   EXPECT_EQ(sin(x + y).id, sin(x + y).id);
   EXPECT_EQ((x + y).id, (y + x).id);
   EXPECT_EQ((x * 2.0).id, (2.0 * x).id);
   EXPECT_NE((x - y).id, (y - x).id);
 }
 
-TEST_F(GraphTest, AskingTwiceForAnInputGivesTheSame) {
+TEST_F(GraphTest, ReturnsTheSameNodeForTheSameInput) {
   EXPECT_EQ(scalar(graph, "x").id, x.id);
   EXPECT_NE(x.id, y.id);
 }
 
-TEST_F(GraphTest, ConstantsKeepEveryBit) {
+TEST_F(GraphTest, PreservesEveryBitOfConstants) {
   for (const double value : {0.1, 1e-30, 98765.4321, -0.00049, 1e21})
     EXPECT_EQ(graph.value(graph.constant(value)), value);
   EXPECT_NE(graph.constant(0.0), graph.constant(-0.0));
 }
 
-TEST_F(GraphTest, ConstantOperationsFold) {
+TEST_F(GraphTest, FoldsOperationsOnConstants) {
   const Expression two{&graph, graph.constant(2)};
   expectConstant(two * 3.0, 6);
   expectConstant(sqrt(two * 8.0), 4);
@@ -46,14 +46,14 @@ TEST_F(GraphTest, ConstantOperationsFold) {
   expectConstant(ifElse(logicalAnd(lt(two, 3.0), lt(two, 1.0)), 5.0, 7.0), 7);
 }
 
-TEST_F(GraphTest, ResultsThatAreNotFiniteStayUnfolded) {
+TEST_F(GraphTest, DoesNotFoldToInfinityOrNaN) {
   const Expression zero{&graph, graph.constant(0)};
   EXPECT_FALSE(graph.isLeaf((1.0 / zero).id));
   EXPECT_FALSE(graph.isLeaf(log(zero).id));
   EXPECT_FALSE(graph.isLeaf((Expression{&graph, graph.constant(1e30)} * 1e30).id));
 }
 
-TEST_F(GraphTest, NeutralElementsDisappear) {
+TEST_F(GraphTest, RemovesNeutralElements) {
   EXPECT_EQ((x + 0.0).id, x.id);
   EXPECT_EQ((0.0 + x).id, x.id);
   EXPECT_EQ((x - 0.0).id, x.id);
@@ -65,7 +65,7 @@ TEST_F(GraphTest, NeutralElementsDisappear) {
   expectConstant(0.0 / x, 0);
 }
 
-TEST_F(GraphTest, SignsMoveOutwards) {
+TEST_F(GraphTest, MovesSignsOutwards) {
   EXPECT_EQ((x + -y).id, (x - y).id);
   EXPECT_EQ((x - -y).id, (x + y).id);
   EXPECT_EQ((-x * -y).id, (x * y).id);
@@ -74,7 +74,7 @@ TEST_F(GraphTest, SignsMoveOutwards) {
   EXPECT_EQ((x + -(x - y)).id, (x - (x - y)).id) << "a difference that is there is read";
 }
 
-TEST_F(GraphTest, WholePowersAreProducts) {
+TEST_F(GraphTest, ExpandsIntegerPowersToProducts) {
   EXPECT_EQ(pow(x, 1.0).id, x.id);
   EXPECT_EQ(pow(x, 2.0).id, (x * x).id);
   EXPECT_EQ(pow(x, -1.0).id, (1.0 / x).id);
@@ -85,7 +85,7 @@ TEST_F(GraphTest, WholePowersAreProducts) {
     EXPECT_DOUBLE_EQ(evaluateNode(graph, pow(x, n).id, {{x.id, -1.5}}), std::pow(-1.5, n)) << n;
 }
 
-TEST_F(GraphTest, ConditionsAndNumbersConvert) {
+TEST_F(GraphTest, ConvertsBetweenConditionsAndNumbers) {
   const Expression sum = lt(x, y) + 1.0;
   EXPECT_EQ(graph.type(sum.id), ops::Type::Float);
   EXPECT_EQ(evaluateNode(graph, sum.id, {{x.id, 1}, {y.id, 2}}), 2);
@@ -94,20 +94,20 @@ TEST_F(GraphTest, ConditionsAndNumbersConvert) {
   EXPECT_EQ(evaluateNode(graph, chosen.id, {{x.id, 0}}), 7);
 }
 
-TEST_F(GraphTest, ChoicesWithTheSameConditionMerge) {
+TEST_F(GraphTest, MergesChoicesWithTheSameCondition) {
   const Expression c = lt(x, y);
   EXPECT_EQ((ifElse(c, x, 0.0) + ifElse(c, 0.0, y)).id, ifElse(c, x, y).id);
   EXPECT_EQ((ifElse(c, 1.0, 0.0) * y).id, ifElse(c, y, 0.0).id);
   EXPECT_EQ(ifElse(c, x, x).id, x.id);
 }
 
-TEST_F(GraphTest, InputsOfOtherShapesAreOthers) {
+TEST_F(GraphTest, DistinguishesInputsByShape) {
   EXPECT_EQ(graph.input("m", matrixOf(2, 3)), graph.input("m", matrixOf(2, 3)));
   EXPECT_NE(graph.input("m", matrixOf(2, 3)), graph.input("m", matrixOf(3, 2)));
   EXPECT_EQ(graph.input(graph.input("m", matrixOf(3, 2))).shape, matrixOf(3, 2));
 }
 
-TEST_F(GraphTest, CallsKeepTheirArgumentsInOrder) {
+TEST_F(GraphTest, CallsPreserveTheOrderOfArguments) {
   const std::uint32_t noise = graph.addFunction({"noise", 3}),
                       other = graph.addFunction({"other", 3});
   const std::vector<NodeId> arguments{y.id, x.id, y.id};
@@ -120,25 +120,25 @@ TEST_F(GraphTest, CallsKeepTheirArgumentsInOrder) {
   EXPECT_NE(graph.call(noise, std::vector{x.id, y.id, y.id}), call);
 }
 
-TEST_F(GraphTest, ACallOfOneArgumentHasNoList) {
+TEST_F(GraphTest, ACallStoresASingleArgumentWithoutAList) {
   const std::uint32_t bump = graph.addFunction({"bump", 1});
   const NodeId call = graph.call(bump, std::vector{x.id});
   EXPECT_EQ(graph.arguments(call), std::vector{x.id});
   EXPECT_EQ(graph.arguments(graph.call(bump, std::vector{call})), std::vector{call});
 }
 
-TEST_F(GraphTest, AConditionAsAnArgumentIsANumber) {
+TEST_F(GraphTest, ConvertsConditionsPassedAsArgumentsToNumbers) {
   const std::uint32_t bump = graph.addFunction({"bump", 1});
   const NodeId argument = graph.arguments(graph.call(bump, std::vector{lt(x, y).id}))[0];
   EXPECT_EQ(graph.type(argument), ops::Type::Float);
 }
 
-TEST_F(GraphTest, ACallIsNeverFolded) {
+TEST_F(GraphTest, NeverFoldsCalls) {
   const std::uint32_t bump = graph.addFunction({"bump", 1});
   EXPECT_TRUE(graph.isCall(graph.call(bump, std::vector{graph.constant(1)})));
 }
 
-TEST_F(GraphTest, PartialsBelongToOneCall) {
+TEST_F(GraphTest, StoresPartialsPerCall) {
   const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId call = graph.call(noise, std::vector{x.id, y.id}),
                swapped = graph.call(noise, std::vector{y.id, x.id});
@@ -150,14 +150,14 @@ TEST_F(GraphTest, PartialsBelongToOneCall) {
   EXPECT_FALSE(graph.hasPartials(swapped));
 }
 
-TEST_F(GraphTest, KnowsWhichOperationsItHas) {
+TEST_F(GraphTest, ReportsWhichOperationsItContains) {
   EXPECT_FALSE(graph.has(rowNamed("tanh")));
   graph.apply(rowNamed("tanh"), {x.id});
   EXPECT_TRUE(graph.has(rowNamed("tanh")));
   EXPECT_FALSE(graph.has(rowNamed("sin")));
 }
 
-TEST_F(GraphTest, WithoutSimplificationAnOperationStaysAsItIs) {
+TEST_F(GraphTest, LeavesOperationsUnchangedIfSimplificationIsOff) {
   Graph plain(Graph::maxNodes, Graph::Simplification::Off);
   const Expression a = scalar(plain, "a"), zero{&plain, plain.constant(0)};
   EXPECT_TRUE(plain.is((a + 0.0).id, rowNamed("add")));
@@ -168,7 +168,7 @@ TEST_F(GraphTest, WithoutSimplificationAnOperationStaysAsItIs) {
 }
 
 // If the bounds cross, the upper one is the result; WGSL rejects such constants.
-TEST_F(GraphTest, ClampOfCrossedConstantsIsTheUpperBound) {
+TEST_F(GraphTest, ClampWithCrossedConstantBoundsReturnsTheUpperOne) {
   const auto clamped = [&](double low, double high) {
     return graph.apply(rowNamed("clamp"), {x.id, graph.constant(low), graph.constant(high)});
   };
@@ -177,19 +177,19 @@ TEST_F(GraphTest, ClampOfCrossedConstantsIsTheUpperBound) {
 }
 
 // 1e-60 is zero in float32, and 1e60 infinite, although x * 1e30 may be finite.
-TEST_F(GraphTest, ConstantFactorsMeetOnlyIfFloat32HoldsTheirProduct) {
+TEST_F(GraphTest, MultipliesConstantFactorsOnlyIfFloat32HoldsTheProduct) {
   EXPECT_EQ((x * 2.0 * 3.0).id, (x * 6.0).id);
   EXPECT_TRUE(graph.is(graph.operand((x * 1e-30 * 1e-30).id, 0), rowNamed("mult")));
   EXPECT_TRUE(graph.is(graph.operand((x * 1e30 * 1e30).id, 0), rowNamed("mult")));
 }
 
-TEST_F(GraphTest, RepeatedSquaringStaysSmall) {
+TEST_F(GraphTest, RepeatedSquaringNeedsFewNodes) {
   Expression v = x;
   for (int i = 0; i < 40; ++i) v = v * v + v;
   EXPECT_LT(graph.size(), 100u);
 }
 
-TEST_F(GraphTest, AFullGraphStopsGrowingAndDoesNotCrash) {
+TEST_F(GraphTest, AFullGraphStopsGrowingWithoutCrashing) {
   Graph small(1000);
   const Expression input = scalar(small, "x");
   Expression v = input;

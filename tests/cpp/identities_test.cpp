@@ -130,7 +130,7 @@ bool isSame(double a, double b) {
 
 enum class Verdict { Kept, Lost, Exempt };
 
-// Judges whether an identity keeps what it claims for these values of its variables.
+// Checks whether an identity is as exact as it claims for these values of its variables.
 Verdict judge(const Identity& identity, const At& at, Arithmetic round) {
   const Evaluation before(identity.from, at, round), after(identity.to, at, round);
   const auto [precision, onlyNumbers] = identity.keeps;
@@ -155,9 +155,10 @@ class Chance {
   double number(Arithmetic round) {
     constexpr auto infinity = std::numeric_limits<double>::infinity();
     constexpr auto nan = std::numeric_limits<double>::quiet_NaN();
-    const double least = std::numeric_limits<float>::denorm_min(), tiny = round.smallest();
-    const std::array special{0.0,   -0.0, infinity, -infinity, nan,   least,  -least, tiny,
-                             -tiny, 1.0,  -1.0,     2.0,       1e-40, -1e-40, 3e38,   -3e38};
+    const double smallestFloat = std::numeric_limits<float>::denorm_min(), tiny = round.smallest();
+    const std::array special{0.0,  -0.0,  infinity, -infinity, nan, smallestFloat, -smallestFloat,
+                             tiny, -tiny, 1.0,      -1.0,      2.0, 1e-40,         -1e-40,
+                             3e38, -3e38};
     switch (below(3)) {
       case 0:
         return round(special[below(special.size())]);
@@ -195,7 +196,7 @@ std::string describe(const Identity& identity, const At& at) {
 }
 
 // Values that satisfy the condition, or nullopt.
-std::optional<At> drawn(const Identity& identity, Chance& chance, Arithmetic round) {
+std::optional<At> drawPoint(const Identity& identity, Chance& chance, Arithmetic round) {
   const Variables variables(identity.from);
   At at{};
   for (std::size_t i = 0; i < letters; ++i) {
@@ -210,30 +211,31 @@ std::string firstLost(std::span<const Identity> table, int points) {
   Chance chance;
   for (const Identity& identity : table) {
     for (const bool isFloat32 : {false, true}) {
-      int kept = 0;
+      int preserved = 0;
       for (int i = 0; i < points; ++i) {
-        const auto at = drawn(identity, chance, {isFloat32});
+        const auto at = drawPoint(identity, chance, {isFloat32});
         if (!at) continue;
         const Verdict verdict = judge(identity, *at, {isFloat32});
         if (verdict == Verdict::Lost) return describe(identity, *at);
-        kept += verdict == Verdict::Kept;
+        preserved += verdict == Verdict::Kept;
       }
-      if (kept < points / 40) return text(identity) + " is hardly ever judged";
+      if (preserved < points / 40)
+        return text(identity) + " has too few points at which it can be checked";
     }
   }
   return {};
 }
 
-TEST(Identities, KeepWhatTheySay) { EXPECT_EQ(firstLost(patterns::identities, 4000), ""); }
+TEST(Identities, PreserveWhatTheyClaim) { EXPECT_EQ(firstLost(patterns::identities, 4000), ""); }
 
-// Wrong identities that a blind judge would accept.
-TEST(Identities, WrongOnesAreFound) {
+// Wrong identities that would pass if the samples were badly chosen.
+TEST(Identities, TheJudgeRejectsWrongIdentities) {
   for (const Identity& wrong : patterns::wrongIdentities)
     EXPECT_NE(firstLost({&wrong, 1}, 4000), "") << text(wrong);
 }
 
 // x cos² u + x sin² u and the like, to within a few roundings of the largest product.
-TEST(Identities, OfTurnsKeepWhatTheySay) {
+TEST(Identities, RotationIdentitiesPreserveTheValue) {
   Chance chance;
   for (const Identity& identity : patterns::turns) {
     for (int i = 0; i < 4000; ++i) {
@@ -264,7 +266,7 @@ class Instance {
 
   void draw(const Identity& identity) {
     std::optional<At> at;
-    while (!at) at = drawn(identity, chance_, {true});
+    while (!at) at = drawPoint(identity, chance_, {true});
     const Variables variables(identity.from);
     for (std::size_t i = 0; i < letters; ++i) {
       if (variables.kinds[i] == Kind::Constant) nodes_[i] = graph_.constant((*at)[i]);
@@ -311,7 +313,7 @@ class Instance {
   std::array<std::optional<NodeId>, letters> nodes_;
 };
 
-TEST(Identities, AreFoundInAGraph) {
+TEST(Identities, AreAppliedInAGraph) {
   Chance chance;
   for (const Identity& identity : patterns::identities) {
     for (int i = 0; i < 20; ++i) {
@@ -335,7 +337,7 @@ class Rewriter {
   int steps = 0;
 
   NodeId apply(Op op, Operands<NodeId> operands) {
-    if (const auto known = folded(op, operands)) return *known;
+    if (const auto known = foldConstants(op, operands)) return *known;
     if (ops::has(op, ops::Trait::Commutative) && graph_.isConstant(operands[0]))
       std::swap(operands[0], operands[1]);
     patterns::Bindings bindings;
@@ -349,7 +351,7 @@ class Rewriter {
   }
 
   // Copies a node of another graph, with everything that it is computed from.
-  NodeId rewritten(const Graph& other, NodeId root) {
+  NodeId rewrite(const Graph& other, NodeId root) {
     std::map<NodeId, NodeId> made;
     for (const NodeId id : reachable(other, {&root, 1})) {
       if (other.isConstant(id)) {
@@ -366,7 +368,7 @@ class Rewriter {
   }
 
  private:
-  std::optional<NodeId> folded(Op op, const Operands<NodeId>& operands) {
+  std::optional<NodeId> foldConstants(Op op, const Operands<NodeId>& operands) {
     if (ops::declaration(op).signature.result != ops::Type::Float) return std::nullopt;
     Operands<double> x{};
     for (int i = 0; i < ops::declaration(op).arity; ++i) {
@@ -381,7 +383,7 @@ class Rewriter {
 };
 
 // Combines every identity with every other in the place of each of its variables.
-TEST(Identities, EndAndLeaveNothingToSimplify) {
+TEST(Identities, TerminateAndLeaveNothingToSimplify) {
   constexpr auto off = Graph::Simplification::Off;
   Chance chance;
   int pairs = 0;
@@ -392,16 +394,16 @@ TEST(Identities, EndAndLeaveNothingToSimplify) {
       for (std::size_t letter = 0; letter < letters; ++letter) {
         const auto kind = variables.kinds[letter];
         if (!kind || kind == Kind::Constant || variables.types[letter] != type) continue;
-        Graph written(Graph::maxNodes, off), graph(Graph::maxNodes, off);
-        Instance operand(written, chance), whole(written, chance);
-        whole.let(letter, operand(inner));
-        const NodeId root = whole(outer);
+        Graph source(Graph::maxNodes, off), graph(Graph::maxNodes, off);
+        Instance operand(source, chance), composed(source, chance);
+        composed.let(letter, operand(inner));
+        const NodeId root = composed(outer);
 
         Rewriter first(graph);
-        const NodeId simple = first.rewritten(written, root);
+        const NodeId simple = first.rewrite(source, root);
         EXPECT_LT(first.steps, Rewriter::maxSteps) << text(outer) << "; " << text(inner);
         Rewriter second(graph);
-        EXPECT_EQ(second.rewritten(graph, simple), simple);
+        EXPECT_EQ(second.rewrite(graph, simple), simple);
         EXPECT_EQ(second.steps, 0) << text(outer) << "; " << text(inner) << '\n'
                                    << print(graph, {&simple, 1});
         ++pairs;
@@ -412,9 +414,9 @@ TEST(Identities, EndAndLeaveNothingToSimplify) {
   EXPECT_GT(pairs, 2000);
 }
 
-// --- results, next to their input
+// --- simplified expressions
 
-class Simplified : public testing::Test {
+class Simplification : public testing::Test {
  protected:
   Graph graph;
   Expression x = scalar(graph, "x"), y = scalar(graph, "y"), u = scalar(graph, "u");
@@ -426,7 +428,7 @@ class Simplified : public testing::Test {
   }
 
  private:
-  // Nested, since these are short.
+  // Writes the expression as nested calls.
   std::string expression(NodeId id) const {
     if (graph.isLeaf(id)) return nameOf(graph, id);
     std::string all = std::string(ops::declaration(graph.node(id).op).name) + "(";
@@ -436,7 +438,7 @@ class Simplified : public testing::Test {
   }
 };
 
-TEST_F(Simplified, Sums) {
+TEST_F(Simplification, FoldsConstantsAndSignsOfSums) {
   EXPECT_EQ(of(x + -y), "sub(x, y)");
   EXPECT_EQ(of(-x + y), "sub(y, x)");
   EXPECT_EQ(of(2.0 + x), "add(x, 2)");
@@ -451,7 +453,7 @@ TEST_F(Simplified, Sums) {
   EXPECT_EQ(of(-x - y), "sub(neg(x), y)");
 }
 
-TEST_F(Simplified, Products) {
+TEST_F(Simplification, FoldsFactorsOfProducts) {
   EXPECT_EQ(of(x * 0.0), "0");
   EXPECT_EQ(of(x * ifElse(positive, 1.0, 0.0)), "ifElse(gt(x, 0), x, 0)");
   EXPECT_EQ(of(ifElse(positive, 0.0, 1.0) * x), "ifElse(gt(x, 0), 0, x)");
@@ -467,7 +469,7 @@ TEST_F(Simplified, Products) {
   EXPECT_EQ(of(y / sqrt(x)), "div(y, sqrt(x))");
 }
 
-TEST_F(Simplified, Powers) {
+TEST_F(Simplification, ExpandsSmallIntegerPowers) {
   EXPECT_EQ(of(pow(x, 0.0)), "1");
   EXPECT_EQ(of(pow(x, 2.0)), "mult(x, x)");
   EXPECT_EQ(of(pow(x, 3.0)), "mult(x, mult(x, x))");
@@ -478,7 +480,7 @@ TEST_F(Simplified, Powers) {
   EXPECT_EQ(of(pow(x, y)), "pow(x, y)");
 }
 
-TEST_F(Simplified, Choices) {
+TEST_F(Simplification, MergesSumsOfChoicesOnOneCondition) {
   EXPECT_EQ(of(ifElse(positive, x, 0.0) + ifElse(positive, 0.0, y)), "ifElse(gt(x, 0), x, y)");
   EXPECT_EQ(of(ifElse(positive, 0.0, x) + ifElse(positive, y, 0.0)), "ifElse(gt(x, 0), y, x)");
   EXPECT_EQ(of(ifElse(positive, x, 0.0) + ifElse(positive, y, 0.0)),
@@ -491,7 +493,7 @@ TEST_F(Simplified, Choices) {
             "add(ifElse(gt(x, 0), x, 1), ifElse(gt(x, 0), 0, y))");
 }
 
-TEST_F(Simplified, Turns) {
+TEST_F(Simplification, CancelsRotations) {
   const Expression c = cos(u), s = sin(u);
   EXPECT_EQ(of(c * c + s * s), "1");
   EXPECT_EQ(of((x * c - y * s) * c + (x * s + y * c) * s), "x");

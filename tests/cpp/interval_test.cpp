@@ -48,13 +48,13 @@ class Sampler {
 
   // Intervals of integers, small and large.
   Interval wholes() {
-    const double least = -2147483648.0, most = 2147483647.0;
+    const double lowest = -2147483648.0, highest = 2147483647.0;
     const bool isSmall = below(2) != 0;
     const auto number = [&] {
-      return isSmall ? below(81) - 40.0 : std::round(between(least, most));
+      return isSmall ? below(81) - 40.0 : std::round(between(lowest, highest));
     };
     const double a = number(), b = below(4) == 0 ? a : number();
-    return below(8) == 0 ? Interval(least, most) : Interval(std::min(a, b), std::max(a, b));
+    return below(8) == 0 ? Interval(lowest, highest) : Interval(std::min(a, b), std::max(a, b));
   }
 
   double inside(const Interval& x) {
@@ -124,7 +124,7 @@ void checkRow() {
   }
 }
 
-TEST(Interval, HoldsTheValuesOfEveryRow) {
+TEST(Interval, ContainsTheValuesOfEveryRow) {
   ops::withIndices<ops::count>([](auto... row) { (checkRow<row>(), ...); });
 }
 
@@ -160,7 +160,8 @@ void checkTightness() {
       high = std::max(high, value);
       size = std::max(size, std::abs(value));
     }
-    // Dense samples may miss an extreme inside by the square of their distance, or by a jump.
+    // Between dense samples, the function may exceed them by the square of their distance, or by a
+    // jump.
     const bool jumps = name == "fract" || name == "mod" || name == "atan2";
     const double missed = jumps ? 0.01 * (high - low) + 0.01 : 2e-5;
     const double bound = 32 * rounding * (size + std::abs(x[1].low)) + missed;
@@ -169,7 +170,7 @@ void checkTightness() {
   }
 }
 
-TEST(Interval, IsNotWiderThanTheValues) {
+TEST(Interval, IsNotMuchWiderThanTheValues) {
   ops::withIndices<ops::count>([](auto... row) { (checkTightness<row>(), ...); });
 }
 
@@ -183,7 +184,7 @@ void expectNear(Interval x, double low, double high) {
   EXPECT_TRUE(near(x.high, high)) << x.high << " for " << high;
 }
 
-TEST(Interval, ArithmeticGoesByTheCorners) {
+TEST(Interval, ArithmeticUsesTheEndsOfTheIntervals) {
   expectNear(Interval(1, 2) + Interval(-5, 3), -4, 5);
   expectNear(Interval(1, 2) - Interval(-5, 3), -2, 7);
   expectNear(Interval(-2, 3) * Interval(-5, 4), -15, 12);
@@ -191,7 +192,7 @@ TEST(Interval, ArithmeticGoesByTheCorners) {
   expectNear(square({-2, 1}), 0, 4);
 }
 
-TEST(Interval, ByARangeThatHoldsZeroAQuotientIsAnything) {
+TEST(Interval, DivisionByARangeContainingZeroIsUnbounded) {
   expectNear(Interval(1, 2) / Interval(-1, 1), -infinity, infinity);
   expectNear(Interval(1, 2) / Interval(0.0), -infinity, infinity);
   expectNear(Interval(1, 2) / Interval(-0.0, 1), -infinity, infinity);
@@ -204,7 +205,7 @@ TEST(Interval, TheInverseOfALengthIsPositive) {
   expectNear(exp(-1.0 / length), 0, std::exp(-std::sqrt(1.0 / 8)));
 }
 
-TEST(Interval, WavesHaveTheirPeaks) {
+TEST(Interval, SineAndCosineReachTheirPeaks) {
   expectNear(sin(Interval(0, 3)), 0, 1);
   expectNear(sin(Interval(3, 5)), -1, std::sin(3));
   expectNear(sin(Interval(1, 1.5)), std::sin(1), std::sin(1.5));
@@ -215,7 +216,7 @@ TEST(Interval, WavesHaveTheirPeaks) {
   expectNear(tan(Interval(1, 2)), -infinity, infinity);
 }
 
-TEST(Interval, PowersOfEverySign) {
+TEST(Interval, BoundsPowersForBasesOfEitherSign) {
   expectNear(pow(Interval(0, 2), Interval(3)), 0, 8);
   expectNear(pow(Interval(-3, 2), Interval(2)), 0, 9);
   expectNear(pow(Interval(-3, 2), Interval(3)), -27, 8);
@@ -238,7 +239,7 @@ TEST(Interval, TheAngleJumpsAtTheNegativeAxis) {
   expectNear(atan2(Interval(1, 2), Interval(-1, 1)), pi / 4, 3 * pi / 4);
 }
 
-TEST(Interval, WhatIsNoNumberIsLeftOut) {
+TEST(Interval, IgnoresNaN) {
   expectNear(sqrt(Interval(-1, 4)), 0, 2);
   EXPECT_TRUE(sqrt(Interval(-1, 4)).canBeNaN);
   EXPECT_TRUE(log(Interval(-2, -1)).isEmpty());
@@ -248,14 +249,14 @@ TEST(Interval, WhatIsNoNumberIsLeftOut) {
 }
 
 // Comparisons, min and max may return a number if an operand is NaN.
-TEST(Interval, WhatIsNoNumberMayStillDecide) {
+TEST(Interval, NaNCanStillDecideAComparison) {
   const Interval root = sqrt(Interval(-1, 4));
   EXPECT_TRUE(lt(root, 5.0).canBeFalse);
   expectNear(ifElse(lt(root, 5.0), 1.0, 2.0), 1, 2);
   expectNear(min(root, 7.0), 0, 7);
 }
 
-TEST(Interval, ConditionsAreDecidedWhereTheyAreTheSameEverywhere) {
+TEST(Interval, DecidesConditionsThatAreConstantOverTheInterval) {
   EXPECT_FALSE(lt(Interval(0, 1), Interval(2, 3)).canBeFalse);
   EXPECT_FALSE(lt(Interval(2, 3), Interval(0, 2)).canBeTrue);
   EXPECT_TRUE(le(Interval(2, 3), Interval(0, 2)).canBeTrue);

@@ -39,7 +39,7 @@ TEST_F(KinksTest, TheSlopeOfAbsIsTheSign) {
   EXPECT_EQ(slopes("abs", {-2}), Slopes{-1});
 }
 
-TEST_F(KinksTest, StepsAreFlatAtTheStepToo) {
+TEST_F(KinksTest, StepsAreFlatAtTheJumpToo) {
   for (const char* row : {"floor", "ceil", "trunc", "sign"}) {
     for (const double x : {-1.0, 0.0, 2.0}) EXPECT_EQ(slopes(row, {x}), Slopes{0}) << row << x;
   }
@@ -55,13 +55,13 @@ TEST_F(KinksTest, FractAndModHaveTheSlopeOfTheirPieces) {
   EXPECT_EQ(slopes("mod", {-1, 2}), (Slopes{1, 1}));
 }
 
-TEST_F(KinksTest, MinAndMaxTakeTheFirstOfEqualOperands) {
+TEST_F(KinksTest, MinAndMaxHaveTheSlopeOfTheFirstOfEqualOperands) {
   EXPECT_EQ(slopes("min", {2, 2}), (Slopes{1, 0}));
   EXPECT_EQ(slopes("max", {2, 2}), (Slopes{1, 0}));
 }
 
 // min(max(x, low), high), so ties are resolved in the order x, low, high.
-TEST_F(KinksTest, ClampTakesTheBranchThatTheValueTakes) {
+TEST_F(KinksTest, ClampHasTheSlopeOfTheOperandThatItReturns) {
   EXPECT_EQ(slopes("clamp", {0, 0, 1}), (Slopes{1, 0, 0})) << "x is low";
   EXPECT_EQ(slopes("clamp", {1, 0, 1}), (Slopes{1, 0, 0})) << "x is high";
   EXPECT_EQ(slopes("clamp", {1, 1, 1}), (Slopes{1, 0, 0})) << "all are equal";
@@ -74,12 +74,12 @@ TEST_F(KinksTest, ClampWithCrossedBoundsFollowsTheUpperOne) {
     EXPECT_EQ(slopes("clamp", {x, 2, 1}), (Slopes{0, 0, 1})) << x;
 }
 
-TEST_F(KinksTest, IfElseHasTheSlopeOfTheBranchThatItTakes) {
+TEST_F(KinksTest, IfElseHasTheSlopeOfTheTakenBranch) {
   EXPECT_EQ(slopes("ifElse", {1, 2, 3}), (Slopes{0, 1, 0}));
   EXPECT_EQ(slopes("ifElse", {0, 2, 3}), (Slopes{0, 0, 1}));
 }
 
-TEST_F(KinksTest, AtTheEdgeOfADomainTheSlopeIsZero) {
+TEST_F(KinksTest, TheSlopeIsZeroAtTheEdgeOfADomain) {
   EXPECT_EQ(slopes("sqrt", {0}), Slopes{0});
   EXPECT_EQ(slopes("sqrt", {-0.0}), Slopes{0});
   EXPECT_EQ(slopes("pow", {0, 0.5}), (Slopes{0, 0}));
@@ -93,7 +93,7 @@ TEST_F(KinksTest, AtTheEdgeOfADomainTheSlopeIsZero) {
   EXPECT_EQ(slopes("atan2", {0, 0}), (Slopes{0, 0}));
 }
 
-TEST_F(KinksTest, BeyondTheEdgeOfADomainTheSlopeIsZero) {
+TEST_F(KinksTest, TheSlopeIsZeroBeyondTheEdgeOfADomain) {
   EXPECT_EQ(slopes("sqrt", {-1}), Slopes{0});
   EXPECT_EQ(slopes("pow", {-2, 0.5}), (Slopes{0, 0}));
   EXPECT_EQ(slopes("pow", {-2, 2}), (Slopes{0, 0})) << "the exponent is an input, not whole";
@@ -102,13 +102,13 @@ TEST_F(KinksTest, BeyondTheEdgeOfADomainTheSlopeIsZero) {
   EXPECT_EQ(slopes("acosh", {0.5}), Slopes{0});
 }
 
-TEST_F(KinksTest, WholePowersAreProductsAndHaveTheirSlopeAnywhere) {
+TEST_F(KinksTest, IntegerPowersHaveTheirSlopeEverywhere) {
   EXPECT_EQ(slope(pow(v[0], 2.0), 0, {-3}), -6);
   EXPECT_EQ(slope(pow(v[0], 1.0), 0, {0}), 1);
   EXPECT_EQ(slope(pow(v[0], 3.0), 0, {0}), 0);
 }
 
-TEST_F(KinksTest, LengthDistAndNormalizeAreSafeAtZero) {
+TEST_F(KinksTest, LengthDistAndNormalizeHaveFiniteSlopesAtZero) {
   const Value w = variable(graph, "w", vectorOf(3));
   for (int by = 0; by < 3; ++by) {
     EXPECT_EQ(slope(length(v), by, {0, 0, 0}), 0);
@@ -120,7 +120,7 @@ TEST_F(KinksTest, LengthDistAndNormalizeAreSafeAtZero) {
   }
 }
 
-TEST_F(KinksTest, WhereThePositionIsInfiniteSoIsTheSlope) {
+TEST_F(KinksTest, TheSlopeIsInfiniteWhereTheValueIs) {
   EXPECT_EQ(slopes("log", {0}), Slopes{infinity});
   EXPECT_EQ(slopes("log2", {0}), Slopes{infinity});
   EXPECT_EQ(slopes("inversesqrt", {0}), Slopes{-infinity});

@@ -1,4 +1,4 @@
-// Expressions of a host: those that mean the same, or a part of the same.
+// Host expressions: which of them denote the same value, or components of the same value.
 #include "module/label.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace warpjet {
 namespace {
 
-TEST(Labels, SpacesAndIdleParenthesesMeanNothing) {
+TEST(Labels, IgnoresSpacesAndRedundantParentheses) {
   for (const char* text : {" p", "p ", "(p)", "( ( p ) )"}) EXPECT_EQ(readLabel(text).text, "p");
   for (const char* text : {"p . x", "(p).x", "((p)) . x", "(p.x)", " p.x "})
     EXPECT_EQ(readLabel(text).text, "p.x") << text;
@@ -16,7 +16,7 @@ TEST(Labels, SpacesAndIdleParenthesesMeanNothing) {
             readLabel("( m * vec4((p), 1.0) ) . xyz").root);
 }
 
-TEST(Labels, ParenthesesThatMeanSomethingStay) {
+TEST(Labels, PreservesSignificantParentheses) {
   EXPECT_NE(readLabel("(a + b) * c").root, readLabel("a + b * c").root);
   EXPECT_NE(readLabel("f(a)").root, readLabel("f").root);
   EXPECT_NE(readLabel("a - -b").root, readLabel("a - b").root);
@@ -27,7 +27,7 @@ TEST(Labels, ParenthesesThatMeanSomethingStay) {
 
 using Parts = std::optional<std::vector<int>>;
 
-TEST(Labels, PartsOfVectors) {
+TEST(Labels, RecognizesPartsOfVectors) {
   const auto of = [](const char* part) {
     return partOf(readLabel("a.p"), vectorOf(3), readLabel(part));
   };
@@ -40,7 +40,7 @@ TEST(Labels, PartsOfVectors) {
     EXPECT_EQ(of(other), Parts{}) << other;
 }
 
-TEST(Labels, PartsOfMatrices) {
+TEST(Labels, RecognizesPartsOfMatrices) {
   const auto of = [](const char* part) {
     return partOf(readLabel("m"), matrixOf(2, 3), readLabel(part));
   };
@@ -52,14 +52,14 @@ TEST(Labels, PartsOfMatrices) {
     EXPECT_EQ(of(other), Parts{}) << other;
 }
 
-TEST(Labels, PartsOfASelection) {
+TEST(Labels, RecognizesPartsOfASwizzle) {
   const Label zx = readLabel("p.zx");
   EXPECT_EQ(partOf(zx, vectorOf(2), readLabel("p.x")), Parts{{1}});
   EXPECT_EQ(partOf(zx, vectorOf(2), readLabel("p[2]")), Parts{{0}});
   EXPECT_EQ(partOf(zx, vectorOf(2), readLabel("p.y")), Parts{});
 }
 
-TEST(Labels, WhatMayBeTheSameNumber) {
+TEST(Labels, DetectsExpressionsThatMayOverlap) {
   const auto meet = [](const char* a, const char* b) {
     return mayOverlap(readLabel(a), readLabel(b));
   };

@@ -136,7 +136,7 @@ class Worst {
   float got_ = 0;
 };
 
-TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
+TEST(Lanes, EveryRowAgreesWithItsValueInDouble) {
   std::mt19937 random(1);
   for (std::size_t row = 0; row < ops::count; ++row) {
     const ops::Declaration& info = ops::declarations[row];
@@ -171,7 +171,7 @@ TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
   }
 }
 
-TEST(Lanes, FunctionsOfOneNumberKeepTheirBoundsOverAllFloats) {
+TEST(Lanes, UnaryFunctionsMeetTheirErrorBoundsForAllFloats) {
   for (std::size_t row = 0; row < ops::count; ++row) {
     if (!isFloatFunction(ops::declarations[row], 1)) continue;
     Worst worst(row, boundOf(ops::declarations[row].name));
@@ -216,14 +216,14 @@ std::vector<float> specialFloats() {
   return floats;
 }
 
-TEST(Lanes, FunctionsOfOneNumberAreRightAtSpecialValues) {
+TEST(Lanes, UnaryFunctionsAreCorrectAtSpecialValues) {
   for (std::size_t row = 0; row < ops::count; ++row) {
     if (isFloatFunction(ops::declarations[row], 1))
       Worst(row, boundOf(ops::declarations[row].name)).check(specialFloats());
   }
 }
 
-TEST(Lanes, FunctionsOfTwoNumbersAreRightAtSpecialValues) {
+TEST(Lanes, BinaryFunctionsAreCorrectAtSpecialValues) {
   for (std::size_t row = 0; row < ops::count; ++row) {
     const ops::Declaration& info = ops::declarations[row];
     // mod rounds x / y, as in all languages: for large x its value has a large error.
@@ -236,7 +236,7 @@ TEST(Lanes, FunctionsOfTwoNumbersAreRightAtSpecialValues) {
   }
 }
 
-TEST(Lanes, ModIsThatOfFloats) {
+TEST(Lanes, ModMatchesFloatArithmetic) {
   const Lanes x = Lanes::Floats{-1, 1, 5.5, -0.25}, y = Lanes::Floats{3, -3, 2, 1};
   const Lanes rest = mod(x, y);
   for (const auto& [i, expected] :
@@ -245,7 +245,7 @@ TEST(Lanes, ModIsThatOfFloats) {
   EXPECT_TRUE(std::isnan(mod(Lanes(1.0f), Lanes(0.0f))[0]));
 }
 
-TEST(Lanes, PowersAndAnglesKeepTheirBounds) {
+TEST(Lanes, PowAndAtanMeetTheirErrorBounds) {
   std::mt19937 random(1);
   for (const std::string_view name : {"pow", "atan2"}) {
     Worst worst(rowNamed(name), 1.6);
@@ -269,7 +269,7 @@ TEST(Lanes, PowersAndAnglesKeepTheirBounds) {
 
 // There the sine, the cosine or the tangent is close to 0, and x has few digits more than the
 // multiple of π/2.
-TEST(Lanes, AnglesNextToMultiplesOfRightAnglesKeepTheirDigits) {
+TEST(Lanes, AnglesNearMultiplesOfRightAnglesAreAccurate) {
   std::vector<float> xs;
   for (int k = 1; k < 20'000; ++k) {
     const auto multiple = static_cast<float>(k * 1.5707963267948966);

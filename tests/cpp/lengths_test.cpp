@@ -47,7 +47,7 @@ class LengthsTest : public testing::Test {
   }
 };
 
-TEST_F(LengthsTest, FollowEveryChangeOfAName) {
+TEST_F(LengthsTest, AreUpdatedWhenANameChanges) {
   std::mt19937 random(7);
   const auto below = [&](std::size_t count) { return random() % count; };
   const Value p = vector3(graph, "position"), q = vector3(graph, "aLongNameThatIsCut");
@@ -99,7 +99,7 @@ TEST_F(LengthsTest, FollowEveryChangeOfAName) {
   expectAll(lengths, nodes);
 }
 
-TEST_F(LengthsTest, AChainWithoutNamesIsNoChainOfCalls) {
+TEST_F(LengthsTest, AreComputedWithoutRecursionForALongChain) {
   Expression x = scalar(graph, "x");
   std::vector<NodeId> nodes{x.id};
   for (int i = 0; i < 100'000; ++i) nodes.push_back((x = sin(x)).id);

@@ -37,7 +37,7 @@ std::size_t digitsOf(const std::string& text) {
 }
 
 // The standard library's shortest digits are the oracle; one more is allowed at ties.
-TEST(Literal, AnyFloatReadsBackWithTheFewestDigits) {
+TEST(Literal, WritesTheFewestDigitsThatReadBackAsTheSameFloat) {
   std::mt19937 random(1);
   int longer = 0, count = 0;
   for (int i = 0; i < 60'000; ++i) {

@@ -21,7 +21,7 @@ class LowerTest : public testing::Test {
   Graph graph;
   Value v = variable(graph, "v", vectorOf(3));
 
-  Expression lowered(Expression root, Language language) {
+  Expression lowerRoot(Expression root, Language language) {
     Comments none;
     return {&graph, lower(graph, {&root.id, 1}, language, none)[0]};
   }
@@ -53,14 +53,14 @@ class LowerTest : public testing::Test {
 constexpr auto domains =
     std::apply([](const auto&... row) { return std::array{row.domain...}; }, ops::table);
 
-TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissing) {
+TEST_F(LowerTest, EveryLoweredRowHasTheSameValueAndIsWritable) {
   std::mt19937 random(1);
   for (const ops::Declaration& info : ops::declarations) {
     const Expression root = apply(info.name);
     for (const Language language : languages) {
       // Languages without bitwise operations report that; see tests/glsl-source/glsl.test.js.
       if (!findUnsupported(graph, {&root.id, 1}, language).empty()) continue;
-      const Expression low = lowered(root, language);
+      const Expression low = lowerRoot(root, language);
       expectWritable(low.id, language, info.name);
       for (int i = 0; i < 50; ++i) {
         Inputs at = point(random, domains[index(rowNamed(info.name))]);
@@ -75,7 +75,7 @@ TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissi
   }
 }
 
-TEST_F(LowerTest, DerivativesTakenBeforeKeepTheirValues) {
+TEST_F(LowerTest, LoweringPreservesTheValuesOfDerivatives) {
   Differentiator differentiator(graph);
   std::mt19937 random(2);
   for (const ops::Declaration& info : ops::declarations) {
@@ -84,7 +84,7 @@ TEST_F(LowerTest, DerivativesTakenBeforeKeepTheirValues) {
     const Expression curvature{&graph, differentiator.derivative(slope.id, v[0].id)};
     for (const Language language : languages) {
       for (const Expression derivative : {slope, curvature}) {
-        const Expression low = lowered(derivative, language);
+        const Expression low = lowerRoot(derivative, language);
         expectWritable(low.id, language, info.name);
         const Inputs at = point(random, domains[index(rowNamed(info.name))]);
         const double expected = evaluateNode(graph, derivative.id, at);
@@ -96,39 +96,39 @@ TEST_F(LowerTest, DerivativesTakenBeforeKeepTheirValues) {
   }
 }
 
-TEST_F(LowerTest, WhatTheLanguageHasStaysTheSameNode) {
+TEST_F(LowerTest, OperationsThatTheLanguageHasAreUnchanged) {
   const Expression f = sin(v[0]) * floor(v[1]) + mod(v[0], v[2]);
-  EXPECT_EQ(lowered(f, Language::Glsl300).id, f.id);
-  EXPECT_EQ(lowered(f, Language::Glsl100).id, f.id);
-  EXPECT_NE(lowered(f, Language::Wgsl).id, f.id) << "WGSL lacks mod";
+  EXPECT_EQ(lowerRoot(f, Language::Glsl300).id, f.id);
+  EXPECT_EQ(lowerRoot(f, Language::Glsl100).id, f.id);
+  EXPECT_NE(lowerRoot(f, Language::Wgsl).id, f.id) << "WGSL lacks mod";
 }
 
-TEST_F(LowerTest, OneThatIsMissingInsideOfAnotherIsLoweredToo) {
+TEST_F(LowerTest, LowersNestedMissingOperations) {
   const Expression inner = apply("trunc");
   const Expression outer{&graph, graph.apply(rowNamed("tanh"), {(inner * v[1]).id})};
-  const Expression low = lowered(sin(outer) + v[2], Language::Glsl100);
+  const Expression low = lowerRoot(sin(outer) + v[2], Language::Glsl100);
   expectWritable(low.id, Language::Glsl100, "sin(tanh(trunc(x) * y)) + z");
   const Inputs at{{v[0].id, -2.75}, {v[1].id, 0.25}, {v[2].id, 3}};
   EXPECT_DOUBLE_EQ(evaluateNode(graph, low.id, at), std::sin(std::tanh(-0.5)) + 3);
 }
 
-TEST_F(LowerTest, CallsAreKeptWithLoweredArguments) {
+TEST_F(LowerTest, LowersTheArgumentsOfCalls) {
   const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId arguments[] = {apply("trunc").id, v[1].id};
   const Expression f = sin(Expression{&graph, graph.call(noise, arguments)});
-  const Expression low = lowered(f, Language::Glsl100);
+  const Expression low = lowerRoot(f, Language::Glsl100);
   expectWritable(low.id, Language::Glsl100, "sin(noise(trunc(x), y))");
   EXPECT_EQ(body(low, glsl100), "sin(noise(sign(v.x) * floor(abs(v.x)), v.y))");
-  EXPECT_EQ(lowered(f, Language::Glsl300).id, f.id) << "nothing to lower in it";
+  EXPECT_EQ(lowerRoot(f, Language::Glsl300).id, f.id) << "nothing to lower in it";
 }
 
-TEST_F(LowerTest, ACallWithNothingToLowerStaysTheSameNode) {
+TEST_F(LowerTest, ACallWithNothingToLowerIsUnchanged) {
   const std::uint32_t noise = graph.addFunction({"noise", 1});
   const Expression call{&graph, graph.call(noise, std::vector{v[0].id})};
-  EXPECT_EQ(lowered(call, Language::Glsl100).id, call.id);
+  EXPECT_EQ(lowerRoot(call, Language::Glsl100).id, call.id);
 }
 
-TEST_F(LowerTest, LeavesAndRepeatedRootsAreFine) {
+TEST_F(LowerTest, AcceptsLeavesAndRepeatedRoots) {
   const NodeId seven = graph.constant(7), truncated = apply("trunc").id;
   const std::vector<NodeId> roots{v[0].id, seven, truncated, truncated, v[0].id};
   Comments none;
@@ -140,7 +140,7 @@ TEST_F(LowerTest, LeavesAndRepeatedRootsAreFine) {
   EXPECT_EQ(low[4], v[0].id);
 }
 
-TEST_F(LowerTest, NewNodesHaveTheCommentOfTheNodeThatTheyStandFor) {
+TEST_F(LowerTest, NewNodesInheritTheCommentOfTheReplacedNode) {
   const auto end = [&] { return NodeId{static_cast<std::uint32_t>(graph.size())}; };
   const NodeId first = end();
   const Expression truncated = apply("trunc");
@@ -152,10 +152,10 @@ TEST_F(LowerTest, NewNodesHaveTheCommentOfTheNodeThatTheyStandFor) {
   EXPECT_EQ(comments.texts[comments.find(low)->text], "the cut");
 }
 
-TEST_F(LowerTest, ALongChainNeitherRecursesNorTakesLong) {
+TEST_F(LowerTest, LowersALongChainWithoutRecursion) {
   Expression f = v[0];
   for (int i = 0; i < 100'000; ++i) f = {&graph, graph.apply(rowNamed("tanh"), {f.id})};
-  EXPECT_LT(index(lowered(f, Language::Glsl100).id), 1'200'000u);
+  EXPECT_LT(index(lowerRoot(f, Language::Glsl100).id), 1'200'000u);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Machine code: numbers and a whole module against bytes by hand. tests/cpu/machine-code.test.js
-// checks in an engine that it computes the same as the interpreter.
+// Compares the encoding of numbers and a whole module with bytes written by hand.
+// tests/cpu/machine-code.test.js runs machine code and compares it with the interpreter.
 #include "eval/machine_code.hpp"
 
 #include <gtest/gtest.h>
@@ -16,36 +16,36 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes numbered(std::uint32_t x) {
+Bytes encodeUnsigned(std::uint32_t x) {
   WasmBytes bytes;
   bytes.number(x);
   return bytes.bytes();
 }
 
-Bytes signedly(std::int32_t x) {
+Bytes encodeSigned(std::int32_t x) {
   WasmBytes bytes;
   bytes.signedNumber(x);
   return bytes.bytes();
 }
 
 // The examples of the DWARF standard, where LEB128 comes from, and the limits of 32 bits.
-TEST(WasmBytes, NumbersAreLEB128) {
-  EXPECT_EQ(numbered(2), (Bytes{2}));
-  EXPECT_EQ(numbered(127), (Bytes{127}));
-  EXPECT_EQ(numbered(128), (Bytes{0x80, 1}));
-  EXPECT_EQ(numbered(12857), (Bytes{0x80 + 57, 100}));
-  EXPECT_EQ(numbered(~0u), (Bytes{0xff, 0xff, 0xff, 0xff, 0x0f}));
-  EXPECT_EQ(signedly(2), (Bytes{2}));
-  EXPECT_EQ(signedly(-2), (Bytes{0x7e}));
-  EXPECT_EQ(signedly(63), (Bytes{63}));
-  EXPECT_EQ(signedly(64), (Bytes{0xc0, 0}));
-  EXPECT_EQ(signedly(127), (Bytes{0xff, 0}));
-  EXPECT_EQ(signedly(-127), (Bytes{0x81, 0x7f}));
-  EXPECT_EQ(signedly(-128), (Bytes{0x80, 0x7f}));
-  EXPECT_EQ(signedly(INT32_MIN), (Bytes{0x80, 0x80, 0x80, 0x80, 0x78}));
+TEST(WasmBytes, EncodesNumbersAsLEB128) {
+  EXPECT_EQ(encodeUnsigned(2), (Bytes{2}));
+  EXPECT_EQ(encodeUnsigned(127), (Bytes{127}));
+  EXPECT_EQ(encodeUnsigned(128), (Bytes{0x80, 1}));
+  EXPECT_EQ(encodeUnsigned(12857), (Bytes{0x80 + 57, 100}));
+  EXPECT_EQ(encodeUnsigned(~0u), (Bytes{0xff, 0xff, 0xff, 0xff, 0x0f}));
+  EXPECT_EQ(encodeSigned(2), (Bytes{2}));
+  EXPECT_EQ(encodeSigned(-2), (Bytes{0x7e}));
+  EXPECT_EQ(encodeSigned(63), (Bytes{63}));
+  EXPECT_EQ(encodeSigned(64), (Bytes{0xc0, 0}));
+  EXPECT_EQ(encodeSigned(127), (Bytes{0xff, 0}));
+  EXPECT_EQ(encodeSigned(-127), (Bytes{0x81, 0x7f}));
+  EXPECT_EQ(encodeSigned(-128), (Bytes{0x80, 0x7f}));
+  EXPECT_EQ(encodeSigned(INT32_MIN), (Bytes{0x80, 0x80, 0x80, 0x80, 0x78}));
 }
 
-TEST(WasmBytes, TextsAndSectionsHaveTheirLengthBefore) {
+TEST(WasmBytes, PrefixesStringsAndSectionsWithTheirLength) {
   WasmBytes contents, module;
   contents.text("run");
   contents.text("lanes_", "exp");
@@ -68,13 +68,13 @@ class MachineCodeTest : public testing::Test {
     return machineCode(registers, inputs, results, 36);
   }
 
-  static bool holds(const Bytes& bytes, const Bytes& part) {
+  static bool contains(const Bytes& bytes, const Bytes& part) {
     return std::search(bytes.begin(), bytes.end(), part.begin(), part.end()) != bytes.end();
   }
 };
 
 // x + 2, assembled with the specification's tables of opcodes.
-TEST_F(MachineCodeTest, AModuleByHand) {
+TEST_F(MachineCodeTest, MatchesAModuleAssembledByHand) {
   const MachineCode made = codeOf(x + 2.0);
   EXPECT_EQ(made.sharedAt, 36u);
   EXPECT_EQ(made.shared, (std::vector<std::uint32_t>{0x40000000})) << "2.0f";
@@ -95,31 +95,31 @@ TEST_F(MachineCodeTest, AModuleByHand) {
     add({0x20, 2, 0x20, 4, 0xfd, 0x5a, 2, static_cast<std::uint8_t>(20 + 4 * lane), lane});
   add({0x0b});
   body.insert(body.begin(), static_cast<std::uint8_t>(body.size()));
-  EXPECT_TRUE(holds(made.module, body));
+  EXPECT_TRUE(contains(made.module, body));
 }
 
 // `start` computes the values that all vertices share: they are among the shared numbers, after the
 // constants and before those of formulas.
-TEST_F(MachineCodeTest, SharedNumbersStandInOrder) {
+TEST_F(MachineCodeTest, OrdersSharedNumbers) {
   const MachineCode made = codeOf(x * (time * 3.0 + 1.0));
   ASSERT_EQ(made.shared.size(), 5u);
   EXPECT_EQ(made.shared[0], __builtin_bit_cast(std::uint32_t, 3.0f));
   EXPECT_EQ(made.shared[1], __builtin_bit_cast(std::uint32_t, 1.0f));
   // The time, and `start` stores its multiple: local 0, … v128.store32_lane at 36 + 4 · 3.
-  EXPECT_TRUE(holds(made.module, {0xfd, 0x5a, 2, 36 + 12, 0}));
+  EXPECT_TRUE(contains(made.module, {0xfd, 0x5a, 2, 36 + 12, 0}));
   EXPECT_GT(codeOf(sin(x)).shared.size(), 5u) << "the coefficients of a sine";
 }
 
 // Only used functions are imported, by the names that js-bindings/wasm/evaluation.cpp exports.
-TEST_F(MachineCodeTest, ImportsWhatItCalls) {
+TEST_F(MachineCodeTest, ImportsOnlyTheFunctionsItCalls) {
   const auto name = [](std::string_view text) { return Bytes(text.begin(), text.end()); };
-  EXPECT_TRUE(holds(codeOf(exp(x)).module, name("lanes_exp")));
-  EXPECT_FALSE(holds(codeOf(exp(x)).module, name("lanes_log")));
-  EXPECT_FALSE(holds(codeOf(x * x).module, name("lanes_exp")));
+  EXPECT_TRUE(contains(codeOf(exp(x)).module, name("lanes_exp")));
+  EXPECT_FALSE(contains(codeOf(exp(x)).module, name("lanes_log")));
+  EXPECT_FALSE(contains(codeOf(x * x).module, name("lanes_exp")));
 }
 
 // Many instructions are split into several functions, with registers in memory between them.
-TEST_F(MachineCodeTest, ALongProgramIsCut) {
+TEST_F(MachineCodeTest, SplitsALongProgramIntoFunctions) {
   Expression sum = x;
   for (int i = 0; i < 1200; ++i) sum = sum * sum + x;
   const MachineCode made = codeOf(sum);

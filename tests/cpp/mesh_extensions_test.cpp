@@ -24,24 +24,24 @@ Loaded load(const File& file, const Files& files = {}) {
 
 Mesh meshOf(const File& file) { return load(file).mesh.value_or(Mesh{}); }
 
-void expectNear(const Floats& came, const Floats& expected) {
-  ASSERT_EQ(came.size(), expected.size());
-  for (std::size_t i = 0; i < came.size(); ++i) EXPECT_NEAR(came[i], expected[i], 1e-6f) << i;
+void expectNear(const Floats& actual, const Floats& expected) {
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t i = 0; i < actual.size(); ++i) EXPECT_NEAR(actual[i], expected[i], 1e-6f) << i;
 }
 
-json replaced(int count, int indices, int componentType, int values) {
+json sparseJson(int count, int indices, int componentType, int values) {
   return {{"count", count},
           {"indices", {{"bufferView", indices}, {"componentType", componentType}}},
           {"values", {{"bufferView", values}}}};
 }
 
-TEST(GltfExtensions, ReadsSparseIndicesUponZeros) {
+TEST(GltfExtensions, ReadsSparseIndicesOverZeros) {
   GltfBuilder file;
   const int places = file.view<std::uint8_t>({1, 2}), values = file.view<std::uint8_t>({3, 2});
   const int corners = file.add("accessors", {{"componentType", 5121},
                                              {"count", 3},
                                              {"type", "SCALAR"},
-                                             {"sparse", replaced(2, places, 5121, values)}});
+                                             {"sparse", sparseJson(2, places, 5121, values)}});
   const int square = file.floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3");
   file.mesh({{"POSITION", square}}, {{"indices", corners}});
   file.node({{"mesh", 0}});
@@ -49,14 +49,14 @@ TEST(GltfExtensions, ReadsSparseIndicesUponZeros) {
 }
 
 // A triangle with one target, which lifts its third vertex by 2 and tilts its normal.
-GltfBuilder morphed(const json& meshWeights, const json& nodeWeights) {
+GltfBuilder morphFile(const json& meshWeights, const json& nodeWeights) {
   GltfBuilder file;
   const int normals = file.floats({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
   const int place = file.view<std::uint8_t>({2}), value = file.view<float>({0, 0, 2});
   const int lift = file.add("accessors", {{"componentType", 5126},
                                           {"count", 3},
                                           {"type", "VEC3"},
-                                          {"sparse", replaced(1, place, 5121, value)}});
+                                          {"sparse", sparseJson(1, place, 5121, value)}});
   const int turn = file.floats({0, 0, 0, 0, 0, 0, 0, 1.5f, -0.5f}, "VEC3");
   const int uvs = file.floats({0, 0, 1, 0, 0, 1}, "VEC2");
   const int moved = file.floats({0.5f, 0.25f, 0, 0, 0, 0}, "VEC2");
@@ -69,37 +69,37 @@ GltfBuilder morphed(const json& meshWeights, const json& nodeWeights) {
 }
 
 TEST(GltfExtensions, AppliesWeightsOfMorphTargets) {
-  const Mesh mesh = meshOf(morphed({0.5}, nullptr).glb());
+  const Mesh mesh = meshOf(morphFile({0.5}, nullptr).glb());
   EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 1}));
   // (0, 0.75, 0.75), normalized
   expectNear(mesh.normals, {0, 0, 1, 0, 0, 1, 0, std::sqrt(0.5f), std::sqrt(0.5f)});
   EXPECT_EQ(mesh.uvs, (Floats{0.25f, 0.125f, 1, 0, 0, 1}));
   // The weights of a node override those of its mesh.
-  EXPECT_EQ(meshOf(morphed({0.5}, {1}).glb()).positions[8], 2);
-  EXPECT_EQ(meshOf(morphed({0.5}, {0}).glb()).positions, triangle);
-  EXPECT_EQ(meshOf(morphed(nullptr, {-1}).glb()).positions[8], -2);
-  EXPECT_EQ(meshOf(morphed(nullptr, nullptr).glb()).positions, triangle);
-  EXPECT_EQ(load(morphed({1}, nullptr).glb()).warnings,
+  EXPECT_EQ(meshOf(morphFile({0.5}, {1}).glb()).positions[8], 2);
+  EXPECT_EQ(meshOf(morphFile({0.5}, {0}).glb()).positions, triangle);
+  EXPECT_EQ(meshOf(morphFile(nullptr, {-1}).glb()).positions[8], -2);
+  EXPECT_EQ(meshOf(morphFile(nullptr, nullptr).glb()).positions, triangle);
+  EXPECT_EQ(load(morphFile({1}, nullptr).glb()).warnings,
             Names{"The model has morph targets; it has the shape that their weights in the file "
                   "give it."});
-  EXPECT_EQ(load(morphed({0}, nullptr).glb()).warnings,
+  EXPECT_EQ(load(morphFile({0}, nullptr).glb()).warnings,
             Names{"The model has morph targets; they are ignored, and it keeps its base shape."});
 }
 
 TEST(GltfExtensions, ComputesNormalsOfTheMorphedShape) {
-  GltfBuilder file = morphed({0.5}, nullptr);
+  GltfBuilder file = morphFile({0.5}, nullptr);
   file.tree["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
   // The cross product of (1, 0, 0) and (0, 1, 1).
   const float half = std::sqrt(0.5f);
   expectNear(meshOf(file.glb()).normals, {0, -half, half, 0, -half, half, 0, -half, half});
 }
 
-TEST(GltfExtensions, RefusesMorphTargetsThatDoNotFit) {
-  GltfBuilder file = morphed({1}, nullptr);
+TEST(GltfExtensions, RejectsInconsistentMorphTargets) {
+  GltfBuilder file = morphFile({1}, nullptr);
   file.tree["accessors"][1]["count"] = 4;
   EXPECT_NE(loadMesh(file.glb()).problem.find("3 positions, but 4 of its morph target's POSITION"),
             std::string::npos);
-  GltfBuilder many = morphed({1}, nullptr);
+  GltfBuilder many = morphFile({1}, nullptr);
   auto& mesh = many.tree["meshes"][0];
   mesh["weights"] = std::vector<int>(40, 1);
   mesh["primitives"][0]["targets"] = std::vector<json>(40, {{"POSITION", 1}});
@@ -109,13 +109,13 @@ TEST(GltfExtensions, RefusesMorphTargetsThatDoNotFit) {
   EXPECT_NE(loadMesh(many.glb()).problem.find("morph targets"), std::string::npos);
 }
 
-GltfBuilder instanced(const json& attributes, GltfBuilder file = triangleFile()) {
+GltfBuilder instanceFile(const json& attributes, GltfBuilder file = triangleFile()) {
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
   file.tree["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
   return file;
 }
 
-TEST(GltfExtensions, MakesTrianglesOfInstances) {
+TEST(GltfExtensions, ExpandsInstancesToTriangles) {
   GltfBuilder file = triangleFile();
   const int places = file.floats({0, 0, 0, 10, 0, 0, 20, 0, 0}, "VEC3");
   // The second instance is rotated by 90 degrees around z.
@@ -124,25 +124,25 @@ TEST(GltfExtensions, MakesTrianglesOfInstances) {
   const int sizes = file.floats({1, 1, 1, 1, 1, 1, 2, 3, -1}, "VEC3");
   file.tree["nodes"][0]["translation"] = {0, 0, 5};
   const Mesh mesh = meshOf(
-      instanced({{"TRANSLATION", places}, {"ROTATION", turns}, {"SCALE", sizes}}, file).glb());
+      instanceFile({{"TRANSLATION", places}, {"ROTATION", turns}, {"SCALE", sizes}}, file).glb());
   expectNear(mesh.positions, {0,  0, 5, 1,  0, 5, 0,  1, 5,  //
                               10, 0, 5, 10, 1, 5, 9,  0, 5,  //
                               20, 0, 5, 22, 0, 5, 20, 3, 5});
   // The third instance is mirrored.
   EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 3, 4, 5, 6, 8, 7}));
 
-  EXPECT_EQ(meshOf(instanced({{"TRANSLATION", places}, {"_ID", 99}}, file).glb()).vertexCount(),
+  EXPECT_EQ(meshOf(instanceFile({{"TRANSLATION", places}, {"_ID", 99}}, file).glb()).vertexCount(),
             9u);
-  EXPECT_EQ(meshOf(instanced({{"SCALE", sizes}}, file).glb()).vertexCount(), 9u);
-  EXPECT_EQ(meshOf(instanced(json::object(), file).glb()).vertexCount(), 3u);
+  EXPECT_EQ(meshOf(instanceFile({{"SCALE", sizes}}, file).glb()).vertexCount(), 9u);
+  EXPECT_EQ(meshOf(instanceFile(json::object(), file).glb()).vertexCount(), 3u);
 }
 
-TEST(GltfExtensions, RefusesInstancesThatLie) {
+TEST(GltfExtensions, RejectsInconsistentInstances) {
   GltfBuilder file = triangleFile();
   const int three = file.floats({0, 0, 0, 1, 0, 0, 2, 0, 0}, "VEC3");
   const int two = file.floats({1, 1, 1, 1, 1, 1}, "VEC3");
   const auto problem = [&](const json& attributes) {
-    return loadMesh(instanced(attributes, file).glb()).problem;
+    return loadMesh(instanceFile(attributes, file).glb()).problem;
   };
   EXPECT_NE(problem({{"TRANSLATION", three}, {"SCALE", two}}).find("instances"), std::string::npos);
   EXPECT_NE(problem({{"TRANSLATION", 99}}).find("accessor 99"), std::string::npos);
@@ -151,7 +151,7 @@ TEST(GltfExtensions, RefusesInstancesThatLie) {
   EXPECT_NE(problem({{"TRANSLATION", bomb}}).find("more than 1,048,576 parts"), std::string::npos);
 }
 
-TEST(GltfExtensions, HidesNodesAndWhatIsBelow) {
+TEST(GltfExtensions, HidesNodesAndTheirDescendants) {
   GltfBuilder file = triangleFile();
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"KHR_node_visibility"};
   file.node(
@@ -165,7 +165,7 @@ TEST(GltfExtensions, HidesNodesAndWhatIsBelow) {
   EXPECT_NE(loadMesh(file.glb()).problem.find("visible must be true or false"), std::string::npos);
 }
 
-TEST(GltfExtensions, TakesColorsOfSpecularGlossiness) {
+TEST(GltfExtensions, ReadsColorsFromSpecularGlossiness) {
   GltfBuilder file = triangleFile();
   file.tree["extensionsUsed"] =
       file.tree["extensionsRequired"] = {"KHR_materials_pbrSpecularGlossiness"};
@@ -190,7 +190,7 @@ TEST(GltfExtensions, TakesColorsOfSpecularGlossiness) {
   EXPECT_EQ(load(file.glb()).mesh->material->baseColor, (std::array<float, 4>{1, 1, 1, 1}));
 }
 
-TEST(GltfExtensions, LosesOnlyTexturesOfFormatsItDoesNotRead) {
+TEST(GltfExtensions, SkipsOnlyTexturesInUnsupportedFormats) {
   for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif",
                                 "MSFT_texture_dds", "KHR_texture_procedurals"}) {
     GltfBuilder file = triangleFile();
@@ -211,7 +211,7 @@ TEST(GltfExtensions, LosesOnlyTexturesOfFormatsItDoesNotRead) {
 }
 
 // A triangle with positions in a view compressed by meshopt, which is not decoded here.
-GltfBuilder compressed(const json& packed = json::object()) {
+GltfBuilder compressedFile(const json& packed = json::object()) {
   GltfBuilder file = triangleFile();
   file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"EXT_meshopt_compression"};
   json extension = {
@@ -230,8 +230,8 @@ std::vector<std::uint8_t> rawBytes(const Floats& numbers) {
   return {first, first + numbers.size() * sizeof(float)};
 }
 
-TEST(GltfExtensions, TakesUnpackedViews) {
-  const File file = compressed().glb();
+TEST(GltfExtensions, AcceptsDecompressedViews) {
+  const File file = compressedFile().glb();
   ModelFile model(file);
   const std::vector<PackedPart> parts = model.packedParts({});
   ASSERT_EQ(parts.size(), 1u);
@@ -251,15 +251,15 @@ TEST(GltfExtensions, TakesUnpackedViews) {
 }
 
 TEST(GltfExtensions, ReadsTheFallbackOfACompressedView) {
-  GltfBuilder file = compressed();
+  GltfBuilder file = compressedFile();
   file.tree["buffers"][1]["uri"] = "plain.bin";
   EXPECT_EQ(load(file.glb(), {{"plain.bin", rawBytes(triangle)}}).mesh->positions, triangle);
   EXPECT_NE(loadMesh(file.glb()).problem.find("no decoder here"), std::string::npos);
 }
 
-TEST(GltfExtensions, RefusesCompressedViewsThatLie) {
+TEST(GltfExtensions, RejectsInconsistentCompressedViews) {
   const auto problem = [](const json& packed, std::vector<std::uint8_t> bytes = {}) {
-    const File file = compressed(packed).glb();
+    const File file = compressedFile(packed).glb();
     ModelFile model(file);
     try {
       model.packedParts({});
@@ -300,7 +300,7 @@ GltfBuilder dracoFile() {
   return file;
 }
 
-TEST(GltfExtensions, TakesUnpackedPrimitives) {
+TEST(GltfExtensions, AcceptsDecompressedPrimitives) {
   const File file = dracoFile().glb();
   ModelFile model(file);
   const std::vector<PackedPart> parts = model.packedParts({});

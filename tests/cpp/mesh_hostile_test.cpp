@@ -57,12 +57,12 @@ GltfBuilder richFile() {
   return file;
 }
 
-TEST(HostileMesh, TheFileThatIsBrokenBelowIsRight) {
+TEST(HostileMesh, TheUnmodifiedFileIsValid) {
   EXPECT_EQ(problemOfFile(richFile().glb()), "");
   EXPECT_EQ(problemOfFile(richFile().embedded()), "");
 }
 
-TEST(HostileMesh, EveryTruncationOfAGlbIsSaid) {
+TEST(HostileMesh, ReportsEveryTruncationOfAGlb) {
   const File file = richFile().glb();
   for (std::size_t length = 0; length < file.size(); ++length)
     EXPECT_NE(problemOfFile({file.begin(), file.begin() + length}), "") << length;
@@ -72,13 +72,13 @@ TEST(HostileMesh, EveryTruncationOfAGlbIsSaid) {
                 " bytes, got 1,000); export or download it again.");
 }
 
-TEST(HostileMesh, EveryTruncationOfAGltfIsSaid) {
+TEST(HostileMesh, ReportsEveryTruncationOfAGltf) {
   const File file = richFile().embedded();
   for (std::size_t length = 0; length < file.size(); ++length)
     EXPECT_NE(problemOfFile({file.begin(), file.begin() + length}), "") << length;
 }
 
-TEST(HostileMesh, NoFlippedBitBreaksTheReader) {
+TEST(HostileMesh, SurvivesEveryFlippedBit) {
   File file = richFile().glb();
   for (std::size_t bit = 0; bit < file.size() * 8; ++bit) {
     file[bit / 8] ^= static_cast<std::uint8_t>(1u << bit % 8);
@@ -87,53 +87,53 @@ TEST(HostileMesh, NoFlippedBitBreaksTheReader) {
   }
 }
 
-TEST(HostileMesh, NoMemberOfAnotherTypeBreaksTheReader) {
+TEST(HostileMesh, SurvivesMembersOfTheWrongType) {
   const GltfBuilder file = richFile();
   const json whole = file.withBuffer(nullptr);
-  const std::vector<json> lies = {nullptr,
-                                  true,
-                                  -1,
-                                  0,
-                                  1,
-                                  7,
-                                  4294967295u,
-                                  4294967296u,
-                                  2147483648u,
-                                  18446744073709551615u,
-                                  0.5,
-                                  1e300,
-                                  "",
-                                  "text",
-                                  json::array(),
-                                  json::object(),
-                                  {1, 2, 3},
-                                  {{1}},
-                                  {{"a", 1}}};
+  const std::vector<json> wrongValues = {nullptr,
+                                         true,
+                                         -1,
+                                         0,
+                                         1,
+                                         7,
+                                         4294967295u,
+                                         4294967296u,
+                                         2147483648u,
+                                         18446744073709551615u,
+                                         0.5,
+                                         1e300,
+                                         "",
+                                         "text",
+                                         json::array(),
+                                         json::object(),
+                                         {1, 2, 3},
+                                         {{1}},
+                                         {{"a", 1}}};
   const json flat = whole.flatten();
-  std::set<std::string> told;
+  std::set<std::string> visited;
   for (const auto& member : flat.items()) {
     // The member itself and everything that contains it.
     for (json::json_pointer place(member.key()); !place.empty(); place.pop_back()) {
-      if (!told.insert(place.to_string()).second) continue;
-      for (const json& lie : lies) {
-        GltfBuilder liar = file;
-        liar.tree = whole;
-        liar.tree[place] = lie;
-        problemOfFile(liar.glb());
+      if (!visited.insert(place.to_string()).second) continue;
+      for (const json& value : wrongValues) {
+        GltfBuilder broken = file;
+        broken.tree = whole;
+        broken.tree[place] = value;
+        problemOfFile(broken.glb());
       }
     }
   }
 }
 
-struct Lie {
+struct Inconsistency {
   const char* what;
-  std::function<void(json&)> tell;
+  std::function<void(json&)> apply;
   const char* part;  // of the message
 };
 
-TEST(HostileMesh, EachLieHasItsSentence) {
+TEST(HostileMesh, ReportsEachInconsistencyWithItsOwnMessage) {
   const json draw = {{"attributes", {{"POSITION", 0}}}};
-  const std::vector<Lie> lies = {
+  const std::vector<Inconsistency> inconsistencies = {
       {"count past the buffer", [](json& t) { t["accessors"][0]["count"] = 4; },
        "reads up to byte 48"},
       {"4 GB of vertices", [](json& t) { t["accessors"][0]["count"] = 4294967295u; },
@@ -287,15 +287,16 @@ TEST(HostileMesh, EachLieHasItsSentence) {
        },
        "more than 1,048,576 parts"},
   };
-  for (const Lie& lie : lies) {
+  for (const Inconsistency& inconsistency : inconsistencies) {
     GltfBuilder file = richFile();
-    lie.tell(file.tree);
+    inconsistency.apply(file.tree);
     const std::string problem = problemOfFile(file.glb());
-    EXPECT_NE(problem.find(lie.part), std::string::npos) << lie.what << ": " << problem;
+    EXPECT_NE(problem.find(inconsistency.part), std::string::npos)
+        << inconsistency.what << ": " << problem;
   }
 }
 
-TEST(HostileMesh, NaNAndInfinityAreNamed) {
+TEST(HostileMesh, ReportsNaNAndInfinity) {
   for (const float bad : {NAN, INFINITY, -INFINITY}) {
     GltfBuilder file;
     file.mesh({{"POSITION", file.floats({0, 0, 0, 1, bad, 0, 0, 1, 0}, "VEC3")}});
@@ -305,7 +306,7 @@ TEST(HostileMesh, NaNAndInfinityAreNamed) {
   }
 }
 
-TEST(HostileMesh, DeepChainsOfNodesAreNoMatter) {
+TEST(HostileMesh, AcceptsDeepChainsOfNodes) {
   GltfBuilder file = triangleFile();
   file.tree["nodes"] = json::array();
   for (int i = 0; i < 100000; ++i) file.node({{"children", {i + 1}}, {"translation", {1, 0, 0}}});
@@ -313,7 +314,7 @@ TEST(HostileMesh, DeepChainsOfNodesAreNoMatter) {
   EXPECT_EQ(loadMesh(file.glb()).mesh->positions[0], 100000);
 }
 
-TEST(HostileMesh, JsonBombsAreRefused) {
+TEST(HostileMesh, RejectsMalformedAndExcessiveJson) {
   const auto problem = [](const std::string& text) { return problemOfFile(bytesOf(text)); };
   const std::string deep = "is nested more than 64 deep";
   EXPECT_NE(problem("{\"a\":" + std::string(100000, '[')).find(deep), std::string::npos);
@@ -335,7 +336,7 @@ TEST(HostileMesh, JsonBombsAreRefused) {
     EXPECT_NE(problem(text), "") << text;
 }
 
-TEST(HostileMesh, BrokenContainersAreNamed) {
+TEST(HostileMesh, ReportsBrokenContainers) {
   const auto glb = [](std::initializer_list<std::uint64_t> words) {
     File file = bytesOf("glTF");
     for (const std::uint64_t word : words) append32(file, word);
@@ -358,7 +359,7 @@ TEST(HostileMesh, BrokenContainersAreNamed) {
             std::string::npos);
 }
 
-TEST(HostileMesh, OtherFilesAreNamed) {
+TEST(HostileMesh, ReportsOtherFileFormats) {
   const auto problem = [](const std::string& text) { return problemOfFile(bytesOf(text)); };
   EXPECT_EQ(problem(""), "loadMesh: the file is empty; export or download it again.");
   EXPECT_NE(problem("<!doctype html><title>404</title>").find("web page"), std::string::npos);

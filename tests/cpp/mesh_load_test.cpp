@@ -13,7 +13,7 @@ namespace {
 using Floats = std::vector<float>;
 using Indices = std::vector<std::uint32_t>;
 
-Mesh loaded(const File& file, const Files& files = {}) {
+Mesh loadValid(const File& file, const Files& files = {}) {
   Loaded result = loadMesh(file, files);
   EXPECT_EQ(result.problem, "");
   if (!result.mesh) return {};
@@ -23,13 +23,14 @@ Mesh loaded(const File& file, const Files& files = {}) {
 
 std::vector<std::string> warningsOf(const File& file) { return loadMesh(file).warnings; }
 
-void expectNear(const Floats& came, const Floats& expected, float tolerance = 1e-6f) {
-  ASSERT_EQ(came.size(), expected.size());
-  for (std::size_t i = 0; i < came.size(); ++i) EXPECT_NEAR(came[i], expected[i], tolerance) << i;
+void expectNear(const Floats& actual, const Floats& expected, float tolerance = 1e-6f) {
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t i = 0; i < actual.size(); ++i)
+    EXPECT_NEAR(actual[i], expected[i], tolerance) << i;
 }
 
 TEST(LoadMesh, ReadsATriangleWithoutIndices) {
-  const Mesh mesh = loaded(triangleFile().glb());
+  const Mesh mesh = loadValid(triangleFile().glb());
   EXPECT_EQ(mesh.positions, triangle);
   EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1}));
   EXPECT_TRUE(mesh.indices.empty());
@@ -37,12 +38,13 @@ TEST(LoadMesh, ReadsATriangleWithoutIndices) {
   EXPECT_FALSE(mesh.material);
 }
 
-TEST(LoadMesh, ReadsEmbeddedAndExternalBuffersToo) {
+TEST(LoadMesh, ReadsEmbeddedAndExternalBuffers) {
   const GltfBuilder file = triangleFile();
-  EXPECT_EQ(loaded(file.embedded()).positions, triangle);
-  EXPECT_EQ(loaded(file.external("a.bin"), {{"a.bin", file.binary}}).positions, triangle);
-  EXPECT_EQ(loaded(file.external("a%20b.bin"), {{"a%20b.bin", file.binary}}).positions, triangle);
-  EXPECT_EQ(loaded(file.external("a%20b.bin"), {{"a b.bin", file.binary}}).positions, triangle);
+  EXPECT_EQ(loadValid(file.embedded()).positions, triangle);
+  EXPECT_EQ(loadValid(file.external("a.bin"), {{"a.bin", file.binary}}).positions, triangle);
+  EXPECT_EQ(loadValid(file.external("a%20b.bin"), {{"a%20b.bin", file.binary}}).positions,
+            triangle);
+  EXPECT_EQ(loadValid(file.external("a%20b.bin"), {{"a b.bin", file.binary}}).positions, triangle);
   EXPECT_EQ(externalFiles(file.external("a%20b.bin")), std::vector<std::string>{"a%20b.bin"});
   EXPECT_TRUE(externalFiles(file.glb()).empty());
   EXPECT_EQ(loadMesh(file.external("a.bin")).problem,
@@ -53,16 +55,16 @@ TEST(LoadMesh, ReadsEmbeddedAndExternalBuffersToo) {
 TEST(LoadMesh, ReadsDataUrisOfEveryKind) {
   const GltfBuilder file = triangleFile();
   const std::string text = base64(file.binary);
-  EXPECT_EQ(loaded(file.external("DATA:Application/octet-stream;BASE64," + text)).positions,
+  EXPECT_EQ(loadValid(file.external("DATA:Application/octet-stream;BASE64," + text)).positions,
             triangle);
-  EXPECT_EQ(loaded(file.external("data:;base64," + text)).positions, triangle);
+  EXPECT_EQ(loadValid(file.external("data:;base64," + text)).positions, triangle);
   EXPECT_TRUE(externalFiles(file.external("DATA:;base64," + text)).empty());
   std::string percents;
   for (const std::uint8_t byte : file.binary) {
     constexpr char digits[] = "0123456789abcdef";
     percents += {'%', digits[byte >> 4], digits[byte & 15]};
   }
-  EXPECT_EQ(loaded(file.external("data:," + percents)).positions, triangle);
+  EXPECT_EQ(loadValid(file.external("data:," + percents)).positions, triangle);
 }
 
 TEST(LoadMesh, ReadsAllAttributesBitForBit) {
@@ -78,7 +80,7 @@ TEST(LoadMesh, ReadsAllAttributesBitForBit) {
              {"COLOR_0", file.floats(colors, "VEC4")}},
             {{"indices", file.accessor<std::uint16_t>({2, 0, 1}, "SCALAR")}});
   file.node({{"mesh", 0}});
-  const Mesh mesh = loaded(file.glb());
+  const Mesh mesh = loadValid(file.glb());
   EXPECT_EQ(mesh.positions, triangle);
   EXPECT_EQ(mesh.normals, normals);
   EXPECT_EQ(mesh.tangents, tangents);
@@ -88,51 +90,51 @@ TEST(LoadMesh, ReadsAllAttributesBitForBit) {
 }
 
 template <typename T>
-Indices indicesRead() {
+Indices readIndices() {
   GltfBuilder file;
   const Floats square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   file.mesh({{"POSITION", file.floats(square, "VEC3")}},
             {{"indices", file.accessor<T>({0, 1, 2, 0, 2, 3}, "SCALAR")}});
   file.node({{"mesh", 0}});
-  return loaded(file.glb()).indices;
+  return loadValid(file.glb()).indices;
 }
 
 TEST(LoadMesh, ReadsIndicesOfEveryType) {
   const Indices expected{0, 1, 2, 0, 2, 3};
-  EXPECT_EQ(indicesRead<std::uint8_t>(), expected);
-  EXPECT_EQ(indicesRead<std::uint16_t>(), expected);
-  EXPECT_EQ(indicesRead<std::uint32_t>(), expected);
+  EXPECT_EQ(readIndices<std::uint8_t>(), expected);
+  EXPECT_EQ(readIndices<std::uint16_t>(), expected);
+  EXPECT_EQ(readIndices<std::uint32_t>(), expected);
 }
 
-Indices separated(int mode, const std::vector<std::uint8_t>& corners) {
+Indices trianglesOf(int mode, const std::vector<std::uint8_t>& corners) {
   GltfBuilder file;
   const Floats five{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
   json more = {{"mode", mode}};
   if (!corners.empty()) more["indices"] = file.accessor(corners, "SCALAR");
   file.mesh({{"POSITION", file.floats(five, "VEC3")}}, more);
   file.node({{"mesh", 0}});
-  return loaded(file.glb()).indices;
+  return loadValid(file.glb()).indices;
 }
 
-TEST(LoadMesh, SeparatesStripsAndFans) {
-  EXPECT_EQ(separated(5, {}), (Indices{0, 1, 2, 1, 3, 2, 2, 3, 4}));
-  EXPECT_EQ(separated(5, {4, 3, 2, 1}), (Indices{4, 3, 2, 3, 1, 2}));
-  EXPECT_EQ(separated(6, {}), (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
+TEST(LoadMesh, SplitsStripsAndFansIntoTriangles) {
+  EXPECT_EQ(trianglesOf(5, {}), (Indices{0, 1, 2, 1, 3, 2, 2, 3, 4}));
+  EXPECT_EQ(trianglesOf(5, {4, 3, 2, 1}), (Indices{4, 3, 2, 3, 1, 2}));
+  EXPECT_EQ(trianglesOf(6, {}), (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
   // Repeated corners join strips: triangles without area are removed, and every second one is
   // reversed.
-  EXPECT_EQ(separated(5, {0, 1, 2, 2, 1, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 3, 4}));
-  EXPECT_EQ(separated(5, {0, 1, 2, 2, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 4, 3}));
+  EXPECT_EQ(trianglesOf(5, {0, 1, 2, 2, 1, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 3, 4}));
+  EXPECT_EQ(trianglesOf(5, {0, 1, 2, 2, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 4, 3}));
 }
 
-TEST(LoadMesh, LeavesOutCornersTooMany) {
-  EXPECT_EQ(separated(4, {0, 1, 2, 3}), (Indices{0, 1, 2}));
-  EXPECT_EQ(separated(4, {}), (Indices{0, 1, 2}));
+TEST(LoadMesh, IgnoresSurplusCorners) {
+  EXPECT_EQ(trianglesOf(4, {0, 1, 2, 3}), (Indices{0, 1, 2}));
+  EXPECT_EQ(trianglesOf(4, {}), (Indices{0, 1, 2}));
 }
 
-TEST(LoadMesh, LeavesOutPointsAndLines) {
+TEST(LoadMesh, IgnoresPointsAndLines) {
   GltfBuilder file = triangleFile();
   file.tree["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 1}});
-  EXPECT_EQ(loaded(file.glb()).positions, triangle);
+  EXPECT_EQ(loadValid(file.glb()).positions, triangle);
   EXPECT_EQ(warningsOf(file.glb()),
             std::vector<std::string>{"Points and lines are left out; only triangles are read."});
 }
@@ -147,7 +149,7 @@ Floats positionsFrom(const std::vector<T>& numbers, bool isNormalized) {
   file.tree["bufferViews"][0]["byteStride"] = 4 * sizeof(T);
   file.mesh({{"POSITION", positions}});
   file.node({{"mesh", 0}});
-  return loaded(file.glb()).positions;
+  return loadValid(file.glb()).positions;
 }
 
 TEST(LoadMesh, ReadsQuantizedPositions) {
@@ -165,7 +167,7 @@ TEST(LoadMesh, ReadsQuantizedPositions) {
             (Floats{65535, 5, 0, 127, 0, 0, 0, 0, 3}));
 }
 
-TEST(LoadMesh, MakesQuantizedNormalsUnit) {
+TEST(LoadMesh, NormalizesQuantizedNormals) {
   GltfBuilder file;
   // The vector (90/127, 90/127) has a length of 1.002.
   const int normals = file.accessor<std::int8_t>({90, 90, 0, 0, 0, -128, 0, 0, 0, 127, 0, 0},
@@ -174,7 +176,7 @@ TEST(LoadMesh, MakesQuantizedNormalsUnit) {
   file.mesh({{"POSITION", file.floats(triangle, "VEC3")}, {"NORMAL", normals}});
   file.node({{"mesh", 0}});
   const float half = std::sqrt(0.5f);
-  expectNear(loaded(file.glb()).normals, {half, half, 0, 0, -1, 0, 0, 1, 0});
+  expectNear(loadValid(file.glb()).normals, {half, half, 0, 0, -1, 0, 0, 1, 0});
 }
 
 TEST(LoadMesh, ReadsInterleavedAttributes) {
@@ -193,12 +195,12 @@ TEST(LoadMesh, ReadsInterleavedAttributes) {
   };
   file.mesh({{"POSITION", accessor(4, "VEC3")}, {"TEXCOORD_0", accessor(16, "VEC2")}});
   file.node({{"mesh", 0}});
-  const Mesh mesh = loaded(file.glb());
+  const Mesh mesh = loadValid(file.glb());
   EXPECT_EQ(mesh.positions, triangle);
   EXPECT_EQ(mesh.uvs, (Floats{0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f}));
 }
 
-TEST(LoadMesh, ReadsColorsOfThreeAndFourNumbers) {
+TEST(LoadMesh, ReadsRgbAndRgbaColors) {
   GltfBuilder file;
   const int three = file.accessor<std::uint8_t>({255, 0, 51, 0, 0, 255, 0, 0, 0, 0, 255, 0}, "VEC3",
                                                 {{"normalized", true}, {"count", 3}});
@@ -210,7 +212,7 @@ TEST(LoadMesh, ReadsColorsOfThreeAndFourNumbers) {
   file.mesh({{"POSITION", positions}, {"COLOR_0", four}});
   file.node({{"mesh", 0}});
   file.node({{"mesh", 1}});
-  EXPECT_EQ(loaded(file.glb()).colors,
+  EXPECT_EQ(loadValid(file.glb()).colors,
             (Floats{1, 0, 0.2f, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0, 0.2f, 0, 0, 0, 0, 0, 0, 0, 1}));
 }
 
@@ -228,7 +230,7 @@ TEST(LoadMesh, ReadsSparseAccessors) {
   file.mesh({{"POSITION", zeros}});
   file.node({{"mesh", 0}});
   file.node({{"mesh", 1}});
-  EXPECT_EQ(loaded(file.glb()).positions,
+  EXPECT_EQ(loadValid(file.glb()).positions,
             (Floats{5, 6, 7, 1, 0, 0, 8, 9, 10, 5, 6, 7, 0, 0, 0, 8, 9, 10}));
 }
 
@@ -242,11 +244,11 @@ TEST(LoadMesh, ReadsSparseIndices) {
   file.mesh({{"POSITION", file.floats(square, "VEC3")}},
             {{"indices", file.accessor<std::uint8_t>({0, 1, 2}, "SCALAR", {{"sparse", sparse}})}});
   file.node({{"mesh", 0}});
-  EXPECT_EQ(loaded(file.glb()).indices, (Indices{0, 3, 2}));
+  EXPECT_EQ(loadValid(file.glb()).indices, (Indices{0, 3, 2}));
 }
 
 // A file whose only node has this transform, with a normal and a tangent per corner.
-GltfBuilder transformed(const json& transform) {
+GltfBuilder transformFile(const json& transform) {
   GltfBuilder file;
   file.mesh({{"POSITION", file.floats({1, 0, 0, 0, 2, 0, 0, 0, 3}, "VEC3")},
              {"NORMAL", file.floats({0.6f, 0.8f, 0, 0, 0, 1, 0, 0, 0}, "VEC3")},
@@ -257,11 +259,11 @@ GltfBuilder transformed(const json& transform) {
   return file;
 }
 
-TEST(LoadMesh, MovesByTranslationRotationAndScale) {
+TEST(LoadMesh, AppliesTranslationRotationAndScale) {
   // Scaled by (2, 1, 1), then rotated by 90 degrees around z: x to y, y to -x. Then translated.
   const float half = std::sqrt(0.5f);
-  const Mesh mesh = loaded(
-      transformed(
+  const Mesh mesh = loadValid(
+      transformFile(
           {{"translation", {10, 20, 30}}, {"rotation", {0, 0, half, half}}, {"scale", {2, 1, 1}}})
           .glb());
   expectNear(mesh.positions, {10, 22, 30, 8, 20, 30, 10, 20, 33}, 1e-5f);
@@ -274,23 +276,23 @@ TEST(LoadMesh, MovesByTranslationRotationAndScale) {
   EXPECT_TRUE(mesh.indices.empty());
 }
 
-TEST(LoadMesh, ReadsAMatrixByColumns) {
-  const Mesh mesh =
-      loaded(transformed({{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}).glb());
+TEST(LoadMesh, ReadsMatricesInColumnMajorOrder) {
+  const Mesh mesh = loadValid(
+      transformFile({{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}).glb());
   EXPECT_EQ(mesh.positions, (Floats{5, 7, 7, 3, 6, 7, 5, 6, 10}));
 }
 
-TEST(LoadMesh, TurnsTrianglesOverWhereATransformMirrors) {
-  const Mesh mesh = loaded(transformed({{"scale", {-1, 1, 1}}}).glb());
+TEST(LoadMesh, ReversesTrianglesUnderAMirroringTransform) {
+  const Mesh mesh = loadValid(transformFile({{"scale", {-1, 1, 1}}}).glb());
   EXPECT_EQ(mesh.positions, (Floats{-1, 0, 0, 0, 2, 0, 0, 0, 3}));
   expectNear(mesh.normals, {-0.6f, 0.8f, 0, 0, 0, 1, 0, 0, 0});
   expectNear(mesh.tangents, {-0.8f, -0.6f, 0, -1, -1, 0, 0, 1, 0, 1, 0, -1});
   EXPECT_EQ(mesh.indices, (Indices{0, 2, 1}));
 }
 
-TEST(LoadMesh, KeepsNormalsOfAFlattenedMesh) {
+TEST(LoadMesh, PreservesTheNormalsOfAFlattenedMesh) {
   // z is scaled to zero: the inverse doesn't exist, but the normals of the plane do.
-  const Mesh mesh = loaded(transformed({{"scale", {1, 1, 0}}}).glb());
+  const Mesh mesh = loadValid(transformFile({{"scale", {1, 1, 0}}}).glb());
   expectNear(mesh.normals, {0, 0, 0, 0, 0, 1, 0, 0, 0});
 }
 
@@ -301,25 +303,25 @@ TEST(LoadMesh, MultipliesTransformsDownTheTree) {
   file.node({{"mesh", 0}, {"scale", {2, 2, 2}}, {"children", {3}}});
   file.node({{"mesh", 0}});
   file.node({{"mesh", 0}, {"translation", {0, 0, 1}}});
-  EXPECT_EQ(loaded(file.glb()).positions,
+  EXPECT_EQ(loadValid(file.glb()).positions,
             (Floats{10, 0, 0, 12, 0, 0, 10, 2, 0,     // node 1
                     10, 0, 2, 12, 0, 2, 10, 2, 2,     // node 3, its child
                     10, 0, 0, 11, 0, 0, 10, 1, 0}));  // node 2
 }
 
-TEST(LoadMesh, ShowsTheDefaultSceneOnly) {
+TEST(LoadMesh, LoadsOnlyTheDefaultScene) {
   GltfBuilder file;
   file.mesh({{"POSITION", file.floats(triangle, "VEC3")}});
   for (const int x : {1, 2, 3}) file.node({{"mesh", 0}, {"translation", {x, 0, 0}}});
-  EXPECT_EQ(loaded(file.glb()).vertexCount(), 9u);  // no scenes: every node
+  EXPECT_EQ(loadValid(file.glb()).vertexCount(), 9u);  // no scenes: every node
   file.tree["scenes"] = {{{"nodes", {1}}}, {{"nodes", {2, 0}}}};
-  EXPECT_EQ(loaded(file.glb()).positions, (Floats{2, 0, 0, 3, 0, 0, 2, 1, 0}));
+  EXPECT_EQ(loadValid(file.glb()).positions, (Floats{2, 0, 0, 3, 0, 0, 2, 1, 0}));
   file.tree["scene"] = 1;
-  EXPECT_EQ(loaded(file.glb()).positions,
+  EXPECT_EQ(loadValid(file.glb()).positions,
             (Floats{3, 0, 0, 4, 0, 0, 3, 1, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0}));
 }
 
-TEST(LoadMesh, FillsWhatOnlySomePartsHave) {
+TEST(LoadMesh, FillsAttributesThatOnlySomePartsHave) {
   GltfBuilder file;
   const int positions = file.floats(triangle, "VEC3");
   file.mesh({{"POSITION", positions},
@@ -331,7 +333,7 @@ TEST(LoadMesh, FillsWhatOnlySomePartsHave) {
       {{"indices", file.accessor<std::uint8_t>({2, 1, 0}, "SCALAR")}});
   file.node({{"mesh", 0}});
   file.node({{"mesh", 1}, {"translation", {5, 0, 0}}});
-  const Mesh mesh = loaded(file.glb());
+  const Mesh mesh = loadValid(file.glb());
   EXPECT_EQ(mesh.uvs, (Floats{1, 2, 3, 4, 5, 6, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(mesh.colors, (Floats{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,  //
                                  0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
@@ -344,7 +346,7 @@ TEST(LoadMesh, FillsWhatOnlySomePartsHave) {
 }
 
 // Two triangles with one material each; the source of a texture is an image.
-GltfBuilder painted(const json& first, const json& second) {
+GltfBuilder materialFile(const json& first, const json& second) {
   GltfBuilder file;
   const int positions = file.floats(triangle, "VEC3");
   for (const json& look : {first, second}) {
@@ -361,53 +363,53 @@ GltfBuilder painted(const json& first, const json& second) {
 
 json texture(int index) { return {{"baseColorTexture", {{"index", index}}}}; }
 
-TEST(LoadMesh, KeepsAMaterialThatAllPartsShare) {
+TEST(LoadMesh, PreservesAMaterialThatAllPartsShare) {
   const json look = {{"baseColorFactor", {0.5, 0.25, 1, 0.1}},
                      {"baseColorTexture", {{"index", 0}}}};
-  const Mesh mesh = loaded(painted(look, look).glb());
+  const Mesh mesh = loadValid(materialFile(look, look).glb());
   ASSERT_TRUE(mesh.material);
   EXPECT_EQ(mesh.material->baseColor, (std::array<float, 4>{0.5f, 0.25f, 1, 0.1f}));
   EXPECT_EQ(mesh.material->baseColorTexture, (Image{{0x89, 'P', 'N', 'G'}, "image/png"}));
   EXPECT_TRUE(mesh.colors.empty());
-  EXPECT_TRUE(warningsOf(painted(look, look).glb()).empty());
+  EXPECT_TRUE(warningsOf(materialFile(look, look).glb()).empty());
 }
 
-TEST(LoadMesh, MovesUnequalBaseColorsIntoTheVertices) {
-  GltfBuilder file = painted({{"baseColorFactor", {0.5, 0.25, 1, 1}}}, json::object());
+TEST(LoadMesh, ConvertsDifferingBaseColorsToVertexColors) {
+  GltfBuilder file = materialFile({{"baseColorFactor", {0.5, 0.25, 1, 1}}}, json::object());
   file.tree["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
       file.floats({1, 1, 1, 0.5f, 0, 0, 0, 0, 0.5f, 0.5f, 0.5f, 1}, "VEC4");
-  const Mesh mesh = loaded(file.glb());
+  const Mesh mesh = loadValid(file.glb());
   EXPECT_EQ(mesh.material, Material{});
   EXPECT_EQ(mesh.colors, (Floats{0.5f, 0.25f, 1, 0.5f, 0, 0, 0, 0, 0.25f, 0.125f, 0.5f, 1,  //
                                  1,    1,     1, 1,    1, 1, 1, 1, 1,     1,      1,    1}));
 }
 
-TEST(LoadMesh, KeepsTheFirstOfSeveralTextures) {
-  const File file = painted(texture(1), texture(0)).glb();
-  EXPECT_EQ(loaded(file).material->baseColorTexture,
+TEST(LoadMesh, UsesTheFirstOfSeveralTextures) {
+  const File file = materialFile(texture(1), texture(0)).glb();
+  EXPECT_EQ(loadValid(file).material->baseColorTexture,
             (Image{{0xFF, 0xD8, 0xFF, 0xE0}, "image/jpeg"}));
   EXPECT_EQ(warningsOf(file),
             std::vector<std::string>{
                 "The parts have different base-colour textures; only the first one is used."});
 }
 
-TEST(LoadMesh, TakesPicturesFromTheCallersFiles) {
-  const File file = painted(texture(2), texture(2)).glb();
+TEST(LoadMesh, ReadsImagesFromTheCallersFiles) {
+  const File file = materialFile(texture(2), texture(2)).glb();
   EXPECT_EQ(externalFiles(file), std::vector<std::string>{"my%20wood.webp"});
   const File picture = bytesOf("RIFF1234WEBPVP8 ");
-  EXPECT_EQ(loaded(file, {{"my%20wood.webp", picture}}).material->baseColorTexture,
+  EXPECT_EQ(loadValid(file, {{"my%20wood.webp", picture}}).material->baseColorTexture,
             (Image{picture, "image/webp"}));
-  EXPECT_EQ(loaded(file).material, Material{});
+  EXPECT_EQ(loadValid(file).material, Material{});
   EXPECT_EQ(warningsOf(file),
             std::vector<std::string>{"The picture of the base colour (image 2, \"my%20wood.webp\") "
                                      "is missing or broken; it is left out."});
 }
 
-TEST(LoadMesh, SaysWhatItIgnores) {
+TEST(LoadMesh, WarnsAboutWhatItIgnores) {
   json look = texture(0);
   look["baseColorTexture"]["texCoord"] = 1;
   look["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"] = {2, 2};
-  GltfBuilder file = painted(look, look);
+  GltfBuilder file = materialFile(look, look);
   file.tree["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
   file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   EXPECT_EQ(warningsOf(file.glb()),
@@ -418,13 +420,13 @@ TEST(LoadMesh, SaysWhatItIgnores) {
                 "A texture uses other uvs than TEXCOORD_0, the only ones that are read."}));
 }
 
-TEST(LoadMesh, ScalesNormalsAndTangentsToALengthOfOne) {
+TEST(LoadMesh, NormalizesNormalsAndTangents) {
   GltfBuilder file;
   file.mesh({{"POSITION", file.floats(triangle, "VEC3")},
              {"NORMAL", file.floats({3, 0, 4, 0, 1e-22f, 0, 0, 0, 0}, "VEC3")},
              {"TANGENT", file.floats({0, 2, 0, 1, 1, 0, 0, 1, 0, -1e-40f, 0, 1}, "VEC4")}});
   file.node({{"mesh", 0}});
-  const Mesh mesh = loaded(file.glb());
+  const Mesh mesh = loadValid(file.glb());
   expectNear(mesh.normals, {0.6f, 0, 0.8f, 0, 1, 0, 0, 0, 0});
   expectNear(mesh.tangents, {0, 1, 0, 1, 1, 0, 0, 1, 0, -1, 0, 1});
   EXPECT_EQ(warningsOf(file.glb()),
@@ -432,17 +434,17 @@ TEST(LoadMesh, ScalesNormalsAndTangentsToALengthOfOne) {
                                       "Tangents that are not of length 1 are scaled to it."}));
 }
 
-TEST(LoadMesh, ClampsColors) {
+TEST(LoadMesh, ClampsColorsToTheUnitRange) {
   const json odd = {{"baseColorFactor", {5, -1, 1e308, 2}}};
   const std::string ofMaterials = "Base colours outside 0 to 1 are clamped.";
-  EXPECT_EQ(loaded(painted(odd, odd).glb()).material->baseColor,
+  EXPECT_EQ(loadValid(materialFile(odd, odd).glb()).material->baseColor,
             (std::array<float, 4>{1, 0, 1, 1}));
-  EXPECT_EQ(warningsOf(painted(odd, odd).glb()), std::vector<std::string>{ofMaterials});
+  EXPECT_EQ(warningsOf(materialFile(odd, odd).glb()), std::vector<std::string>{ofMaterials});
 
-  GltfBuilder file = painted(odd, json::object());
+  GltfBuilder file = materialFile(odd, json::object());
   file.tree["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
       file.floats({0.5f, 0.5f, 0.5f, 2, -1, 3, 0, 0.5f, -0.0f, 1, 1, 1}, "VEC4");
-  const Mesh mesh = loaded(file.glb());
+  const Mesh mesh = loadValid(file.glb());
   EXPECT_EQ((Floats{mesh.colors.begin(), mesh.colors.begin() + 12}),
             (Floats{0.5f, 0, 0.5f, 1, 0, 0, 0, 0.5f, 0, 0, 1, 1}));
   EXPECT_EQ(
@@ -452,7 +454,7 @@ TEST(LoadMesh, ClampsColors) {
 
 // Node 0 shows the mesh at another place, which has no effect. Joint 1 is at x = 1, as it was
 // bound; joint 2, bound 2 above it, is rotated by 90 degrees around z: x to y, y to -x.
-GltfBuilder skinned() {
+GltfBuilder skinFile() {
   const auto moved = [](float x, float y) {
     return Floats{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1};
   };
@@ -475,54 +477,54 @@ GltfBuilder skinned() {
   return file;
 }
 
-TEST(LoadMesh, PosesSkinsAsTheirJointsStand) {
-  const Mesh mesh = loaded(skinned().glb());
+TEST(LoadMesh, PosesSkinsByTheirJoints) {
+  const Mesh mesh = loadValid(skinFile().glb());
   // The last vertex follows both: half of (2, 2, 3), its original position, and half of (1, 3, 3).
   expectNear(mesh.positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, 3});
   const float half = std::sqrt(0.5f);
   expectNear(mesh.normals, {0, 0, 1, 0, 1, 0, half, half, 0});
   expectNear(mesh.tangents, {1, 0, 0, 1, 0, 0, 1, -1, -half, half, 0, 1});
   EXPECT_TRUE(mesh.indices.empty());
-  EXPECT_TRUE(warningsOf(skinned().glb()).empty());
+  EXPECT_TRUE(warningsOf(skinFile().glb()).empty());
 }
 
-TEST(LoadMesh, PosesSkinsOfOddFiles) {
-  GltfBuilder unbound = skinned();
+TEST(LoadMesh, PosesSkinsOfUnusualFiles) {
+  GltfBuilder unbound = skinFile();
   unbound.tree["skins"][0].erase("inverseBindMatrices");
   // The same as if bound at the origin: (2, 2) rotated and translated by (1, 2), blended with half
   // of (3, 2, 3).
-  expectNear(loaded(unbound.glb()).positions, {1, 0, 0, -1, 4, 0, 1, 3, 3});
+  expectNear(loadValid(unbound.glb()).positions, {1, 0, 0, -1, 4, 0, 1, 3, 3});
 
-  GltfBuilder mirrored = skinned();
+  GltfBuilder mirrored = skinFile();
   mirrored.tree["nodes"][1]["scale"] = {1, 1, -1};
-  EXPECT_EQ(loaded(mirrored.glb()).indices, (Indices{0, 2, 1}));
-  expectNear(loaded(mirrored.glb()).positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, -3});
-  expectNear(loaded(mirrored.glb()).normals,
+  EXPECT_EQ(loadValid(mirrored.glb()).indices, (Indices{0, 2, 1}));
+  expectNear(loadValid(mirrored.glb()).positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, -3});
+  expectNear(loadValid(mirrored.glb()).normals,
              {0, 0, -1, 0, 1, 0, std::sqrt(0.5f), std::sqrt(0.5f), 0});
 
-  GltfBuilder scenes = skinned();  // another scene shows its joints
+  GltfBuilder scenes = skinFile();  // another scene shows its joints
   scenes.tree["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
-  EXPECT_EQ(loaded(scenes.glb()).positions, loaded(skinned().glb()).positions);
+  EXPECT_EQ(loadValid(scenes.glb()).positions, loadValid(skinFile().glb()).positions);
 
-  GltfBuilder boneless = skinned();
+  GltfBuilder boneless = skinFile();
   boneless.tree["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
-  expectNear(loaded(boneless.glb()).positions, {100, 0, 0, 98, 2, 0, 98, 2, 3});
+  expectNear(loadValid(boneless.glb()).positions, {100, 0, 0, 98, 2, 0, 98, 2, 3});
 
-  GltfBuilder heavy = skinned();
+  GltfBuilder heavy = skinFile();
   heavy.tree["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] =
       heavy.floats({0, 0, 0, 0, 0, 7, 0, 0, 3, 3, 0, 0}, "VEC4");
-  expectNear(loaded(heavy.glb()).positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, 3});
+  expectNear(loadValid(heavy.glb()).positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, 3});
 
-  GltfBuilder many = skinned();
+  GltfBuilder many = skinFile();
   many.tree["meshes"][0]["primitives"][0]["attributes"]["JOINTS_1"] = 3;
   EXPECT_EQ(warningsOf(many.glb()),
             std::vector<std::string>{
                 "Vertices that follow more than four bones follow only the first four."});
 }
 
-TEST(LoadMesh, RefusesSkinsThatDoNotFit) {
+TEST(LoadMesh, RejectsInconsistentSkins) {
   const auto problemWith = [](auto change) {
-    GltfBuilder file = skinned();
+    GltfBuilder file = skinFile();
     change(file.tree);
     return loadMesh(file.glb()).problem;
   };
@@ -562,10 +564,10 @@ TEST(LoadMesh, NamesEachFileOnceAndWarnsOnce) {
   json first = texture(0), second = texture(0);
   first["baseColorTexture"]["texCoord"] = 1;
   second["baseColorTexture"]["texCoord"] = 2;
-  EXPECT_EQ(warningsOf(painted(first, second).glb()).size(), 1u);
+  EXPECT_EQ(warningsOf(materialFile(first, second).glb()).size(), 1u);
 }
 
-TEST(LoadMesh, RefusesRequiredExtensionsByName) {
+TEST(LoadMesh, RejectsUnsupportedRequiredExtensionsByName) {
   const auto problemWith = [](const char* extension) {
     GltfBuilder file = triangleFile();
     file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {extension};
@@ -577,7 +579,7 @@ TEST(LoadMesh, RefusesRequiredExtensionsByName) {
   auto& primitive = optional.tree["meshes"][0]["primitives"][0];
   primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
   optional.tree["extensionsUsed"] = {"KHR_draco_mesh_compression"};
-  EXPECT_EQ(loaded(optional.glb()).positions, triangle);
+  EXPECT_EQ(loadValid(optional.glb()).positions, triangle);
   for (const char* part : {"indices", "attributes"}) {
     GltfBuilder bare = optional;
     const int accessor =

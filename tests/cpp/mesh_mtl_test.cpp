@@ -47,7 +47,7 @@ TEST(Mtl, ColorsFacesByTheirMaterial) {
   }
 }
 
-TEST(Mtl, KeepsOneColorAsTheMaterial) {
+TEST(Mtl, PreservesASingleColorAsTheMaterial) {
   const Loaded loaded =
       load("mtllib a.mtl\nusemtl red\n" + square + "f 1 2 3\nf 1 3 4", withMaterials(colors));
   EXPECT_TRUE(loaded.mesh->colors.empty());
@@ -56,7 +56,7 @@ TEST(Mtl, KeepsOneColorAsTheMaterial) {
   EXPECT_EQ(loaded.mesh->vertexCount(), 4u);
 }
 
-TEST(Mtl, LeavesPartsWithoutMaterialWhiteAndMarksThem) {
+TEST(Mtl, LeavesPartsWithoutMaterialWhiteAndMarksThemUnpainted) {
   const Loaded loaded =
       load("mtllib a.mtl\n" + square + "f 1 2 3\nusemtl red\nf 1 3 4", withMaterials(colors));
   EXPECT_EQ(firstOf(loaded.mesh->colors, 4), (Floats{1, 1, 1, 1}));
@@ -64,7 +64,7 @@ TEST(Mtl, LeavesPartsWithoutMaterialWhiteAndMarksThem) {
   EXPECT_EQ(loaded.mesh->painted, (std::vector<std::uint8_t>{0, 0, 0, 1, 1, 1}));
 }
 
-TEST(Mtl, MultipliesColorsOfVertices) {
+TEST(Mtl, MultipliesVertexColorsByTheMaterial) {
   const Loaded loaded =
       load("mtllib a.mtl\nusemtl red\nv 0 0 0 1 1 0\nv 1 0 0 0 1 1\nv 0 1 0\nf 1 2 3",
            withMaterials(colors));
@@ -72,7 +72,7 @@ TEST(Mtl, MultipliesColorsOfVertices) {
   EXPECT_EQ(loaded.mesh->material->baseColor, (std::array<float, 4>{1, 0, 0, 1}));
 }
 
-TEST(Mtl, NamesTheFilesThatItNeeds) {
+TEST(Mtl, ListsTheFilesThatItNeeds) {
   const File obj =
       bytesOf("mtllib sub\\my mat#1.mtl\nmtllib b.mtl\n" + square + "usemtl wood\nf 1 2 3\n");
   ModelFile model(obj);
@@ -89,7 +89,7 @@ TEST(Mtl, NamesTheFilesThatItNeeds) {
             Names{"a.mtl"});
 }
 
-TEST(Mtl, TakesThePictureOfItsColors) {
+TEST(Mtl, ReadsTheColorTexture) {
   const File png = bytesOf("\x89PNG");
   Files files = withMaterials("newmtl red\nmap_Kd C:\\pictures\\a.png\n");
   files["a.png"] = png;
@@ -110,7 +110,7 @@ TEST(Mtl, TakesThePictureOfItsColors) {
       Names{"The parts have different base-colour textures; only the first one is used."});
 }
 
-TEST(Mtl, SaysWhatIsMissing) {
+TEST(Mtl, WarnsAboutMissingMaterials) {
   EXPECT_EQ(load(twoParts).warnings,
             Names{"The materials of the .obj are left out, since \"a.mtl\" is missing."});
   EXPECT_EQ(load("usemtl red\n" + square + "f 1 2 3").warnings,
@@ -123,7 +123,7 @@ TEST(Mtl, SaysWhatIsMissing) {
   EXPECT_TRUE(load("mtllib a.mtl\n" + square + "f 1 2 3").warnings.empty());
 }
 
-TEST(Mtl, PassesOverColorsThatAreNone) {
+TEST(Mtl, IgnoresInvalidColors) {
   for (const char* bad :
        {"Kd nan 0 0", "Kd", "Kd x", "Kd spectral a.rfl 1", "Kd xyz 1 1 1", "Kd 1 nan"})
     EXPECT_EQ(load("mtllib a.mtl\nusemtl red\n" + square + "f 1 2 3",

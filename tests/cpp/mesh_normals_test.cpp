@@ -20,19 +20,19 @@ Mesh meshOf(Floats positions, std::vector<std::uint32_t> indices) {
   return mesh;
 }
 
-void expectNear(const Floats& came, const Floats& expected) {
-  ASSERT_EQ(came.size(), expected.size());
-  for (std::size_t i = 0; i < came.size(); ++i) EXPECT_NEAR(came[i], expected[i], 1e-6f) << i;
+void expectNear(const Floats& actual, const Floats& expected) {
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t i = 0; i < actual.size(); ++i) EXPECT_NEAR(actual[i], expected[i], 1e-6f) << i;
 }
 
-TEST(ComputeNormals, PointWhereTheTriangleTurnsLeft) {
+TEST(ComputeNormals, PointToTheSideFromWhichTrianglesAreCounterclockwise) {
   EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 0, 2, 0, 0, 0, 3}, {})),
             (Floats{1, 0, 0, 1, 0, 0, 1, 0, 0}));
   EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 0, 2, 0, 0, 0, 3}, {2, 1, 0})),
             (Floats{-1, 0, 0, -1, 0, 0, -1, 0, 0}));
 }
 
-TEST(ComputeNormals, DoNotDependOnHowAQuadIsCut) {
+TEST(ComputeNormals, DoNotDependOnTheDiagonalOfAQuad) {
   // A cube's faces are equivalent, so each corner's normal is the diagonal, however many triangles
   // meet there: weighting by angles ensures that, weighting by areas alone would not.
   Mesh cube =
@@ -44,7 +44,7 @@ TEST(ComputeNormals, DoNotDependOnHowAQuadIsCut) {
   expectNear(computeNormals(cube), diagonals);
 }
 
-TEST(ComputeNormals, WeighByAreaAndAngle) {
+TEST(ComputeNormals, AreWeightedByAreaAndAngle) {
   // Two angles meet at the origin: a right angle of area 1/2 facing z, and one of 45 degrees of
   // area 2 facing x. Twice the area times the angle is 1 * 90 against 4 * 45.
   const Floats normals =
@@ -53,7 +53,7 @@ TEST(ComputeNormals, WeighByAreaAndAngle) {
   expectNear({normals.begin(), normals.begin() + 3}, {2 / length, 0, 1 / length});
 }
 
-TEST(ComputeNormals, AreSharedByVerticesAtOnePlace) {
+TEST(ComputeNormals, AreSharedByVerticesAtTheSamePosition) {
   // A roof of two sides without common vertices; 0 and -0 are the same position.
   const Floats normals =
       computeNormals(meshOf({0.0f, 0, 0, 0, 1, 0, -1, 0, -1, -0.0f, 0, 0, 1, 0, -1, 0, 1, 0}, {}));
@@ -61,18 +61,18 @@ TEST(ComputeNormals, AreSharedByVerticesAtOnePlace) {
                        0, 0, 1, std::sqrt(0.5f), 0, std::sqrt(0.5f), 0, 0, 1});
 }
 
-TEST(ComputeNormals, AreZeroWhereNoTriangleSaysMore) {
+TEST(ComputeNormals, AreZeroIfNoTriangleDeterminesThem) {
   const Mesh mesh = meshOf({0, 0, 0, 1, 0, 0, 2, 0, 0, 9, 9, 9}, {0, 1, 2, 0, 0, 1});
   EXPECT_EQ(computeNormals(mesh), Floats(12, 0.0f));
   EXPECT_TRUE(computeNormals({}).empty());
 }
 
-TEST(ComputeNormals, OfVerticesThatBothSidesUseAreThoseOfTheFirst) {
+TEST(ComputeNormals, UseTheFirstSideForVerticesOfBothSides) {
   EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {2, 1, 0, 0, 1, 2})),
             (Floats{0, 0, -1, 0, 0, -1, 0, 0, -1}));
 }
 
-// Gives every triangle vertices of its own.
+// Gives every triangle its own vertices.
 Mesh soupOf(const Mesh& mesh) {
   Mesh soup;
   for (const std::uint32_t i : mesh.indices)
@@ -80,8 +80,8 @@ Mesh soupOf(const Mesh& mesh) {
   return soup;
 }
 
-// Adds each triangle again, facing the other way, with vertices of its own.
-Mesh twoSided(Mesh mesh) {
+// Adds each triangle again, facing the other way, with its own vertices.
+Mesh addBackFaces(Mesh mesh) {
   const auto vertices = static_cast<std::uint32_t>(mesh.vertexCount());
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
@@ -100,7 +100,7 @@ Floats bothWays(Floats normals) {
 }
 
 // The same, with shared vertices.
-Mesh twoSidedInPlace(Mesh mesh) {
+Mesh addBackFacesInPlace(Mesh mesh) {
   const std::size_t triangles = mesh.triangleCount();
   for (std::size_t i = 0; i < triangles; ++i) {
     const auto [a, b, c] = mesh.corners(i);
@@ -116,21 +116,21 @@ Mesh saddle() {
   return mesh;
 }
 
-TEST(ComputeNormals, OfTwoSidedSurfacesAreThoseOfEachSide) {
+TEST(ComputeNormals, AreComputedPerSideOfTwoSidedSurfaces) {
   for (const Mesh& mesh : {saddle(), soupOf(saddle()), cube(2), soupOf(icosphere(2, 1))})
-    expectNear(computeNormals(twoSided(mesh)), bothWays(computeNormals(mesh)));
+    expectNear(computeNormals(addBackFaces(mesh)), bothWays(computeNormals(mesh)));
 }
 
-TEST(AddMissingNormals, GivesEachSideVerticesOfItsOwn) {
+TEST(AddMissingNormals, GivesEachSideItsOwnVertices) {
   for (const Mesh& mesh : {saddle(), cube(2), icosphere(2, 1)}) {
-    Mesh both = twoSidedInPlace(mesh);
+    Mesh both = addBackFacesInPlace(mesh);
     addMissingNormals(both, std::vector<bool>(mesh.vertexCount()));
     EXPECT_EQ(problemOf(both), "");
     ASSERT_EQ(both.vertexCount(), 2 * mesh.vertexCount());
     const Floats front = computeNormals(mesh);
     expectNear({both.normals.begin(), both.normals.begin() + front.size()}, front);
     for (std::size_t i = mesh.triangleCount(); i < both.triangleCount(); ++i) {
-      const auto there = both.corners(i), before = twoSidedInPlace(mesh).corners(i);
+      const auto there = both.corners(i), before = addBackFacesInPlace(mesh).corners(i);
       for (int k = 0; k < 3; ++k) {
         EXPECT_GE(there[k], mesh.vertexCount());
         for (int axis = 0; axis < 3; ++axis) {
@@ -142,8 +142,8 @@ TEST(AddMissingNormals, GivesEachSideVerticesOfItsOwn) {
   }
 }
 
-TEST(AddMissingNormals, LeavesThoseThatAreThere) {
-  Mesh mesh = twoSidedInPlace(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
+TEST(AddMissingNormals, PreservesExistingNormals) {
+  Mesh mesh = addBackFacesInPlace(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
   mesh.normals = {1, 0, 0, 0, 0, 0, 0, 1, 0};
   mesh.uvs = {1, 2, 3, 4, 5, 6};
   addMissingNormals(mesh, {true, false, true});
@@ -152,11 +152,11 @@ TEST(AddMissingNormals, LeavesThoseThatAreThere) {
   EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 0, 2}));
 }
 
-TEST(AddMissingNormals, OfAPartWithOneSideGoOnFromTheSideThatItFacesWith) {
+TEST(AddMissingNormals, ContinuesTheFacingSideIntoAOneSidedPart) {
   const Mesh mesh = saddle();
   Mesh half = mesh;
   half.indices.resize(mesh.indices.size() / 2);
-  half = twoSidedInPlace(half);
+  half = addBackFacesInPlace(half);
   half.indices.insert(half.indices.end(), mesh.indices.begin() + mesh.indices.size() / 2,
                       mesh.indices.end());
   addMissingNormals(half, std::vector<bool>(mesh.vertexCount()));
@@ -164,7 +164,7 @@ TEST(AddMissingNormals, OfAPartWithOneSideGoOnFromTheSideThatItFacesWith) {
   expectNear({half.normals.begin(), half.normals.begin() + front.size()}, front);
 }
 
-TEST(AddMissingNormals, LeavesEveryCornerAtItsPlace) {
+TEST(AddMissingNormals, DoesNotMoveCorners) {
   std::mt19937 random(12);
   const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
   for (int i = 0; i < 2000; ++i) {
@@ -193,7 +193,7 @@ TEST(AddMissingNormals, LeavesEveryCornerAtItsPlace) {
   }
 }
 
-TEST(ComputeNormals, OfThreeTwoSidedSheetsThatMeetAreThoseOfEach) {
+TEST(ComputeNormals, AreComputedPerSheetWhereThreeTwoSidedSheetsMeet) {
   const Mesh sheets =
       meshOf({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1, -1, 1, 0, 0, 0, 0, 0, 0, 1, -1, -1, 0},
              {0, 1, 2, 3, 4, 5, 6, 7, 8});
@@ -202,14 +202,14 @@ TEST(ComputeNormals, OfThreeTwoSidedSheetsThatMeetAreThoseOfEach) {
   for (const auto& normal : {Floats{0, 1, 0}, {-half, -half, 0}, {half, -half, 0}}) {
     for (int i = 0; i < 3; ++i) normals.insert(normals.end(), normal.begin(), normal.end());
   }
-  expectNear(computeNormals(twoSided(sheets)), bothWays(normals));
+  expectNear(computeNormals(addBackFaces(sheets)), bothWays(normals));
 }
 
 // Occurs if the nodes of a file show one shape at the same place repeatedly.
-TEST(ComputeNormals, OfSurfacesThatAreThereManyTimesAreThoseOfOne) {
+TEST(ComputeNormals, AreNotAffectedByRepeatedSurfaces) {
   Mesh many;
   for (int i = 0; i < 40000; ++i) append(many.positions, {0, 0, 0, 1, 0, 0, 0, 1, 0});
-  const Floats normals = computeNormals(twoSided(many));
+  const Floats normals = computeNormals(addBackFaces(many));
   for (std::size_t i = 0; i < normals.size(); i += 3) {
     ASSERT_EQ(normals[i], 0);
     ASSERT_EQ(normals[i + 1], 0);
@@ -217,14 +217,14 @@ TEST(ComputeNormals, OfSurfacesThatAreThereManyTimesAreThoseOfOne) {
   }
 }
 
-TEST(ComputeNormals, HoldForTheLargestAndTheSmallestFloats) {
+TEST(ComputeNormals, AreCorrectForExtremeFloats) {
   for (const float size : {3e38f, 1e-38f, 1e-45f})
     EXPECT_EQ(computeNormals(meshOf({0, 0, 0, size, 0, 0, 0, size, 0}, {})),
               (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1}))
         << size;
 }
 
-TEST(ProblemOf, NamesTheArrayAndTheVertex) {
+TEST(ProblemOf, ReportsTheArrayAndTheVertex) {
   const Mesh right = meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
   EXPECT_EQ(problemOf(right), "");
   EXPECT_EQ(problemOf({}), "");

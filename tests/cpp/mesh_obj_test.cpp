@@ -32,7 +32,7 @@ std::string problemIn(const std::string& text) { return load(text).problem; }
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-TEST(Obj, MakesTrianglesOfPolygonsAsFans) {
+TEST(Obj, TriangulatesConvexPolygonsAsFans) {
   const Mesh mesh = meshOf(square + "f 1 2 3 4\n");
   EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
   EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 0, 2, 3}));
@@ -42,7 +42,7 @@ TEST(Obj, MakesTrianglesOfPolygonsAsFans) {
             (Indices{0, 1, 2, 0, 2, 3, 0, 3, 4}));
 }
 
-TEST(Obj, CutsConcavePolygonsInside) {
+TEST(Obj, TriangulatesConcavePolygonsInsideTheirOutline) {
   // The dart covers 6 of its 5x3 hull; a fan around its first corner covers 10.
   const Mesh mesh = meshOf("v 0 0 0\nv 4 1 0\nv 0 4 0\nv 1 1 0\nf 1 2 3 4\n");
   double area = 0;
@@ -69,7 +69,7 @@ TEST(Obj, CutsConcavePolygonsInside) {
             std::vector<std::string>{"Faces of more than 4,096 corners are treated as convex."});
 }
 
-TEST(Obj, GoesWithoutUvsAndNormalsThatAreNotThere) {
+TEST(Obj, IgnoresReferencesToMissingUvsAndNormals) {
   const std::vector<std::string> warning{
       "Faces refer to uvs or normals that do not exist; these are ignored."};
   for (const char* face : {"f 1/1/1 2/1/1 3/1/1", "f 1//1 2//2 3//3", "f 1/-1 2/0 3/7"}) {
@@ -130,7 +130,7 @@ TEST(Obj, ReadsUtf16) {
             << isBigEndian << hasMark;
 }
 
-TEST(Obj, PassesOverNumbersThatAreNoneWhereNothingUsesThem) {
+TEST(Obj, IgnoresInvalidNumbersThatNoFaceUses) {
   for (const char* bad : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-1.#IND", "1.#QNAN0",
                           "inf", "-Infinity", "1e99"}) {
     const std::string element = std::string(bad) + " 0 0\n";
@@ -143,7 +143,7 @@ TEST(Obj, PassesOverNumbersThatAreNoneWhereNothingUsesThem) {
   }
 }
 
-TEST(Obj, ComputesSingleNormalsThatAreNoNumbers) {
+TEST(Obj, ComputesOnlyTheInvalidNormals) {
   const Loaded loaded =
       load(square + "vn nan 0 nan\nvn 1 0 0\nvt 0.5 nan\nvt 0.5 1\nf 1/2/2 2/1/1 3/2/2\n");
   ASSERT_TRUE(loaded.mesh) << loaded.problem;
@@ -153,7 +153,7 @@ TEST(Obj, ComputesSingleNormalsThatAreNoNumbers) {
                                                        "Invalid uvs of the .obj are set to 0."}));
 }
 
-TEST(Obj, LeavesOutFacesAtPositionsThatAreNoNumbers) {
+TEST(Obj, SkipsFacesWithInvalidPositions) {
   const Loaded loaded = load(square + "v nan 0 0\nf 1 2 5\nf 1 2 3\n");
   ASSERT_TRUE(loaded.mesh) << loaded.problem;
   EXPECT_EQ(loaded.mesh->positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
@@ -173,7 +173,7 @@ TEST(Obj, CountsNegativeIndicesFromTheEnd) {
   EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 0}));
 }
 
-TEST(Obj, GivesEachCombinationItsVertex) {
+TEST(Obj, MakesOneVertexPerCombinationOfIndices) {
   const Mesh mesh = meshOf(square +
                            "vt 0 0\nvt 1 0.25\nvn 0 0 2\nvn 0 1 0\n"
                            "f 1/1/1 2/2/1 3/1/1\nf 1/1/1 3/1/1 4/2/2\nf 1/2/1 3/1/1 4/2/2\n");
@@ -183,7 +183,7 @@ TEST(Obj, GivesEachCombinationItsVertex) {
   EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 1}));
 }
 
-TEST(Obj, FillsWhatCornersLeaveOut) {
+TEST(Obj, FillsAttributesThatCornersOmit) {
   const Mesh mesh =
       meshOf(square + "vt 0.5 0.5\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1/1 3/1 4/1\nf 1 3 4\n");
   EXPECT_EQ(mesh.vertexCount(), 9u);
@@ -193,7 +193,7 @@ TEST(Obj, FillsWhatCornersLeaveOut) {
                                   0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}));
 }
 
-TEST(Obj, ReadsColorsBehindPositions) {
+TEST(Obj, ReadsColorsAfterPositions) {
   const Mesh mesh = meshOf("v 0 0 0 1 0 0.5\nv 1 0 0 1\nv 0 1 0 0 0.02 1 # six\nf 1 2 3\n");
   ASSERT_EQ(mesh.colors.size(), 12u);
   EXPECT_EQ(mesh.colors[0], 1);
@@ -203,7 +203,7 @@ TEST(Obj, ReadsColorsBehindPositions) {
   EXPECT_NEAR(mesh.colors[9], 0.00154799f, 1e-8f);  // 0.02 / 12.92
 }
 
-TEST(Obj, ReadsColorsOfBytes) {
+TEST(Obj, ReadsColorsGivenAsBytes) {
   const Loaded bytes = load("v 0 0 0 255 0 51\nv 1 0 0\nv 0 1 0 1 255 128\nf 1 2 3");
   const Floats& colors = bytes.mesh->colors;
   ASSERT_EQ(colors.size(), 12u);
@@ -216,7 +216,7 @@ TEST(Obj, ReadsColorsOfBytes) {
       std::vector<std::string>{"The colours of the .obj are read as whole numbers from 0 to 255."});
 }
 
-TEST(Obj, ClampsColors) {
+TEST(Obj, ClampsColorsToTheUnitRange) {
   for (const char* text : {"1.5 -1 0", "256 -0.5 0", "3e38 -3e38 -0"}) {
     const Loaded clamped = load("v 0 0 0 " + std::string(text) + "\nv 1 0 0\nv 0 1 0\nf 1 2 3");
     EXPECT_EQ((Floats{clamped.mesh->colors.begin(), clamped.mesh->colors.begin() + 4}),
@@ -226,7 +226,7 @@ TEST(Obj, ClampsColors) {
   }
 }
 
-TEST(Obj, PassesOverWhatItDoesNotKnow) {
+TEST(Obj, IgnoresUnknownStatements) {
   const Loaded loaded =
       load("# a comment\r\nmtllib a.mtl\r\no thing\r\ng part\r\ns off\r\n" + square +
            "\r\n  f 1 \\\r\n 2\t3 # a face\r\nl 1 2\r\nf 1 2\r\nusemtl wood");
@@ -238,7 +238,7 @@ TEST(Obj, PassesOverWhatItDoesNotKnow) {
                 "Faces of fewer than three corners are left out."}));
 }
 
-TEST(Obj, NamesTheLineOfAFault) {
+TEST(Obj, ReportsTheLineOfAnError) {
   const std::string again = "; export the model again.";
   EXPECT_EQ(
       problemIn(square + "f 1 2 5"),

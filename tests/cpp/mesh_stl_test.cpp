@@ -61,14 +61,14 @@ Floats facetWith(Floats normal) {
 const Floats tiltedThrice{0.6f, 0, 0.8f, 0.6f, 0, 0.8f, 0.6f, 0, 0.8f};
 const Floats upThrice{0, 0, 1, 0, 0, 1, 0, 0, 1};
 
-TEST(Stl, ReadsText) {
+TEST(Stl, ReadsTextFiles) {
   const Mesh mesh = meshOf(bytesOf(solid(facet("0.6 0 0.8"))));
   EXPECT_EQ(mesh.positions, corners);
   EXPECT_EQ(mesh.normals, tiltedThrice);
   EXPECT_TRUE(mesh.indices.empty() && mesh.uvs.empty() && mesh.colors.empty());
 }
 
-TEST(Stl, ReadsTextAsPeopleWriteIt) {
+TEST(Stl, ReadsTextFilesWithUnusualFormatting) {
   const std::string facets = facet("0 0 1");
   std::string upper = solid(facets);
   for (char& c : upper) c = static_cast<char>(std::toupper(c));
@@ -86,7 +86,7 @@ TEST(Stl, ReadsTextAsPeopleWriteIt) {
   EXPECT_EQ(meshOf(bytesOf(solid(facets) + solid(facets))).vertexCount(), 6u);
 }
 
-TEST(Stl, ReadsBinary) {
+TEST(Stl, ReadsBinaryFiles) {
   const Mesh mesh = meshOf(binary({facetWith(tilted), facetWith({0, 0, 1})}));
   EXPECT_EQ(mesh.vertexCount(), 6u);
   EXPECT_EQ((Floats{mesh.positions.begin() + 9, mesh.positions.end()}), corners);
@@ -94,7 +94,7 @@ TEST(Stl, ReadsBinary) {
   EXPECT_EQ((Floats{mesh.normals.begin() + 9, mesh.normals.end()}), upThrice);
 }
 
-TEST(Stl, ReadsBinaryWhoseHeaderBeginsLikeText) {
+TEST(Stl, ReadsBinaryFilesWhoseHeaderLooksLikeText) {
   EXPECT_EQ(meshOf(binary({facetWith(tilted)}, "solid made by SolidWorks")).normals, tiltedThrice);
   EXPECT_EQ(
       meshOf(binary({facetWith(tilted)}, "solid\nfacet normal 0 0 1\nouter loop\n")).positions,
@@ -105,7 +105,7 @@ TEST(Stl, ReadsBinaryWhoseHeaderBeginsLikeText) {
   EXPECT_EQ(meshOf(longer).positions, corners);
 }
 
-TEST(Stl, ComputesNormalsThatAreNone) {
+TEST(Stl, ComputesMissingAndInvalidNormals) {
   const std::vector<std::string> warning{"Invalid normals of the .stl are computed."};
   for (const float bad : {NAN, INFINITY}) {
     const Loaded loaded = load(binary({facetWith({bad, 0, 0})}));
@@ -120,7 +120,7 @@ TEST(Stl, ComputesNormalsThatAreNone) {
   EXPECT_EQ(meshOf(binary({facetWith({0, 3, 0})})).normals, (Floats{0, 1, 0, 0, 1, 0, 0, 1, 0}));
 }
 
-TEST(Stl, LeavesOutFacetsWhosePositionsAreNoNumbers) {
+TEST(Stl, SkipsFacetsWithInvalidPositions) {
   Floats broken = facetWith({0, 0, 1});
   broken[4] = NAN;
   const Loaded loaded = load(binary({broken, facetWith(tilted)}));
@@ -130,14 +130,14 @@ TEST(Stl, LeavesOutFacetsWhosePositionsAreNoNumbers) {
   EXPECT_NE(load(binary({broken})).problem.find("nothing to draw"), std::string::npos);
 }
 
-TEST(Stl, LeavesOutColors) {
+TEST(Stl, IgnoresColors) {
   // p5 doesn't show them either.
   const Loaded loaded = load(binary({facetWith(tilted)}, "COLOR=abcd,MATERIAL="));
   EXPECT_TRUE(loaded.mesh->colors.empty());
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"The colours of the .stl are left out."});
 }
 
-TEST(Stl, SaysWhatIsWrong) {
+TEST(Stl, ReportsBrokenFiles) {
   const auto problem = [](const File& file) { return load(file).problem; };
   const auto problemOfText = [&](const std::string& text) { return problem(bytesOf(text)); };
   const std::string again = "; export the model again.";

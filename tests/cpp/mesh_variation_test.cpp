@@ -73,16 +73,16 @@ Matrix shapeOf(const Point& normal, const Point& t, double k1, double k2) {
 }
 
 double difference(const Matrix& a, const Matrix& b) {
-  double most = 0;
+  double largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(a[i][k] - b[i][k]));
+    for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, std::abs(a[i][k] - b[i][k]));
   }
-  return most;
+  return largest;
 }
 
-void expectNear(const Point& came, const Point& expected, double tolerance, std::size_t vertex) {
+void expectNear(const Point& actual, const Point& expected, double tolerance, std::size_t vertex) {
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NEAR(came[i], expected[i], tolerance) << "vertex " << vertex << ", component " << i;
+    EXPECT_NEAR(actual[i], expected[i], tolerance) << "vertex " << vertex << ", component " << i;
 }
 
 void expectFinite(const Mesh& mesh) {
@@ -101,7 +101,7 @@ Mesh sphere(double radius, int columns, int rows) {
       columns, rows);
 }
 
-TEST(SurfaceVariation, OfASphereIsOneOverTheRadiusAcrossTheNormal) {
+TEST(SurfaceVariation, ASphereHasTheCurvatureOneOverItsRadius) {
   for (const double radius : {0.01, 1.0, 300.0}) {
     // At the poles whole rows of triangles have no area.
     Mesh mesh = sphere(radius, 24, 12);
@@ -119,7 +119,7 @@ TEST(SurfaceVariation, OfASphereIsOneOverTheRadiusAcrossTheNormal) {
   }
 }
 
-TEST(SurfaceVariation, OfACylinderIsOneOverTheRadiusAroundIt) {
+TEST(SurfaceVariation, ACylinderIsCurvedOnlyAroundItsAxis) {
   Mesh mesh = meshOf(
       [](double u, double v) -> Sample {
         const Point n{std::cos(2 * pi * u), 0, std::sin(2 * pi * u)};
@@ -148,27 +148,27 @@ double torusError(int steps) {
       },
       2 * steps, steps);
   addSurfaceVariation(mesh);
-  double most = 0;
+  double largest = 0;
   for (std::size_t i = 0; i < mesh.vertexCount(); ++i) {
     const double a = 2 * pi * mesh.uvs[2 * i], b = 2 * pi * mesh.uvs[2 * i + 1];
     const Point along{-std::sin(a), std::cos(a), 0};
     const double aroundAxis = std::cos(b) / (big + small * std::cos(b));
     const Matrix expected = shapeOf(vectorAt(mesh.normals, i), along, aroundAxis, 1 / small);
-    most = std::max(most, small * difference(shapeAt(mesh, i), expected));
+    largest = std::max(largest, small * difference(shapeAt(mesh, i), expected));
   }
-  return most;
+  return largest;
 }
 
 // Twice as many steps leave a quarter of the error: convergence is of order two, also at the seams,
 // whose vertices share their values.
-TEST(SurfaceVariation, OfATorusTendsToItsPrincipalCurvatures) {
+TEST(SurfaceVariation, ATorusConvergesToItsPrincipalCurvatures) {
   const double coarse = torusError(16), fine = torusError(32), finest = torusError(64);
   EXPECT_LT(coarse, 0.03);
   EXPECT_LT(fine, 0.3 * coarse);
   EXPECT_LT(finest, 0.3 * fine);
 }
 
-TEST(SurfaceVariation, OfASaddleHasTwoSigns) {
+TEST(SurfaceVariation, ASaddleHasCurvaturesOfBothSigns) {
   // z = (x² - y²) / 2 with the normal (-x, y, 1): in the middle the curvatures are -1 and 1.
   constexpr int steps = 20;
   Mesh mesh = meshOf(
@@ -184,7 +184,7 @@ TEST(SurfaceVariation, OfASaddleHasTwoSigns) {
   expectNear(vGradient(mesh, middle), {0, 1, 0}, 2e-3, middle);
 }
 
-TEST(SurfaceVariation, OfAPlaneIsOnlyThatOfItsUvs) {
+TEST(SurfaceVariation, APlaneHasOnlyGradientsOfUvs) {
   Mesh mesh = gridPlane(3, 8);
   addSurfaceVariation(mesh);
   for (std::size_t i = 0; i < mesh.vertexCount(); ++i) {
@@ -194,7 +194,7 @@ TEST(SurfaceVariation, OfAPlaneIsOnlyThatOfItsUvs) {
   }
 }
 
-TEST(SurfaceVariation, EndsAtHardEdges) {
+TEST(SurfaceVariation, StopsAtHardEdges) {
   Mesh mesh = cubeOfFaces(2);
   addSurfaceVariation(mesh);
   // Each face has a size of 2, and its image covers it once.
@@ -208,7 +208,7 @@ TEST(SurfaceVariation, EndsAtHardEdges) {
   }
 }
 
-TEST(SurfaceVariation, DoesNotMindWhichWayTrianglesAreWound) {
+TEST(SurfaceVariation, DoesNotDependOnTheWindingOfTriangles) {
   Mesh mesh = sphere(1, 12, 6), reversed = mesh;
   for (std::size_t i = 0; i < reversed.indices.size(); i += 3)
     std::swap(reversed.indices[i], reversed.indices[i + 1]);
@@ -218,7 +218,7 @@ TEST(SurfaceVariation, DoesNotMindWhichWayTrianglesAreWound) {
     EXPECT_LT(difference(shapeAt(mesh, i), shapeAt(reversed, i)), 1e-6);
 }
 
-TEST(SurfaceVariation, IsZeroWhereNoTriangleSaysMore) {
+TEST(SurfaceVariation, IsZeroIfNoTriangleDeterminesIt) {
   Mesh mesh;
   mesh.positions = {0, 0, 0, 1, 0, 0, 2, 0, 0, 9, 9, 9};
   mesh.normals = {0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 1};
@@ -239,7 +239,7 @@ TEST(SurfaceVariation, IsZeroWhereNoTriangleSaysMore) {
   EXPECT_EQ(difference(shapeAt(lost, 20), Matrix{}), 0);
 }
 
-TEST(SurfaceVariation, IsFiniteForTheLargestAndTheSmallestFloats) {
+TEST(SurfaceVariation, IsFiniteForExtremeFloats) {
   for (const double size : {3e38, 1e-38, 1e-45}) {
     Mesh mesh = sphere(1, 8, 4);
     for (float& x : mesh.positions) x = static_cast<float>(x * size);
@@ -248,8 +248,8 @@ TEST(SurfaceVariation, IsFiniteForTheLargestAndTheSmallestFloats) {
   }
 }
 
-// Triangles with a height of a millionth of their length, and normals as inexact as in float32.
-TEST(SurfaceVariation, SliversSayLittle) {
+// Triangles whose height is a millionth of their length, with normals rounded to float32.
+TEST(SurfaceVariation, SliversHaveLittleInfluence) {
   Mesh mesh = sphere(1, 16, 8);
   const Mesh whole = mesh;
   const auto count = static_cast<std::uint32_t>(mesh.vertexCount());

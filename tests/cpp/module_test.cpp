@@ -30,7 +30,7 @@ class ModuleTest : public testing::Test, protected Bench {
                                          {{"glsl", "float bump(float a) { return a; }"},
                                           {"wgsl", "fn bump(a: f32) -> f32 { return a; }"}},
                                          1);
-    const int truncated = call("trunc", {own(bump, {inner})});
+    const int truncated = call("trunc", {callFunction(bump, {inner})});
     builder.push(v3);
     builder.push(number(3));
     const int noise = builder.callNoise({noiseNamed("noise")}, true);
@@ -44,20 +44,20 @@ class ModuleTest : public testing::Test, protected Bench {
   }
 };
 
-TEST_F(ModuleTest, WhatIsKeptSaysTheSameInEveryLanguage) {
+TEST_F(ModuleTest, ASavedModuleGeneratesTheSameCodeInEveryLanguage) {
   fill();
   ASSERT_TRUE(builder.finish()) << builder.problem();
-  const Module kept = load(save(builder.module()));
-  EXPECT_LT(kept.graph.size(), builder.graph().size()) << "what no result needs is gone";
+  const Module loaded = load(save(builder.module()));
+  EXPECT_LT(loaded.graph.size(), builder.graph().size()) << "what no result needs is gone";
   for (const Dialect* dialect : dialects()) {
     const std::string text = textOf(builder.module(), *dialect);
     EXPECT_NE(text.find("---"), text.npos) << text;
-    EXPECT_EQ(textOf(kept, *dialect), text);
-    EXPECT_EQ(textOf(load(save(kept)), *dialect), text);
+    EXPECT_EQ(textOf(loaded, *dialect), text);
+    EXPECT_EQ(textOf(load(save(loaded)), *dialect), text);
   }
 }
 
-TEST_F(ModuleTest, TellsWhichInputsAResultDependsOn) {
+TEST_F(ModuleTest, ReportsWhichInputsAResultDependsOn) {
   const int turn = builder.input("gen", "turn", {1, 1});
   const int unread = builder.input("gen", "unread", {1, 1});
   builder.push(v2);
@@ -66,11 +66,11 @@ TEST_F(ModuleTest, TellsWhichInputsAResultDependsOn) {
   builder.output("gen", "b", image);
   builder.output("gen", "c", call("sub", {unread, unread}));
   ASSERT_TRUE(builder.finish()) << builder.problem();
-  const Module kept = load(save(builder.module()));
+  const Module loaded = load(save(builder.module()));
   const auto namesRead = [&](std::initializer_list<std::uint32_t> results) {
     std::set<std::string> names;
-    for (const std::uint32_t input : inputsRead(kept, std::vector(results)))
-      names.insert(kept.graph.input(input).label);
+    for (const std::uint32_t input : inputsRead(loaded, std::vector(results)))
+      names.insert(loaded.graph.input(input).label);
     return names;
   };
   const auto labelOf = [&](int handle) {
@@ -84,25 +84,25 @@ TEST_F(ModuleTest, TellsWhichInputsAResultDependsOn) {
             (std::set<std::string>{labelOf(v2), labelOf(v3), "turn", "picture", ""}));
 }
 
-TEST_F(ModuleTest, NobodyChangesIt) {
+TEST_F(ModuleTest, WritingCodeOrProgramsDoesNotModifyTheModule) {
   fill();
-  const Module kept = load(save(builder.module()));
-  const std::vector<std::uint32_t> before = save(kept);
-  const std::string first = textOf(kept, glsl300);
-  textOf(kept, glsl100);  // lowers trunc
-  textOf(kept, wgsl);
+  const Module loaded = load(save(builder.module()));
+  const std::vector<std::uint32_t> before = save(loaded);
+  const std::string first = textOf(loaded, glsl300);
+  textOf(loaded, glsl100);  // lowers trunc
+  textOf(loaded, wgsl);
   const std::uint32_t b = 1;
-  EXPECT_TRUE(program(kept, {&b, 1}).program) << "inlines the noise";
-  EXPECT_EQ(save(kept), before);
-  EXPECT_EQ(textOf(kept, glsl300), first);
+  EXPECT_TRUE(program(loaded, {&b, 1}).program) << "inlines the noise";
+  EXPECT_EQ(save(loaded), before);
+  EXPECT_EQ(textOf(loaded, glsl300), first);
 }
 
-TEST_F(ModuleTest, ItsNamesAreTheHosts) {
+TEST_F(ModuleTest, UsesTheNamesThatTheHostPasses) {
   builder.output("gen", "first", call("mult", {v2, x}));
   builder.output("gen", "second", call("sin", {x}));
-  const Module kept = load(save(builder.module()));
+  const Module loaded = load(save(builder.module()));
   const ShaderTextResult made =
-      write(kept, glsl300, {.results = {{1, "y"}}, .inputs = {{0, "uTime"}, {1, "inputs.uv"}}});
+      write(loaded, glsl300, {.results = {{1, "y"}}, .inputs = {{0, "uTime"}, {1, "inputs.uv"}}});
   ASSERT_TRUE(made.text) << made.problem;
   EXPECT_EQ(made.text->emitted.code, "float y;\n{\n  y = sin(uTime);\n}\n");
   ASSERT_EQ(made.text->inputs.size(), 1u);
@@ -110,7 +110,7 @@ TEST_F(ModuleTest, ItsNamesAreTheHosts) {
   EXPECT_EQ(made.text->inputs[0].text, "uTime");
 }
 
-TEST_F(ModuleTest, AProgramOfItSkipsImagesThatItDoesNotRead) {
+TEST_F(ModuleTest, AProgramIgnoresImagesThatItsResultsDoNotRead) {
   builder.push(v2);
   builder.callTexture({Filter::Bilinear, Wrap::Clamp}, "picture");
   const int last = input("last");

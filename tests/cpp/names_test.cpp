@@ -8,7 +8,7 @@
 namespace warpjet {
 namespace {
 
-TEST(Names, ExpressionsOfAHostAreAccepted) {
+TEST(Names, AcceptsHostExpressions) {
   for (const char* text :
        {"position", "aPosition", "inputs.position", "(uModel * vec4(aPosition, 1.0)).xyz", "-x",
         "1.5e-3 * x", "f()", "f(a, b[2].c)", "a < b ? a : b", "a - -b", "float(gl_VertexID)",
@@ -17,7 +17,7 @@ TEST(Names, ExpressionsOfAHostAreAccepted) {
     EXPECT_EQ(inputProblem(glsl300, text), "") << text;
 }
 
-TEST(Names, BrokenExpressionsAreRefused) {
+TEST(Names, RejectsBrokenExpressions) {
   for (const char* text :
        {"",       " ",      "a b",      "a +",  "* a",    "(a",     "a)",    "(a]",   "a; b",
         "a = b",  "a += b", "a++",      "--a",  "a // b", "a /* b", "f(,a)", "f(a,)", "a, b",
@@ -27,7 +27,7 @@ TEST(Names, BrokenExpressionsAreRefused) {
     EXPECT_NE(inputProblem(glsl300, text), "") << text;
 }
 
-TEST(Names, ReservedWordsAreRefused) {
+TEST(Names, RejectsReservedWords) {
   for (const char* text : {"for", "while", "sampler2D", "gl_Foo", "a__b", "__x", "webgl_x",
                            "_webgl_x", "struct", "return", "in", "a + discard"})
     EXPECT_NE(inputProblem(glsl300, text), "") << text;
@@ -41,7 +41,7 @@ TEST(Names, ReservedWordsAreRefused) {
   EXPECT_EQ(inputProblem(glsl100, "a && b || c ^^ d"), "");
 }
 
-TEST(Names, BuiltInVariablesThatAreNoFloatsNeedAConversion) {
+TEST(Names, BuiltInVariablesOfOtherTypesNeedAConversion) {
   EXPECT_EQ(inputProblem(glsl300, "gl_VertexID"), "it is not a float; write float(gl_VertexID)");
   EXPECT_EQ(inputProblem(glsl300, "float(gl_VertexID)"), "");
   EXPECT_EQ(inputProblem(glsl300, "gl_FragCoord"), "");
@@ -60,7 +60,7 @@ TEST(Names, MembersAreNotIdentifiers) {
   EXPECT_EQ(found, (std::vector<std::string_view>{"inputs", "scale", "f"}));
 }
 
-TEST(Names, PlainVariables) {
+TEST(Names, RecognizesPlainVariables) {
   EXPECT_TRUE(isPlainVariable("position"));
   EXPECT_TRUE(isPlainVariable("inputs.uv"));
   EXPECT_FALSE(isPlainVariable("f(x)"));

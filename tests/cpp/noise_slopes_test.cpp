@@ -32,7 +32,7 @@ double steepestFound(Library& library, const Definition& definition, int points)
   return steepest;
 }
 
-TEST(NoiseSlopes, AreNoSteeperThanTheirBound) {
+TEST(NoiseSlopes, StayWithinTheirBounds) {
   for (const NoiseKind kind : {noiseNamed("noise"), noiseNamed("simplex"), noiseNamed("valueNoise"),
                                noiseNamed("worley")}) {
     for (int dimensions = 1; dimensions <= (kind == noiseNamed("worley") ? 3 : 4); ++dimensions) {

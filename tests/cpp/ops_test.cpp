@@ -44,7 +44,7 @@ void expectValue(const Case& expected) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(Ops, ValuesAreThoseOfGlsl) {
+TEST(Ops, ValuesMatchGlsl) {
   const double e = 2.718281828459045, pi = 3.141592653589793, root2 = 1.4142135623730951;
   const std::vector<Case> cases{
       {"neg", {2}, -2},
@@ -197,7 +197,7 @@ TEST(Ops, ValuesAreThoseOfGlsl) {
   for (const Declaration& row : declarations) EXPECT_TRUE(checked.contains(row.name)) << row.name;
 }
 
-TEST(Ops, ValuesAtInfinityAreThoseOfIeee754) {
+TEST(Ops, ValuesAtInfinityMatchIeee754) {
   for (const Case& expected : std::vector<Case>{{"div", {1, 0}, infinity},
                                                 {"div", {0, 0}, NAN},
                                                 {"log", {0}, -infinity},
@@ -230,7 +230,8 @@ class Sampler {
   std::mt19937 random_{1};
 };
 
-// Checks the partial derivative by operand `Operand` of row `Row` at random points of its domain.
+// Checks the partial derivative of row `Row` with respect to operand `Operand`, at random points of
+// its domain.
 template <std::size_t Row, std::size_t Operand>
 void checkPartial() {
   constexpr auto& row = std::get<Row>(table);

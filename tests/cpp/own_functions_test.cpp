@@ -19,24 +19,24 @@ class OwnFunctions : public testing::Test, protected Bench {
   int bump = hostFunction("bump", "float bump(float a) { return a; }", 1);
 };
 
-TEST_F(OwnFunctions, AreCalledByComponent) {
-  const int called = own(noise, {v3, x});
+TEST_F(OwnFunctions, AreCalledPerComponent) {
+  const int called = callFunction(noise, {v3, x});
   EXPECT_EQ(builder.shape(called), vectorOf(3));
   EXPECT_EQ(text(called), "vec3(noise(v3.x, x), noise(v3.y, x), noise(v3.z, x))");
 }
 
-TEST_F(OwnFunctions, TakeConditionsAsNumbers) {
-  EXPECT_EQ(text(own(bump, {call("lt", {x, number(1)})})), "bump(float(x < 1.0))");
+TEST_F(OwnFunctions, ReceiveConditionsAsNumbers) {
+  EXPECT_EQ(text(callFunction(bump, {call("lt", {x, number(1)})})), "bump(float(x < 1.0))");
 }
 
-TEST_F(OwnFunctions, AreDeclaredOnceAndOnlyIfCalled) {
-  const int a = own(bump, {x}), b = own(bump, {call("sin", {x})});
+TEST_F(OwnFunctions, AreDeclaredOnceIfCalled) {
+  const int a = callFunction(bump, {x}), b = callFunction(bump, {call("sin", {x})});
   builder.output("gen", "y", call("add", {a, b}));
-  EXPECT_EQ(written().text->declarations, "float bump(float a) { return a; }\n");
+  EXPECT_EQ(writeResults().text->declarations, "float bump(float a) { return a; }\n");
 }
 
-TEST_F(OwnFunctions, AreAskedForTheirPartialsWhereTheyAreDifferentiated) {
-  const int called = own(noise, {call("sin", {x}), x});
+TEST_F(OwnFunctions, NeedPartialsIfTheyAreDifferentiated) {
+  const int called = callFunction(noise, {call("sin", {x}), x});
   const std::vector<NodeId> pendingCalls = pendingFor(called);
   ASSERT_EQ(pendingCalls.size(), 1u);
   const NodeId pending = pendingCalls[0];
@@ -48,17 +48,17 @@ TEST_F(OwnFunctions, AreAskedForTheirPartialsWhereTheyAreDifferentiated) {
   EXPECT_EQ(text(slope), "x * cos(x) + sin(x)") << "chain rule with d/da = b, d/db = a";
 }
 
-TEST_F(OwnFunctions, EqualCallsAreAskedForOnce) {
-  const int called = own(bump, {x}), again = own(bump, {x});
+TEST_F(OwnFunctions, EqualCallsNeedTheirPartialsOnce) {
+  const int called = callFunction(bump, {x}), again = callFunction(bump, {x});
   const std::vector<NodeId> pending = pendingFor(call("add", {called, again}));
   ASSERT_EQ(pending.size(), 1u);
   ASSERT_TRUE(givePartials(pending[0], {number(2)}));
   EXPECT_EQ(text(call("derivative", {again, x})), "2.0");
 }
 
-TEST_F(OwnFunctions, EachCallIsAskedForByItself) {
-  const int inner = own(noise, {x, x});
-  const int sum = call("add", {own(bump, {x}), own(bump, {inner})});
+TEST_F(OwnFunctions, DifferentCallsNeedTheirOwnPartials) {
+  const int inner = callFunction(noise, {x, x});
+  const int sum = call("add", {callFunction(bump, {x}), callFunction(bump, {inner})});
   const std::vector<NodeId> pending = pendingFor(sum);
   EXPECT_EQ(pending.size(), 3u);
   for (const NodeId call : pending) {
@@ -71,13 +71,13 @@ TEST_F(OwnFunctions, EachCallIsAskedForByItself) {
   EXPECT_EQ(text(call("derivative", {sum, x})), "x + noise(x, x) * 8.0");
 }
 
-TEST_F(OwnFunctions, ASecondDerivativeAsksForThePartialsOfThePartials) {
-  const int called = own(bump, {x});
+TEST_F(OwnFunctions, ASecondDerivativeNeedsThePartialsOfThePartials) {
+  const int called = callFunction(bump, {x});
   const std::vector<NodeId> pending = pendingFor(called);
   ASSERT_EQ(pending.size(), 1u);
   const NodeId first = pending[0];
   const int steepness = hostFunction("steepness", "float steepness(float a) { return 1.0; }", 1);
-  ASSERT_TRUE(givePartials(first, {own(steepness, {builder.argumentOfCall(first, 0)})}));
+  ASSERT_TRUE(givePartials(first, {callFunction(steepness, {builder.argumentOfCall(first, 0)})}));
   const int slope = call("derivative", {called, x});
   const std::vector<NodeId> pendingAgain = pendingFor(slope);
   ASSERT_EQ(pendingAgain.size(), 1u);
@@ -88,7 +88,7 @@ TEST_F(OwnFunctions, ASecondDerivativeAsksForThePartialsOfThePartials) {
   const int curvature = call("derivative", {slope, x});
   builder.output("gen", "slope", slope);
   builder.output("gen", "curvature", curvature);
-  const auto text = written().text;
+  const auto text = writeResults().text;
   ASSERT_TRUE(text) << problemOfText();
   EXPECT_EQ(text->emitted.code,
             "float slope, curvature;\n{\n  slope = steepness(x);\n  curvature = x * 6.0;\n}\n");
@@ -96,8 +96,8 @@ TEST_F(OwnFunctions, ASecondDerivativeAsksForThePartialsOfThePartials) {
       << "bump is not called";
 }
 
-TEST_F(OwnFunctions, GradientsJacobiansAndNormalsAskToo) {
-  const int offset = own(bump, {v3}), normal = input("normal", vectorOf(3));
+TEST_F(OwnFunctions, GradientsJacobiansAndNormalsNeedPartialsToo) {
+  const int offset = callFunction(bump, {v3}), normal = input("normal", vectorOf(3));
   EXPECT_EQ(call("adjustNormal", {offset, normal, v3}), Builder::needsPartials);
   EXPECT_EQ(call("gradient", {call("length", {offset}), v3}), Builder::needsPartials);
   ASSERT_EQ(call("jacobian", {offset, v3}), Builder::needsPartials);
@@ -109,8 +109,8 @@ TEST_F(OwnFunctions, GradientsJacobiansAndNormalsAskToo) {
             "mat3(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0)");
 }
 
-TEST_F(OwnFunctions, PartialsMustBeANumberForEachArgument) {
-  const int called = own(noise, {x, x});
+TEST_F(OwnFunctions, PartialsMustBeOneNumberPerArgument) {
+  const int called = callFunction(noise, {x, x});
   const std::vector<NodeId> pendingCalls = pendingFor(called);
   ASSERT_EQ(pendingCalls.size(), 1u);
   const NodeId pending = pendingCalls[0];
@@ -123,8 +123,8 @@ TEST_F(OwnFunctions, PartialsMustBeANumberForEachArgument) {
   EXPECT_EQ(text(call("derivative", {called, x})), "x + 1.0");
 }
 
-TEST_F(OwnFunctions, GiveNoProgram) {
-  builder.output("gen", "y", own(bump, {x}));
+TEST_F(OwnFunctions, CannotBeEvaluatedByAProgram) {
+  builder.output("gen", "y", callFunction(bump, {x}));
   const std::uint32_t first = 0;
   EXPECT_FALSE(program(builder.module(), {&first, 1}).program);
 }

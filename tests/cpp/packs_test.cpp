@@ -34,38 +34,38 @@ class PacksTest : public testing::Test {
   }
 };
 
-TEST_F(PacksTest, AResultIsWrittenAsAVector) {
+TEST_F(PacksTest, WritesAResultAsAVector) {
   EXPECT_EQ(text(each([&](int i) { return sin(p[i] * 2.0) + x; })), "  y = sin(p * 2.0) + x;\n");
 }
 
-TEST_F(PacksTest, ComponentsMayBeInAnotherOrder) {
+TEST_F(PacksTest, UsesSwizzlesForReorderedComponents) {
   EXPECT_EQ(text(vec3(sin(p[2]), sin(p[0]), sin(p[1]))), "  y = sin(p.zxy);\n");
 }
 
-TEST_F(PacksTest, AComponentMayComeTwice) {
+TEST_F(PacksTest, AComponentMayOccurTwice) {
   EXPECT_EQ(text(vec3(sin(p[2]), sin(p[0]), sin(p[0]) * 1.0)),
             "  float t0 = sin(p.x);\n  y = vec3(sin(p.z), t0, t0);\n");
   EXPECT_EQ(text(vec3(p[1] * 2.0, p[0] * 3.0, p[0] * 4.0)), "  y = p.yxx * vec3(2.0, 3.0, 4.0);\n");
 }
 
-TEST_F(PacksTest, ConstantsAreAVector) {
+TEST_F(PacksTest, CombinesConstantsToAVector) {
   const double factors[] = {2, 3, 4};
   EXPECT_EQ(text(each([&](int i) { return sin(p[i] * factors[i]); })),
             "  y = sin(p * vec3(2.0, 3.0, 4.0));\n");
 }
 
-TEST_F(PacksTest, WhatIsNotTheSameStaysARow) {
+TEST_F(PacksTest, WritesDifferentOperationsPerComponent) {
   EXPECT_EQ(text(vec3(sin(p[0]), cos(p[1]), number(0))), "  y = vec3(sin(p.x), cos(p.y), 0.0);\n");
 }
 
-TEST_F(PacksTest, TemporariesAreVectorsToo) {
+TEST_F(PacksTest, TemporariesCanBeVectors) {
   const Value u = each([&](int i) { return sin(p[i] * x); });
   EXPECT_EQ(text(u * u),
             "  vec3 t0 = sin(p * x);\n"
             "  y = t0 * t0;\n");
 }
 
-TEST_F(PacksTest, OneComponentIsReadByItself) {
+TEST_F(PacksTest, ReadsSingleComponentsOfAVector) {
   const Value u = each([&](int i) { return sin(p[i] * x); });
   EXPECT_EQ(text(each([&](int i) { return u[i] * u[i] + cos(u[0]); })),
             "  vec3 t0 = sin(p * x);\n"
@@ -74,7 +74,7 @@ TEST_F(PacksTest, OneComponentIsReadByItself) {
 }
 
 // The derivative of a chain of sines isn't a component of the value: it is found from the angles.
-TEST_F(PacksTest, WhatElseIsComputedOfAVectorIsAVector) {
+TEST_F(PacksTest, FurtherOperationsOnAVectorAreVectorsToo) {
   const Value angle = each([&](int i) { return p[i] * 3.0 + x; });
   const Value slope = each([&](int i) { return cos(angle[i]) * 5.0; });
   const Expression mixed = slope[0] * slope[1] - slope[2] * slope[0] / slope[1] * slope[2];
@@ -86,29 +86,29 @@ TEST_F(PacksTest, WhatElseIsComputedOfAVectorIsAVector) {
 }
 
 // In WGSL, min and max take only vectors; in GLSL also a vector and a number, in this order.
-TEST_F(PacksTest, ANumberStandsBesideVectorsWhereTheLanguageHasThat) {
-  const Value least = each([&](int i) { return min(sin(p[i]), x); });
-  EXPECT_EQ(text(least), "  y = min(sin(p), x);\n");
-  EXPECT_EQ(text(least, wgsl), "  y = min(sin(p), vec3f(x));\n");
+TEST_F(PacksTest, CombinesVectorsWithNumbersIfTheLanguageAllowsIt) {
+  const Value smaller = each([&](int i) { return min(sin(p[i]), x); });
+  EXPECT_EQ(text(smaller), "  y = min(sin(p), x);\n");
+  EXPECT_EQ(text(smaller, wgsl), "  y = min(sin(p), vec3f(x));\n");
   EXPECT_EQ(text(each([&](int i) { return min(x, sin(p[i])); })), "  y = min(vec3(x), sin(p));\n");
   EXPECT_EQ(text(each([&](int i) { return pow(p[i], x); })), "  y = pow(p, vec3(x));\n");
   EXPECT_EQ(text(each([&](int i) { return x / p[i]; }), wgsl), "  y = x / p;\n");
 }
 
-TEST_F(PacksTest, OneConditionChoosesVectors) {
+TEST_F(PacksTest, ASharedConditionChoosesBetweenVectors) {
   const Value chosen = each([&](int i) { return ifElse(lt(x, 1.0), p[i], 0.0); });
   EXPECT_EQ(text(chosen), "  y = x < 1.0 ? p : vec3(0.0);\n");
   EXPECT_EQ(text(chosen, wgsl), "  y = select(vec3f(0.0f), p, x < 1.0f);\n");
 }
 
-TEST_F(PacksTest, AConditionOfEachComponentChoosesNumbers) {
+TEST_F(PacksTest, AConditionPerComponentChoosesBetweenNumbers) {
   const std::string all = text(each([&](int i) { return ifElse(lt(p[i], 1.0), p[i], x); }));
   EXPECT_EQ(all, "  y = vec3(p.x < 1.0 ? p.x : x, p.y < 1.0 ? p.y : x, p.z < 1.0 ? p.z : x);\n");
 }
 
 // A scalar that one statement reads once is written inline; if it is read elsewhere, too, it has a
 // name.
-TEST_F(PacksTest, ANumberOfOneVectorIsWrittenBesideIt) {
+TEST_F(PacksTest, WritesANumberInlineIfOneStatementReadsItOnce) {
   const Expression scale = ifElse(gt(x, 0.0), x, 0.5);
   EXPECT_EQ(text(p * scale), "  y = p * (x > 0.0 ? x : 0.5);\n");
   EXPECT_EQ(text(vec3(p[0] * scale, p[1] * scale, scale)),
@@ -129,7 +129,7 @@ TEST_F(PacksTest, ANumberOfOneVectorIsWrittenBesideIt) {
   EXPECT_NE(both.find("  y = p * t0;\n"), std::string::npos) << both;
 }
 
-TEST_F(PacksTest, ANumberThatNestsDeepHasANameBesideAVector) {
+TEST_F(PacksTest, NamesADeeplyNestedNumberBesideAVector) {
   Expression scale = x;
   for (int i = 0; i < 3; ++i) scale = sin(scale);
   EXPECT_EQ(text(p * scale), "  y = p * sin(sin(sin(x)));\n");
@@ -139,7 +139,7 @@ TEST_F(PacksTest, ANumberThatNestsDeepHasANameBesideAVector) {
 }
 
 // A rotation is written as a person would; the matrix is column by column.
-TEST_F(PacksTest, APointThatIsTurnedIsMultipliedByAMatrix) {
+TEST_F(PacksTest, WritesARotationAsAMatrixProduct) {
   const Expression u = x * 2.0, s = sin(u), c = cos(u);
   const auto turn = [&](Expression a, Expression b) {
     return std::array{a * c - b * s, a * s + c * b};
@@ -161,7 +161,7 @@ TEST_F(PacksTest, APointThatIsTurnedIsMultipliedByAMatrix) {
             std::string::npos);
 }
 
-TEST_F(PacksTest, ADotProductIsWrittenAsThat) {
+TEST_F(PacksTest, RecognizesDotProducts) {
   const Value q = vector3(graph, "q");
   EXPECT_EQ(text(dot(p, q)), "  y = dot(p, q);\n");
   EXPECT_EQ(text(x / dot(p, q), wgsl), "  y = x / dot(p, q);\n");
@@ -175,7 +175,7 @@ TEST_F(PacksTest, ADotProductIsWrittenAsThat) {
   EXPECT_EQ(text(p[0] * p[0] + p[0] * p[0] * x), "  float t0 = p.x * p.x;\n  y = t0 + t0 * x;\n");
 }
 
-TEST_F(PacksTest, ACrossProductIsWrittenAsThat) {
+TEST_F(PacksTest, RecognizesCrossProducts) {
   const Value q = vector3(graph, "q");
   EXPECT_EQ(text(cross(p, q)), "  y = cross(p, q);\n");
   EXPECT_EQ(text(cross(q, p) * x, wgsl), "  y = cross(q, p) * x;\n");
@@ -188,24 +188,24 @@ TEST_F(PacksTest, ACrossProductIsWrittenAsThat) {
       "  y = p.yzx * q.zxy - p.zxy * q.yzy;\n");
 }
 
-TEST_F(PacksTest, PartsOfAVectorStayTogetherInARow) {
+TEST_F(PacksTest, WritesAdjacentComponentsOfAVectorAsASwizzle) {
   EXPECT_EQ(text(vec3(p[0], p[1], x)), "  y = vec3(p.xy, x);\n");
   EXPECT_EQ(text(vec3(x, p[2], p[1]), wgsl), "  y = vec3f(x, p.zy);\n");
 }
 
-TEST_F(PacksTest, PairsAreVectorsOfTwo) {
+TEST_F(PacksTest, WritesPairsAsVec2) {
   const Value pair =
       fill(graph, vectorOf(2), [&](int i) { return sin((i == 0 ? p[0] : p[2]) * x); });
   EXPECT_EQ(text(pair * pair), "  vec2 t0 = sin(p.xz * x);\n  y = t0 * t0;\n");
 }
 
-TEST_F(PacksTest, ARotationLeavesNoSquaresOfSinesBehind) {
+TEST_F(PacksTest, SimplifiesSumsOfSquaredSineAndCosine) {
   const Expression c = cos(x), s = sin(x);
   EXPECT_EQ(text(vec3(c * c + s * s, s * s + c * c, x)), "  y = vec3(1.0, 1.0, x);\n");
 }
 
 // b reads a.x, and a.y reads b: a can't be one statement.
-TEST_F(PacksTest, NothingWaitsForItself) {
+TEST_F(PacksTest, DoesNotCombineOperationsThatDependOnEachOther) {
   const Expression first = sin(p[0]), between = exp(first) * first, second = sin(between);
   const Value a = vec3(first * first, second * second, between * between);
   const std::string all = text(a);
@@ -213,7 +213,7 @@ TEST_F(PacksTest, NothingWaitsForItself) {
   EXPECT_LT(all.find("exp("), all.rfind("sin("));
 }
 
-TEST_F(PacksTest, WithoutVectorsTheTextIsOfNumbers) {
+TEST_F(PacksTest, WritesOnlyNumbersIfVectorsAreOff) {
   EmitOptions options;
   options.vectors = false;
   const Value u = each([&](int i) { return sin(p[i] * x); });
@@ -225,7 +225,7 @@ TEST_F(PacksTest, WithoutVectorsTheTextIsOfNumbers) {
   EXPECT_EQ(packed.vectors, 1u);
 }
 
-TEST_F(PacksTest, ALongChainOfVectorsIsNoChainOfCalls) {
+TEST_F(PacksTest, HandlesALongChainOfVectorsWithoutRecursion) {
   Value v = p;
   for (int i = 0; i < 30'000; ++i) v = each([&](int k) { return sin(v[k]); });
   const EmittedCode emitted = emit(graph, glsl300, std::vector{result("y", v)});

@@ -1,5 +1,5 @@
-// Triangulation of polygons. Whatever the cuts, areas add up, and every edge is used in both
-// directions or is a side of the polygon.
+// Triangulation of polygons. For any triangulation, the areas must add up, and every edge must be
+// used in both directions or be a side of the polygon.
 #include "mesh/obj/polygon.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ void expectExact(const Points& polygon, const std::string& what) {
     EXPECT_EQ(count, 0) << what << ": " << edge.first << ' ' << edge.second;
 }
 
-TEST(Polygon, CutsAConcaveOneInside) {
+TEST(Polygon, TriangulatesAConcavePolygonInsideItsOutline) {
   const Points dart = flat({{0, 0}, {4, 0}, {4, 4}, {3, 1}});
   EXPECT_EQ(areaOf(dart), 4);
   EXPECT_EQ(trianglesOfPolygon(dart), (Triangles{{3, 0, 1}, {1, 2, 3}}));
@@ -76,14 +76,14 @@ TEST(Polygon, CutsAConcaveOneInside) {
   expectExact(flat({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {3, 1}}), "twice the same");
 }
 
-TEST(Polygon, KeepsConvexOnesAsFans) {
+TEST(Polygon, TriangulatesConvexPolygonsAsFans) {
   EXPECT_EQ(trianglesOfPolygon(flat({{0, 0}, {2, 0}, {2, 2}, {1, 3}, {0, 2}})),
             (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
   EXPECT_EQ(trianglesOfPolygon(flat({{0, 0}, {2, 0}, {0, 2}})), (Triangles{{0, 1, 2}}));
   EXPECT_TRUE(trianglesOfPolygon(flat({{0, 0}, {2, 0}})).empty());
 }
 
-TEST(Polygon, KeepsTheWindingInEveryPlane) {
+TEST(Polygon, PreservesTheWindingInEveryPlane) {
   const Points dart = flat({{0, 0}, {4, 0}, {4, 4}, {3, 1}});
   for (const glm::dvec3& x : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0.6, 0, 0.8)})
     for (const glm::dvec3& y : {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)}) {
@@ -93,26 +93,26 @@ TEST(Polygon, KeepsTheWindingInEveryPlane) {
     }
 }
 
-TEST(Polygon, CutsAnyThatDoesNotCrossItself) {
+TEST(Polygon, TriangulatesAnySimplePolygon) {
   std::mt19937 random(1);
-  const auto whole = [&](int least, int most) {
-    return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
+  const auto randomInteger = [&](int min, int max) {
+    return min + static_cast<int>(random() % static_cast<unsigned>(max - min + 1));
   };
   for (int i = 0; i < 2000; ++i) {
     // A star-shaped polygon around a point that sees all of it.
-    const int count = whole(4, 40);
+    const int count = randomInteger(4, 40);
     Points star;
     for (int k = 0; k < count; ++k) {
-      const double angle = 2 * std::numbers::pi * k / count, radius = whole(1, 9);
+      const double angle = 2 * std::numbers::pi * k / count, radius = randomInteger(1, 9);
       star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
     }
     expectExact(star, "star " + std::to_string(i));
     // A skyline with integer coordinates, so that many corners are aligned.
     Points skyline = flat({{0, 0}});
-    const int towers = whole(2, 20);
+    const int towers = randomInteger(2, 20);
     skyline.emplace_back(towers, 0, 0);
     for (int k = towers; k > 0; --k) {
-      const int height = whole(1, 4);
+      const int height = randomInteger(1, 4);
       skyline.emplace_back(k, height, 0);
       skyline.emplace_back(k - 1, height, 0);
     }
@@ -129,7 +129,7 @@ TEST(Polygon, CutsAnyThatDoesNotCrossItself) {
   expectExact(spiral, "spiral");
 }
 
-TEST(Polygon, EndsWithAnyThatCrossesItself) {
+TEST(Polygon, TerminatesForSelfIntersectingPolygons) {
   std::mt19937 random(2);
   for (const std::size_t count : {4u, 5u, 10u, 100u, 4096u, 5000u}) {
     Points points;

@@ -1,5 +1,5 @@
-// A vector of the host times a matrix, if that is shorter than its sums. The expected code is what
-// a person would write.
+// The product of a host's vector and a matrix is written as such if that is shorter than its sums.
+// The expected code is what a person would write.
 #include "emit/products.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST_F(ProductsTest, AreWrittenAsVectorTimesMatrix) {
       has(unitText(v, wgsl), "  let t0 = p * mat3x3f(a, b, c, b, c, a * b, c, a, b * c);\n"));
 }
 
-TEST_F(ProductsTest, HaveSigns) {
+TEST_F(ProductsTest, MayHaveNegatedTerms) {
   const Value v = fill(graph, vectorOf(3), [&](int i) {
     if (i == 0) return a * p[0] - (b * p[1] - c * p[2]);
     if (i == 1) return p[0] * (a * b) - p[1] * c - p[2] * (b - c);
@@ -52,7 +52,7 @@ TEST_F(ProductsTest, HaveSigns) {
 
 // Sums of fewer products are shorter unchanged, and cross products are, if all entries are
 // cofactors.
-TEST_F(ProductsTest, PayForThemselves) {
+TEST_F(ProductsTest, AreWrittenOnlyIfTheCodeIsShorter) {
   const Expression zero{&graph, graph.constant(0)};
   EXPECT_FALSE(isProduct(times({a, b, c, b, c, a, c, zero, b})));
   const Value u = q * a, w = q + b, s = q * q + c;
@@ -60,7 +60,7 @@ TEST_F(ProductsTest, PayForThemselves) {
   EXPECT_FALSE(isProduct(times({x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]})));
 }
 
-TEST_F(ProductsTest, AreOfOneVectorAndNoMore) {
+TEST_F(ProductsTest, MultiplyOnlyOneVector) {
   const std::array<Expression, 9> entries{a, b, c, b, c, a * b, c, a, b * c};
   const Value v = times(entries);
   Value other = v, twice = v, constant = v;
@@ -74,7 +74,7 @@ TEST_F(ProductsTest, AreOfOneVectorAndNoMore) {
 }
 
 // A term that another statement or a result reads has a name, which a matrix wouldn't use.
-TEST_F(ProductsTest, ShareNoTerm) {
+TEST_F(ProductsTest, DoNotUseTermsThatAreReadElsewhere) {
   const Value v = times({a, b, c, b, c, a * b, c, a, b * c});
   const Value shared = normalize(v) + a * p[0];
   EXPECT_FALSE(has(emit(graph, glsl300, std::vector{result("y", shared)}).code, "mat3("));

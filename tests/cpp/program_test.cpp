@@ -28,14 +28,14 @@ class ProgramTest : public testing::Test {
   }
 };
 
-TEST_F(ProgramTest, GivesTheRootsInOrder) {
+TEST_F(ProgramTest, ReturnsTheRootsInOrder) {
   const std::vector<NodeId> roots{(p[0] + p[1]).id, p[2].id, graph.constant(7), (p[0] + p[1]).id};
   const auto made = program(graph, roots);
   ASSERT_TRUE(made);
   EXPECT_EQ(run(*made, {1.0, 2.0, 5.0}, 4), (std::vector<double>{3, 5, 7, 3}));
 }
 
-TEST_F(ProgramTest, NumbersComeInTheOrderOfTheInputsDownTheColumns) {
+TEST_F(ProgramTest, ReadsInputsInOrderAndMatricesColumnByColumn) {
   const std::vector<NodeId> roots{p[1].id, time.id, m.at(1, 0).id, m.at(0, 2).id};
   const std::vector<double> numbers{30, 31, 32, 20, 10, 11, 12, 13, 14, 15};
   const auto made = program(graph, roots);
@@ -43,14 +43,14 @@ TEST_F(ProgramTest, NumbersComeInTheOrderOfTheInputsDownTheColumns) {
   EXPECT_EQ(run(*made, numbers, 4), (std::vector<double>{31, 20, 13, 12}));
 }
 
-TEST_F(ProgramTest, ConditionsAreOneAndZero) {
+TEST_F(ProgramTest, ReturnsConditionsAsOneOrZero) {
   const std::vector<NodeId> roots{lt(p[0], p[1]).id, gt(p[0], p[1]).id};
   const auto made = program(graph, roots);
   ASSERT_TRUE(made);
   EXPECT_EQ(run(*made, {1.0, 2.0, 0.0}, 2), (std::vector<double>{1, 0}));
 }
 
-TEST_F(ProgramTest, ConstantsKeepEveryBit) {
+TEST_F(ProgramTest, PreservesEveryBitOfConstants) {
   const std::vector<double> values{0.1, -1e-30, 98765.4321, 3e38};
   std::vector<NodeId> roots;
   for (const double value : values) roots.push_back(graph.constant(value));
@@ -68,7 +68,7 @@ TEST_F(ProgramTest, HasOneInstructionForEachNode) {
   EXPECT_EQ(made->words.size(), 4u * 4 + 1);
 }
 
-TEST_F(ProgramTest, WithACallThereIsNone) {
+TEST_F(ProgramTest, DoesNotExistForACallOfAHostFunction) {
   const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId arguments[] = {p[0].id, p[1].id};
   const Expression call{&graph, graph.call(noise, arguments)};
@@ -77,7 +77,7 @@ TEST_F(ProgramTest, WithACallThereIsNone) {
 }
 
 // A derivative of a call with respect to an input needs the partial, not the call.
-TEST_F(ProgramTest, ADerivativeThatNeedsNoCallHasOne) {
+TEST_F(ProgramTest, ExistsForADerivativeThatNeedsNoCall) {
   const std::uint32_t linear = graph.addFunction({"linear", 1});
   const NodeId call = graph.call(linear, std::array{p[0].id});
   graph.setPartials(call, std::array{(p[0] * 3.0).id});
@@ -88,8 +88,8 @@ TEST_F(ProgramTest, ADerivativeThatNeedsNoCallHasOne) {
   EXPECT_EQ(run(*made, {2.0, 0.0, 0.0}, 1), std::vector<double>{6});
 }
 
-// Stacks every row on top of the others, and its derivative.
-TEST_F(ProgramTest, AgreesWithTheEvaluationOfTheGraph) {
+// Applies each row to the result of the previous one, and differentiates the result.
+TEST_F(ProgramTest, MatchesTheEvaluationOfTheGraph) {
   std::vector<NodeId> roots;
   Differentiator differentiator(graph);
   NodeId last = time.id;
@@ -125,7 +125,7 @@ TEST_F(ProgramTest, AgreesWithTheEvaluationOfTheGraph) {
   }
 }
 
-TEST_F(ProgramTest, ALongChainNeitherRecursesNorTakesLong) {
+TEST_F(ProgramTest, HandlesALongChainWithoutRecursion) {
   Expression f = time;
   for (int i = 0; i < 100'000; ++i) f = f * 0.5 + 1.0;
   const auto made = program(graph, std::array{f.id});

@@ -1,5 +1,5 @@
-// The order of work. Its quality is measured here from the order alone: the number of values that
-// are alive at a time.
+// The order in which nodes are computed. A good order keeps few values alive at a time, which can
+// be measured from the order alone.
 #include "graph/schedule.hpp"
 
 #include <gtest/gtest.h>
@@ -32,26 +32,26 @@ class ScheduleTest : public testing::Test {
     for (std::size_t place = 0; place < order.size(); ++place) {
       for (const std::uint32_t read : work.readsOf(order[place])) lastReader[read] = place;
     }
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (std::size_t place = 0; place < order.size(); ++place) {
       std::size_t alive = 0;
       for (std::size_t before = 0; before <= place; ++before)
         alive += work.tasks[order[before]].isResult || lastReader[order[before]] > place;
-      most = std::max(most, alive);
+      max = std::max(max, alive);
     }
-    return most;
+    return max;
   }
 
-  Order written() const {
+  Order sourceOrder() const {
     Order order(work.tasks.size());
     std::iota(order.begin(), order.end(), 0);
     return order;
   }
 };
 
-TEST_F(ScheduleTest, WithoutStatementsThereIsNoOrder) { EXPECT_EQ(schedule(work), Order{}); }
+TEST_F(ScheduleTest, IsEmptyWithoutStatements) { EXPECT_EQ(schedule(work), Order{}); }
 
-TEST_F(ScheduleTest, WhatEndsALifeComesBeforeWhatBeginsOne) {
+TEST_F(ScheduleTest, PutsLastUsesBeforeNewValues) {
   const auto a = add({}), b = add({}), endOfB = add({b}, result), endOfA = add({a}, result);
   EXPECT_EQ(schedule(work), (Order{a, endOfA, b, endOfB}));
 }
@@ -59,7 +59,7 @@ TEST_F(ScheduleTest, WhatEndsALifeComesBeforeWhatBeginsOne) {
 // Nested sines: each angle is read by the next one, and four together by a product of derivatives.
 // No chain is computed to its end before the other, which would make a processor wait for one sine
 // after the other.
-TEST_F(ScheduleTest, ChainsAreWalkedSideBySide) {
+TEST_F(ScheduleTest, InterleavesIndependentChains) {
   Order chains[2];
   for (Order& angles : chains) {
     Order slope;
@@ -83,7 +83,7 @@ TEST_F(ScheduleTest, ChainsAreWalkedSideBySide) {
 }
 
 // sum += sin(angle); slope += cos(angle), where the source has all sums before all slopes.
-TEST_F(ScheduleTest, ASumAndItsSlopeNeedOneAngleAtATime) {
+TEST_F(ScheduleTest, KeepsOneAngleAliveForASumAndItsSlope) {
   Order angles;
   std::uint32_t sum = add({}), slope = add({});
   for (int i = 0; i < 100; ++i) {
@@ -91,11 +91,11 @@ TEST_F(ScheduleTest, ASumAndItsSlopeNeedOneAngleAtATime) {
     sum = add({sum, angles.back()}, i == 99);
   }
   for (int i = 0; i < 100; ++i) slope = add({slope, angles[i]}, i == 99);
-  EXPECT_GT(maxAlive(written()), 100u);
+  EXPECT_GT(maxAlive(sourceOrder()), 100u);
   EXPECT_LE(maxAlive(schedule(work)), 4u);
 }
 
-TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
+TEST_F(ScheduleTest, OrdersEachStatementOnceAfterTheValuesItReads) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
     work = {};
@@ -110,7 +110,7 @@ TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
     const Order order = schedule(work);
     Order sorted = order;
     std::sort(sorted.begin(), sorted.end());
-    ASSERT_EQ(sorted, written());
+    ASSERT_EQ(sorted, sourceOrder());
     std::vector<bool> isWritten(order.size());
     for (const std::uint32_t i : order) {
       for (const std::uint32_t read : work.readsOf(i)) ASSERT_TRUE(isWritten[read]);
@@ -120,7 +120,7 @@ TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
 }
 
 // Statements share a list if their expressions read the same values.
-TEST_F(ScheduleTest, TasksMayShareTheListOfWhatTheyRead) {
+TEST_F(ScheduleTest, TasksMayShareAListOfReads) {
   const auto a = add({});
   const auto b = add({a}, result);
   work.tasks.push_back(work.tasks[b]);
@@ -131,7 +131,7 @@ TEST_F(ScheduleTest, TasksMayShareTheListOfWhatTheyRead) {
   EXPECT_EQ(Order(ofA.begin(), ofA.end()), (Order{b, b + 1, b + 2}));
 }
 
-TEST_F(ScheduleTest, AHundredThousandStatementsAreNotTooMany) {
+TEST_F(ScheduleTest, HandlesAHundredThousandStatements) {
   std::uint32_t last = add({});
   for (int i = 0; i < 100'000; ++i) last = add({0, last});
   EXPECT_EQ(schedule(work).size(), 100'001u);

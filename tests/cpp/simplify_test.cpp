@@ -1,6 +1,6 @@
 // Folded and unfolded graphs: random graphs, built with and without simplification, have the same
 // values at every point, with the exceptions that graph/simplify.hpp lists. Each exception has a
-// test of its own.
+// separate test.
 #include "graph/simplify.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ void expectValues(double folded, double unfolded, Formula formula, double x, dou
 }
 
 // Otherwise x + 0, x - y and 0 - x would have to remain, and shaders don't guarantee that sign.
-TEST(SimplifyExceptions, TheSignOfAZero) {
+TEST(SimplifyExceptions, TheSignOfZeroMayChange) {
   expectValues(
       -0.0, 0.0, [](auto x, auto) { return x + 0.0; }, -0.0);
   expectValues(
@@ -83,8 +83,8 @@ TEST(SimplifyExceptions, InfinityTimesZeroIsZero) {
       0, NAN, [](auto x, auto) { return x * 0.0; }, infinity);
   expectValues(
       0, NAN, [](auto x, auto) { return x * 0.0; }, NAN);
-  const auto chosen = [](auto x, auto) { return 1.0 / x * ifElse(gt(x, 0.0), 1.0, 0.0); };
-  expectValues(0, NAN, chosen, 0);
+  const auto choose = [](auto x, auto) { return 1.0 / x * ifElse(gt(x, 0.0), 1.0, 0.0); };
+  expectValues(0, NAN, choose, 0);
   const auto chosenNot = [](auto x, auto) { return ifElse(gt(x, 0.0), 0.0, 1.0) * x; };
   expectValues(0, NAN, chosenNot, infinity);
 }
@@ -100,14 +100,14 @@ TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
 }
 
 // The same applies to the derivative of a quotient with a constant numerator.
-TEST(SimplifyExceptions, OverItsRootANumberIsItsRoot) {
+TEST(SimplifyExceptions, ANumberDividedByItsRootIsItsRoot) {
   const auto formula = [](auto x, auto) { return x / sqrt(x); };
   expectValues(0, std::nan(""), formula, 0);
   expectValues(infinity, std::nan(""), formula, infinity);
   expectValues(3, 3, formula, 9);
 }
 
-TEST(SimplifyExceptions, SquaresOfSineAndCosineAreOneTogether) {
+TEST(SimplifyExceptions, SquaresOfSineAndCosineAddUpToOne) {
   const auto formula = [](auto x, auto) { return sin(x) * sin(x) + cos(x) * cos(x); };
   expectValues(1, 1, formula, 0);
   expectValues(1, std::nan(""), formula, infinity);
@@ -121,7 +121,7 @@ TEST(SimplifyExceptions, ZeroDividedByAnythingIsZero) {
 }
 
 // mix(x, y, t) is x * (1 - t) + y * t; a term with the factor zero is dropped.
-TEST(SimplifyExceptions, InfinityAtTheOtherEndOfAMix) {
+TEST(SimplifyExceptions, InfinityAtTheUnusedEndOfAMixIsIgnored) {
   const auto mix = [](auto x, auto y, auto t) {
     Graph& graph = *x.graph;
     return Expression{&graph, graph.apply(Mix, {x.id, toNode(graph, y), toNode(graph, t)})};
@@ -178,7 +178,7 @@ TEST(SimplifyExceptions, AProductWithAReciprocalIsAQuotient) {
 }
 
 // GLSL's pow is undefined for a negative base. Each product is rounded.
-TEST(SimplifyExceptions, WholePowersAreRoundedProductByProduct) {
+TEST(SimplifyExceptions, IntegerPowersAreRoundedAfterEachProduct) {
   for (int n = -16; n <= 16; ++n) {
     for (const double x : {0.3, -0.7, 1.1, -2.3, 1000.1}) {
       const Both values = both([n](auto a, auto) { return pow(a, double(n)); }, x);
@@ -189,7 +189,7 @@ TEST(SimplifyExceptions, WholePowersAreRoundedProductByProduct) {
 }
 
 // WGSL rejects clamp with crossing constants, so none may remain.
-TEST(SimplifyExceptions, NotANumberBetweenConstantsThatCross) {
+TEST(SimplifyExceptions, NaNClampedToCrossedBoundsIsTheUpperBound) {
   const auto clamped = [](auto x, auto) {
     Graph& graph = *x.graph;
     return Expression{&graph, graph.apply(Clamp, {x.id, graph.constant(3), graph.constant(2)})};
@@ -199,7 +199,7 @@ TEST(SimplifyExceptions, NotANumberBetweenConstantsThatCross) {
 }
 
 // In double; float32 has its own range.
-TEST(SimplifyExceptions, AnIntermediateThatOverflowsOrUnderflows) {
+TEST(SimplifyExceptions, IntermediatesThatOverflowOrUnderflowAreAvoided) {
   const auto scaled = [](auto x, auto) { return x * 2.0 * 0.5; };
   expectValues(1e308, infinity, scaled, 1e308);
   const auto divided = [](auto x, auto y) { return x * (1.0 / y); };
@@ -211,39 +211,39 @@ TEST(SimplifyExceptions, AnIntermediateThatOverflowsOrUnderflows) {
 
 // A comparison of constants decides as in the shader, where 0.30000000000000004 and 0.3 are the
 // same float.
-TEST(SimplifyExceptions, StepsOfConstantsAreThoseOfFloat32) {
+TEST(SimplifyExceptions, ComparisonsOfConstantsUseFloat32) {
   const auto sum = [](auto x) { return Expression{x.graph, x.graph->constant(0.1)} + 0.2; };
   const auto third = [](auto x) { return Expression{x.graph, x.graph->constant(1.0)} / 3.0; };
-  const auto chosen = [](auto condition) { return ifElse(condition, 5.0, 7.0); };
+  const auto choose = [](auto condition) { return ifElse(condition, 5.0, 7.0); };
   expectValues(
-      5, 7, [&](auto x, auto) { return chosen(eq(sum(x), 0.3)); }, 0);
+      5, 7, [&](auto x, auto) { return choose(eq(sum(x), 0.3)); }, 0);
   expectValues(
-      7, 5, [&](auto x, auto) { return chosen(gt(sum(x), 0.3)); }, 0);
+      7, 5, [&](auto x, auto) { return choose(gt(sum(x), 0.3)); }, 0);
   expectValues(
-      7, 5, [&](auto x, auto) { return chosen(ne(third(x), 0.33333333)); }, 0);
+      7, 5, [&](auto x, auto) { return choose(ne(third(x), 0.33333333)); }, 0);
   expectValues(
       3, 2, [&](auto x, auto) { return floor(sum(x) * 10.0 - 1e-9); }, 0);
   expectValues(
       0, 1, [&](auto x, auto) { return sign(sum(x) * 1e-60); }, 0);
   expectValues(
-      7, 5, [&](auto x, auto) { return chosen(sum(x) * 1e-60); }, 0);
+      7, 5, [&](auto x, auto) { return choose(sum(x) * 1e-60); }, 0);
 }
 
 // --- cases that random graphs rarely contain
 
 // x where y > 0 and zero elsewhere, or the reverse.
 template <class X, class Y>
-Expression chosen(X x, Y y, bool ifPositive) {
+Expression choose(X x, Y y, bool ifPositive) {
   return ifPositive ? ifElse(gt(y, 0.0), x, 0.0) : ifElse(gt(y, 0.0), 0.0, x);
 }
 
-TEST(Simplify, SumsOfChoicesOfOneConditionAreOneChoice) {
+TEST(Simplify, MergesSumsOfChoicesWithOneCondition) {
   for (const bool first : {true, false}) {
     for (const bool second : {true, false}) {
       for (const double x : {2.0, -3.0, infinity}) {
         for (const double y : {1.0, -1.0, 0.0, infinity}) {
           const auto sum = [&](auto a, auto b) {
-            return chosen(a, b, first) + chosen(a * a, b, second);
+            return choose(a, b, first) + choose(a * a, b, second);
           };
           const Both values = both(sum, x, y);
           EXPECT_TRUE(same(values.folded, values.unfolded)) << x << ", " << y;
@@ -272,7 +272,7 @@ class Chance {
 // cancels it:
 //
 //   c (a c ± b s) + s (a s ∓ b c) = a     c (a s ± b c) - s (a c ∓ b s) = ±b
-TEST(Simplify, WhatIsTurnedBackIsWhatItWas) {
+TEST(Simplify, CancelsARotationAndItsInverse) {
   Chance chance;
   for (int i = 0; i < 20'000; ++i) {
     std::array<bool, 10> choices{};
@@ -605,7 +605,7 @@ class SimplifyRandom : public testing::Test {
   }
 };
 
-TEST_F(SimplifyRandom, GraphsHaveTheSameValuesAsUnfoldedOnes) {
+TEST_F(SimplifyRandom, SimplifiedGraphsHaveTheSameValues) {
   Chance chance;
   constexpr int graphs = 40'000, points = 6;
   for (int i = 0; i < graphs; ++i) {

@@ -15,17 +15,17 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-Refined refined(const Mesh& mesh, const PointWarp& warp, float tolerance = 0.3f) {
+Refined refineWith(const Mesh& mesh, const PointWarp& warp, float tolerance = 0.3f) {
   return subdivide(mesh, {tolerance}, onMeshes(warp));
 }
 
-TEST(SubdivideAttributes, InterpolateLinearly) {
+TEST(SubdivideAttributes, AreInterpolatedLinearly) {
   Mesh plane = gridPlane(1, 100);
   for (std::size_t i = 0; i < plane.vertexCount(); ++i) {
     const Point p = pointOf(plane.positions, i);
     append(plane.colors, {p[0], p[1], p[0] - p[1], 0.5});
   }
-  const Mesh result = refined(plane, bump).mesh;
+  const Mesh result = refineWith(plane, bump).mesh;
   ASSERT_GT(result.vertexCount(), 30u);
   ASSERT_EQ(result.uvs.size(), 2 * result.vertexCount());
   ASSERT_EQ(result.colors.size(), 4 * result.vertexCount());
@@ -39,9 +39,9 @@ TEST(SubdivideAttributes, InterpolateLinearly) {
   }
 }
 
-TEST(SubdivideAttributes, NewVerticesAndTrianglesKnowWhereTheyComeFrom) {
+TEST(SubdivideAttributes, NewVerticesAndTrianglesRecordTheirOrigin) {
   const Mesh cube = cubeOfFaces(100);
-  const Refined result = refined(cube, sines);
+  const Refined result = refineWith(cube, sines);
   const std::size_t before = cube.vertexCount(), after = result.mesh.vertexCount();
   ASSERT_GT(after, before);
   ASSERT_EQ(result.origins.ends.size(), 2 * (after - before));
@@ -54,7 +54,7 @@ TEST(SubdivideAttributes, NewVerticesAndTrianglesKnowWhereTheyComeFrom) {
         0.5 * (pointOf(result.mesh.positions, a) + pointOf(result.mesh.positions, b));
     EXPECT_NEAR(length(middle - pointOf(result.mesh.positions, i)), 0, 1e-4);
   }
-  // Each face has a direction of its own, and two triangles.
+  // Each face has its own direction, and two triangles.
   for (std::size_t i = 0; i < result.mesh.triangleCount(); ++i) {
     const Point face = pointOf(cube.normals, cube.corners(result.origins.triangles[i])[0]);
     const Point normal = pointOf(result.mesh.normals, result.mesh.corners(i)[0]);
@@ -62,9 +62,9 @@ TEST(SubdivideAttributes, NewVerticesAndTrianglesKnowWhereTheyComeFrom) {
   }
 }
 
-TEST(SubdivideAttributes, FacesKeepTheirOwn) {
+TEST(SubdivideAttributes, FacesPreserveTheirOwnAttributes) {
   const Mesh mesh = cubeOfFaces(100);
-  const Mesh result = refined(mesh, sines).mesh;
+  const Mesh result = refineWith(mesh, sines).mesh;
   ASSERT_GT(result.triangleCount(), 300u);
   for (std::size_t i = 0; i < result.triangleCount(); ++i) {
     const Point outside = areaVector(cornersOf(result, i));
@@ -76,10 +76,10 @@ TEST(SubdivideAttributes, FacesKeepTheirOwn) {
   }
 }
 
-TEST(SubdivideAttributes, WhatWasThereStays) {
+TEST(SubdivideAttributes, OriginalVerticesAndMaterialAreUnchanged) {
   Mesh mesh = sphereWithSeam(12, 6, 50);
   mesh.material = Material{{1, 0.5f, 0, 1}, Image{{1, 2, 3}, "image/png"}};
-  const Mesh result = refined(mesh, twist).mesh;
+  const Mesh result = refineWith(mesh, twist).mesh;
   EXPECT_EQ(result.material, mesh.material);
   const auto startsWith = [](const std::vector<float>& all, const std::vector<float>& first) {
     return std::equal(first.begin(), first.end(), all.begin());
@@ -90,8 +90,8 @@ TEST(SubdivideAttributes, WhatWasThereStays) {
   EXPECT_TRUE(startsWith(result.tangents, mesh.tangents));
 }
 
-TEST(SubdivideAttributes, DirectionsHaveLengthOne) {
-  const Mesh result = refined(sphereWithSeam(12, 6, 50), twist).mesh;
+TEST(SubdivideAttributes, NormalsAndTangentsHaveUnitLength) {
+  const Mesh result = refineWith(sphereWithSeam(12, 6, 50), twist).mesh;
   ASSERT_EQ(result.tangents.size(), 4 * result.vertexCount());
   for (std::size_t i = 0; i < result.vertexCount(); ++i) {
     EXPECT_NEAR(length(pointOf(result.normals, i)), 1, 1e-6);
@@ -101,7 +101,7 @@ TEST(SubdivideAttributes, DirectionsHaveLengthOne) {
   }
 }
 
-TEST(SubdivideAttributes, DirectionsThatCancelOutAreThoseOfTheFirstEnd) {
+TEST(SubdivideAttributes, OppositeDirectionsGiveTheDirectionOfTheFirstVertex) {
   Mesh triangle;
   triangle.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   triangle.normals = {0, 0, 1, 0, 0, -1, 0, 0, 0};
@@ -118,7 +118,7 @@ TEST(SubdivideAttributes, DirectionsThatCancelOutAreThoseOfTheFirstEnd) {
 }
 
 // The warp may read attributes: here each face of the cube moves independently.
-TEST(SubdivideAttributes, WarpsThatReadThemLeaveTheUnwarpedSurfaceClosed) {
+TEST(SubdivideAttributes, WarpsThatReadAttributesLeaveTheUnwarpedSurfaceClosed) {
   const WarpFunction warp = [](const Mesh& vertices) {
     Moved moved{vertices.positions, vertices.normals};
     for (std::size_t i = 0; i < vertices.vertexCount(); ++i) {
@@ -134,11 +134,11 @@ TEST(SubdivideAttributes, WarpsThatReadThemLeaveTheUnwarpedSurfaceClosed) {
   EXPECT_TRUE(isClosed(result.mesh));
 }
 
-TEST(SubdivideOddMeshes, WithoutTrianglesNothingChanges) {
+TEST(SubdivideOddMeshes, AMeshWithoutTrianglesIsUnchanged) {
   Mesh points;
   points.positions = {1, 2, 3, 4, 5, 6};
   for (const Mesh& mesh : {Mesh{}, points}) {
-    const Refined result = refined(mesh, twist);
+    const Refined result = refineWith(mesh, twist);
     EXPECT_EQ(result.mesh.positions, mesh.positions);
     EXPECT_TRUE(result.mesh.indices.empty());
     EXPECT_TRUE(result.reachedTolerance);
@@ -146,7 +146,7 @@ TEST(SubdivideOddMeshes, WithoutTrianglesNothingChanges) {
   }
 }
 
-TEST(SubdivideOddMeshes, WithoutIndicesTheyGetSome) {
+TEST(SubdivideOddMeshes, AMeshWithoutIndicesGetsIndices) {
   const Mesh faces = cubeOfFaces(100);
   Mesh soup;
   for (const std::uint32_t i : faces.indices) {
@@ -155,23 +155,25 @@ TEST(SubdivideOddMeshes, WithoutIndicesTheyGetSome) {
       soup.normals.push_back(faces.normals[j]);
     }
   }
-  const Mesh result = refined(soup, sines).mesh;
-  EXPECT_EQ(result.triangleCount(), refined(faces, sines).mesh.triangleCount());
+  const Mesh result = refineWith(soup, sines).mesh;
+  EXPECT_EQ(result.triangleCount(), refineWith(faces, sines).mesh.triangleCount());
   EXPECT_TRUE(isClosed(result));
   EXPECT_EQ(eulerCharacteristic(result), 2);
 }
 
 // Three planes that meet in an edge, one of them twice; triangles without area; unused vertices.
-TEST(SubdivideOddMeshes, EdgesOfManyTrianglesAreSplitForAllOfThem) {
+TEST(SubdivideOddMeshes, AnEdgeOfManyTrianglesIsSplitForAllOfThem) {
   Mesh mesh;
   mesh.positions = {0, -50, 0, 0, 50, 0, 70, 0, 0, -70, 5, 0, 0, 0, 70, 9, 9, 9, 0, 50, 0};
   mesh.indices = {0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 1, 4, 0, 0, 1, 3, 3, 3, 0, 1, 6};
-  const Refined result = refined(mesh, waves);
+  const Refined result = refineWith(mesh, waves);
   EXPECT_TRUE(result.reachedTolerance);
   EXPECT_LE(geometricError(result.mesh, waves), 1.25 * 0.3);
   EXPECT_EQ(pointOf(result.mesh.positions, 5), (Point{9, 9, 9}));
 
-  const Refined twisted = refined(mesh, [](const Point& p) { return twist(p + Point{30, 0, 0}); });
+  const Refined twisted = refineWith(mesh, [](const Point& p) {
+    return twist(p + Point{30, 0, 0});
+  });
   int pieces = 0;
   for (const auto& [edge, uses] : edgeUses(twisted.mesh)) {
     const auto& [a, b] = edge;
@@ -182,21 +184,21 @@ TEST(SubdivideOddMeshes, EdgesOfManyTrianglesAreSplitForAllOfThem) {
   EXPECT_GT(pieces, 2);
 }
 
-TEST(SubdivideOddMeshes, OfTrianglesWithoutAnyAreaSomethingStays) {
+TEST(SubdivideOddMeshes, TrianglesWithoutAreaAreNotAllRemoved) {
   Mesh slit;
   slit.positions = {0, -50, 0, 0, 50, 0, 0, 50, 0};
   slit.indices = {0, 1, 2};
   const PointWarp bent = [](const Point& p) { return p + Point{0, 0, 10 * std::cos(0.05 * p[1])}; };
-  EXPECT_EQ(refined(slit, bent).mesh.indices, slit.indices);
+  EXPECT_EQ(refineWith(slit, bent).mesh.indices, slit.indices);
   EXPECT_EQ(subdivideUniformly(slit, 2).mesh.indices, slit.indices);
 }
 
-TEST(SubdivideOddMeshes, ATJunctionOfTheFileDoesNotHurt) {
+TEST(SubdivideOddMeshes, ATJunctionInTheFileStaysClosed) {
   Mesh mesh;  // the left triangle's side is split on the right at its middle
   mesh.positions = {0, -50, 0, 0, 50, 0, -50, 0, 0, 0, 0, 0, 50, 0, 0};
   mesh.indices = {0, 1, 2, 0, 4, 3, 3, 4, 1};
   const PointWarp bent = [](const Point& p) { return p + Point{0, 0, 10 * std::cos(0.05 * p[1])}; };
-  const Refined result = refined(mesh, bent);
+  const Refined result = refineWith(mesh, bent);
   EXPECT_TRUE(result.reachedTolerance);
   for (const auto& [edge, uses] : edgeUses(result.mesh)) {
     const bool isBetween = edge.first[0] == 0 && edge.second[0] == 0;
@@ -204,7 +206,7 @@ TEST(SubdivideOddMeshes, ATJunctionOfTheFileDoesNotHurt) {
   }
 }
 
-TEST(SubdivideOddWarps, NaNAndInfinityAreNotSplit) {
+TEST(SubdivideOddWarps, DoesNotSplitTrianglesAtNaNOrInfinity) {
   const Mesh mesh = cubeOfFaces(100);
   for (const float value : {nan, infinity, -infinity}) {
     const Refined result = subdivide(mesh, {0.1f}, [&](const Mesh& vertices) {
@@ -219,7 +221,7 @@ TEST(SubdivideOddWarps, NaNAndInfinityAreNotSplit) {
   EXPECT_LE(result.mesh.triangleCount(), 20000u);
 }
 
-TEST(SubdivideOddWarps, AWarpThatReturnsTooLittleIsNaN) {
+TEST(SubdivideOddWarps, TreatsMissingResultsOfAWarpAsNaN) {
   const Mesh mesh = cubeOfFaces(100);
   EXPECT_EQ(subdivide(mesh, {0.1f}, [](const Mesh&) { return Moved{}; }).mesh.indices,
             mesh.indices);
@@ -229,18 +231,18 @@ TEST(SubdivideOddWarps, AWarpThatReturnsTooLittleIsNaN) {
   EXPECT_EQ(result.mesh.indices, mesh.indices);
 }
 
-TEST(SubdivideOddWarps, ATearCostsFewTriangles) {
+TEST(SubdivideOddWarps, ATearAddsFewTriangles) {
   const PointWarp tear = [](const Point& p) { return p + Point{0, 0, p[0] > 13.7 ? 30.0 : 0.0}; };
-  const Refined result = refined(cubeOfFaces(100), tear, 0.1f);
+  const Refined result = refineWith(cubeOfFaces(100), tear, 0.1f);
   EXPECT_LT(result.mesh.triangleCount(), 60000u);
   EXPECT_TRUE(isClosed(result.mesh));
 }
 
-TEST(SubdivideOddWarps, ACreaseCostsFewTriangles) {
+TEST(SubdivideOddWarps, ACreaseAddsFewTriangles) {
   const PointWarp crease = [](const Point& p) {
     return p + Point{0, 0, std::max(0.0, 0.5 * (p[0] - 13.7))};
   };
-  const Refined result = refined(cubeOfFaces(100), crease, 0.05f);
+  const Refined result = refineWith(cubeOfFaces(100), crease, 0.05f);
   EXPECT_TRUE(result.reachedTolerance);
   EXPECT_FALSE(result.reachedAngle);
   EXPECT_FALSE(result.isFull);
@@ -248,7 +250,7 @@ TEST(SubdivideOddWarps, ACreaseCostsFewTriangles) {
   EXPECT_LT(result.mesh.triangleCount(), 6000u);
 }
 
-TEST(SubdivideOddWarps, NoToleranceIsTooSmallToEnd) {
+TEST(SubdivideOddWarps, TerminatesForAnyTolerance) {
   for (const float tolerance : {1e-7f, 1e-30f}) {
     Mesh small = cube(1e-3);
     const Refined result =

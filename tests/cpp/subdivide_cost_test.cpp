@@ -23,7 +23,7 @@ class SubdivideCost : public testing::Test {
 };
 
 // Occurs if the nodes of a file show one shape at the same place repeatedly.
-TEST_F(SubdivideCost, TrianglesInOnePlaceAreSplitLikeOne) {
+TEST_F(SubdivideCost, CoincidentTrianglesAreSplitLikeOne) {
   constexpr std::uint32_t copies = 25000;
   Mesh mesh;
   for (std::uint32_t i = 0; i < copies; ++i) {
@@ -45,7 +45,7 @@ TEST_F(SubdivideCost, TrianglesInOnePlaceAreSplitLikeOne) {
 
 // A fan whose spokes grow: splitting the first one makes the next one's triangle a worse sliver,
 // and so on to the last. Its triangles are in reverse order.
-TEST_F(SubdivideCost, OneSliverLeadsToTheNext) {
+TEST_F(SubdivideCost, ACascadeOfSliversIsFast) {
   constexpr int spokes = 50000;
   Mesh mesh;
   mesh.positions = {0, 0, 0};
@@ -61,18 +61,18 @@ TEST_F(SubdivideCost, OneSliverLeadsToTheNext) {
   EXPECT_GE(result.mesh.triangleCount(), 2u * spokes);
 }
 
-// Areas that overflow floats get their share of the samples, and no more.
-TEST_F(SubdivideCost, LargeTrianglesAreNotEachSampledAsTheWhole) {
+// Triangles whose area overflows a float must not get more than their share of the samples.
+TEST_F(SubdivideCost, HugeTrianglesShareTheSamplesOfTheMesh) {
   Mesh mesh;
   for (const float size : {1e15f, 1e30f, 1e30f, 1e30f, 1e30f})
     append(mesh.positions, {0, 0, 0, size, 0, 0, 0, size, 0});
-  std::size_t asked = 0;
+  std::size_t evaluations = 0;
   const Refined result = subdivide(mesh, {1, infinity}, [&](const Mesh& vertices) {
-    asked += vertices.vertexCount();
+    evaluations += vertices.vertexCount();
     return Moved{vertices.positions, {}};
   });
   EXPECT_EQ(result.mesh.triangleCount(), 5u);
-  EXPECT_LT(asked, std::size_t{3} << 19);
+  EXPECT_LT(evaluations, std::size_t{3} << 19);
 }
 
 }  // namespace

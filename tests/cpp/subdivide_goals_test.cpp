@@ -1,4 +1,4 @@
-// Both goals of a subdivision are reached, measured with more samples than it takes itself; it
+// Subdivision reaches both of its goals, measured with more samples than it takes itself, and
 // reports goals that it can't reach.
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ double rough(const Point& p) {
   return sum;
 }
 
-TEST(SubdivideGoals, RoughSurfacesAreWithinTheTolerance) {
+TEST(SubdivideGoals, RoughSurfacesMeetTheTolerance) {
   const PointWarp warp = [](const Point& p) { return p + Point{0, 0, 5 * rough(p)}; };
   for (const Mesh& mesh : {gridPlane(8, 60), icosphere(2, 30)}) {
     for (const float tolerance : {2.0f, 0.5f}) {
@@ -38,7 +38,7 @@ TEST(SubdivideGoals, RoughSurfacesAreWithinTheTolerance) {
   }
 }
 
-TEST(SubdivideGoals, ASpikeOfA200thIsSeen) {
+TEST(SubdivideGoals, DetectsASpikeWithTheWidthOfA200thOfTheMesh) {
   for (const double x : {13.3, -31.7}) {
     const PointWarp spike = [&](const Point& p) {
       const double d = std::hypot(p[0] - x, p[1] - 7.1) / 0.25;
@@ -50,7 +50,7 @@ TEST(SubdivideGoals, ASpikeOfA200thIsSeen) {
 }
 
 // From an issue: a tolerance that two triangles meet, and normals that are 1.5 radians off.
-TEST(SubdivideGoals, AnglesCountWhereTheToleranceIsMet) {
+TEST(SubdivideGoals, RefinesForAnglesAfterTheToleranceIsMet) {
   const PointWarp ripples = [](const Point& p) {
     return p + Point{0, 0, 0.3 * std::sin(4 * p[0])};
   };
@@ -75,30 +75,33 @@ TEST(SubdivideGoals, AnglesCountWhereTheToleranceIsMet) {
   }
 }
 
-std::string sentence(const Mesh& mesh, const Refinement& refinement, const PointWarp& warp) {
-  const auto sentences = shortfallOf(subdivide(mesh, refinement, onMeshes(warp)), refinement);
-  return sentences.size() == 1 ? sentences[0] : std::to_string(sentences.size()) + " sentences";
+std::string shortfallMessage(const Mesh& mesh, const Refinement& refinement,
+                             const PointWarp& warp) {
+  const auto messages = shortfallOf(subdivide(mesh, refinement, onMeshes(warp)), refinement);
+  return messages.size() == 1 ? messages[0] : std::to_string(messages.size()) + " messages";
 }
 
-TEST(SubdivideGoals, WhatIsNotReachedIsSaid) {
+TEST(SubdivideGoals, ReportsGoalsThatWereNotReached) {
   const auto contains = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   const Mesh plane = gridPlane(1, 100);
-  contains(sentence(plane, {0.01f, infinity, 100}, waves), "raise maxTriangles, which is 100.");
-  contains(sentence(plane, {0.01f, infinity, 100}, waves), "above the tolerance of 0.01");
-  contains(sentence(plane, {100, 0.1f, 100}, waves), "radians off, above the angle of 0.1");
+  contains(shortfallMessage(plane, {0.01f, infinity, 100}, waves),
+           "raise maxTriangles, which is 100.");
+  contains(shortfallMessage(plane, {0.01f, infinity, 100}, waves), "above the tolerance of 0.01");
+  contains(shortfallMessage(plane, {100, 0.1f, 100}, waves), "radians off, above the angle of 0.1");
   const PointWarp crease = [](const Point& p) {
     return p + Point{0, 0, std::max(0.0, 0.5 * (p[0] - 13.7))};
   };
-  contains(sentence(plane, {1, 0.17f}, crease), "more would not help");
-  contains(sentence(plane, {1e-9f, infinity, 1 << 12}, sines), "above the tolerance of 1e-09");
+  contains(shortfallMessage(plane, {1, 0.17f}, crease), "more would not help");
+  contains(shortfallMessage(plane, {1e-9f, infinity, 1 << 12}, sines),
+           "above the tolerance of 1e-09");
   const PointWarp hole = [](const Point& p) { return p[0] > 13.7 ? Point{nan, nan, nan} : p; };
-  contains(sentence(plane, {1, infinity}, hole), "no finite position");
-  EXPECT_EQ(sentence(plane, {1, 0.17f}, sines), "0 sentences");
+  contains(shortfallMessage(plane, {1, infinity}, hole), "no finite position");
+  EXPECT_EQ(shortfallMessage(plane, {1, 0.17f}, sines), "0 messages");
 }
 
-TEST(SubdivideGoals, NormalsThatComeOnceAreNotReadAgain) {
+TEST(SubdivideGoals, NormalsReturnedOnceAreNotReadAgain) {
   int calls = 0;
   const Refined result = subdivide(gridPlane(4, 100), {0.5f}, [&](const Mesh& vertices) {
     Moved moved = onMeshes(sines)(vertices);

@@ -1,5 +1,5 @@
-// Adaptive subdivision, judged from outside: triangles still meet, and the warped triangles are
-// close to the warped surface, which is sampled densely in double.
+// Tests the result of adaptive subdivision without its internals: there are no cracks, and the
+// warped triangles are close to the warped surface, which is sampled densely in double.
 #include "mesh/refine/subdivide.hpp"
 
 #include <gtest/gtest.h>
@@ -56,11 +56,12 @@ std::vector<Pair> pairsOf(const std::vector<NamedMesh>& meshes) {
   return pairs;
 }
 
-Refined refined(const Mesh& mesh, const PointWarp& warp, float tolerance, float angle = infinity) {
+Refined refineWith(const Mesh& mesh, const PointWarp& warp, float tolerance,
+                   float angle = infinity) {
   return subdivide(mesh, {tolerance, angle}, onMeshes(warp));
 }
 
-TEST(Subdivide, ShapesOfTheTestsAreWhatTheySay) {
+TEST(Subdivide, TestMeshesHaveTheirExpectedTopology) {
   for (const auto& [name, mesh] : closedMeshes()) {
     EXPECT_TRUE(isClosed(mesh)) << name;
     EXPECT_EQ(eulerCharacteristic(mesh), 2) << name;
@@ -68,11 +69,11 @@ TEST(Subdivide, ShapesOfTheTestsAreWhatTheySay) {
   }
 }
 
-TEST(Subdivide, ClosedSurfacesStayClosedAndKeepAreaAndVolume) {
+TEST(Subdivide, ClosedSurfacesStayClosedWithTheSameAreaAndVolume) {
   const auto meshes = closedMeshes();
   for (const auto& [name, mesh, warp] : pairsOf(meshes)) {
     SCOPED_TRACE(name);
-    const Refined result = refined(mesh, warp, 0.3f, 0.2f);
+    const Refined result = refineWith(mesh, warp, 0.3f, 0.2f);
     EXPECT_GT(result.mesh.triangleCount(), mesh.triangleCount());
     EXPECT_TRUE(isClosed(result.mesh));
     EXPECT_EQ(eulerCharacteristic(result.mesh), 2);
@@ -81,8 +82,8 @@ TEST(Subdivide, ClosedSurfacesStayClosedAndKeepAreaAndVolume) {
   }
 }
 
-TEST(Subdivide, TheBorderOfAPlaneStaysItsBorder) {
-  const Refined result = refined(gridPlane(3, 100), bump, 0.1f);
+TEST(Subdivide, PreservesTheBorderOfAPlane) {
+  const Refined result = refineWith(gridPlane(3, 100), bump, 0.1f);
   double border = 0;
   for (const auto& [edge, uses] : edgeUses(result.mesh)) {
     if (uses == std::pair(1, 1)) continue;
@@ -95,13 +96,13 @@ TEST(Subdivide, TheBorderOfAPlaneStaysItsBorder) {
   EXPECT_NEAR(totalArea(result.mesh), 10000, 1e-2);
 }
 
-TEST(Subdivide, TheWarpedSurfaceIsWithinTheTolerance) {
+TEST(Subdivide, MeetsTheTolerance) {
   auto meshes = closedMeshes();
   meshes.push_back({"plane of 2 triangles", gridPlane(1, 100)});
   meshes.push_back({"plane", gridPlane(8, 100)});
   for (const auto& [name, mesh, warp] : pairsOf(meshes)) {
     for (const float tolerance : {1.0f, 0.25f}) {
-      const Refined result = refined(mesh, warp, tolerance);
+      const Refined result = refineWith(mesh, warp, tolerance);
       EXPECT_TRUE(result.reachedTolerance);
       EXPECT_LE(result.worst, tolerance);
       EXPECT_LE(geometricError(result.mesh, warp), tolerance)
@@ -111,32 +112,32 @@ TEST(Subdivide, TheWarpedSurfaceIsWithinTheTolerance) {
 }
 
 // 8 waves on each edge, 0 at its ends, its middle, its quarters and eighths.
-TEST(Subdivide, WavesThatAreZeroWhereEdgesAreHalvedAreSeen) {
+TEST(Subdivide, DetectsWavesThatAreZeroAtEdgeMidpoints) {
   const PointWarp warp = [](const Point& p) {
     const auto wave = [](double x) { return 3 * std::sin(2 * std::numbers::pi * 8 * x / 100); };
     return p + Point{wave(p[1]), wave(p[2]), wave(p[0])};
   };
-  EXPECT_LE(geometricError(refined(cube(100), warp, 0.5f).mesh, warp, 6), 0.5);
-  EXPECT_LE(geometricError(refined(gridPlane(1, 100), warp, 0.5f).mesh, warp, 6), 0.5);
+  EXPECT_LE(geometricError(refineWith(cube(100), warp, 0.5f).mesh, warp, 6), 0.5);
+  EXPECT_LE(geometricError(refineWith(gridPlane(1, 100), warp, 0.5f).mesh, warp, 6), 0.5);
 }
 
-TEST(Subdivide, ABumpInsideATriangleWhoseEdgesStayStraightIsSeen) {
+TEST(Subdivide, DetectsABumpInsideATriangleWithStraightEdges) {
   const PointWarp warp = [](const Point& p) {
     const double distance = std::hypot(p[0] - 20, p[1] + 20);
     return p + Point{0, 0, 9 * std::pow(std::max(0.0, 1 - distance * distance / 144), 3)};
   };
-  const Refined result = refined(gridPlane(1, 100), warp, 0.2f);
+  const Refined result = refineWith(gridPlane(1, 100), warp, 0.2f);
   EXPECT_LE(geometricError(result.mesh, warp, 40), 0.2);
 }
 
-TEST(Subdivide, NormalsCountWhereTheSurfaceIsNearEnough) {
+TEST(Subdivide, RefinesForNormalsWhereTheToleranceIsMet) {
   const PointWarp ripples = [](const Point& p) {
     return p + Point{0, 0, 0.2 * std::sin(0.7 * p[0])};  // slopes up to 8 degrees
   };
   const Mesh plane = gridPlane(1, 100);
-  EXPECT_EQ(refined(plane, ripples, 0.5f).mesh.indices, plane.indices);
+  EXPECT_EQ(refineWith(plane, ripples, 0.5f).mesh.indices, plane.indices);
   const float angle = 0.03f;
-  const Refined result = refined(plane, ripples, 0.5f, angle);
+  const Refined result = refineWith(plane, ripples, 0.5f, angle);
   EXPECT_TRUE(result.reachedTolerance);
   EXPECT_TRUE(result.reachedAngle);
   for (std::size_t i = 0; i < result.mesh.triangleCount(); ++i) {
@@ -151,13 +152,14 @@ TEST(Subdivide, NormalsCountWhereTheSurfaceIsNearEnough) {
   }
 }
 
-TEST(Subdivide, WhatStaysStraightIsNotSplit) {
-  const PointWarp turn = [](const Point& p) { return turnedAboutY(p + Point{3, 70, -8}, 0.7); };
+TEST(Subdivide, DoesNotSplitWhatStaysStraight) {
+  const PointWarp turn = [](const Point& p) { return rotateAboutY(p + Point{3, 70, -8}, 0.7); };
   const PointWarp shear = [](const Point& p) {
     return Point{2 * p[0] + p[1], p[1] - 3 * p[2] + 70, 0.5 * p[2]};
   };
   for (const auto& [name, mesh] : closedMeshes()) {
-    for (const Refined& result : {refined(mesh, turn, 1e-3f, 0.01f), refined(mesh, shear, 1e-3f)}) {
+    for (const Refined& result :
+         {refineWith(mesh, turn, 1e-3f, 0.01f), refineWith(mesh, shear, 1e-3f)}) {
       EXPECT_EQ(result.mesh.indices, mesh.indices) << name;
       EXPECT_EQ(result.mesh.positions, mesh.positions) << name;
       EXPECT_TRUE(result.reachedTolerance) << name;
@@ -166,20 +168,21 @@ TEST(Subdivide, WhatStaysStraightIsNotSplit) {
   }
 }
 
-TEST(Subdivide, NeverMoreTrianglesThanAllowed) {
-  for (const std::size_t most : {0, 12, 13, 14, 100, 1001, 5000}) {
+TEST(Subdivide, NeverExceedsMaxTriangles) {
+  for (const std::size_t maxTriangles : {0, 12, 13, 14, 100, 1001, 5000}) {
     for (const float angle : {infinity, 0.05f}) {
-      const Refined result = subdivide(cubeOfFaces(100), {0.001f, angle, most}, onMeshes(sines));
-      EXPECT_LE(result.mesh.triangleCount(), std::max<std::size_t>(most, 12));
-      EXPECT_GE(result.mesh.triangleCount() + 2, most);
+      const Refined result =
+          subdivide(cubeOfFaces(100), {0.001f, angle, maxTriangles}, onMeshes(sines));
+      EXPECT_LE(result.mesh.triangleCount(), std::max<std::size_t>(maxTriangles, 12));
+      EXPECT_GE(result.mesh.triangleCount() + 2, maxTriangles);
       EXPECT_FALSE(result.reachedTolerance);
       EXPECT_GT(result.worst, 0.001f);
-      EXPECT_TRUE(isClosed(result.mesh)) << most;
+      EXPECT_TRUE(isClosed(result.mesh)) << maxTriangles;
     }
   }
 }
 
-TEST(Subdivide, TheWorstIsSplitFirst) {
+TEST(Subdivide, SplitsTheWorstTriangleFirst) {
   const PointWarp twoBumps = [](const Point& p) {
     const auto at = [&](double x) {
       return std::exp(-((p[0] - x) * (p[0] - x) + p[1] * p[1]) / 200);
@@ -197,14 +200,14 @@ TEST(Subdivide, LocalWarpsNeedAtMostAThirdOfTheTriangles) {
   const Mesh mesh = cubeOfFaces(100);
   for (const auto& [name, warp] :
        {NamedWarp{"bump", bump}, {"twist near one end", twistNearOneEnd}, {"genie", genie}}) {
-    const Refined adaptive = refined(mesh, warp, 0.2f);
+    const Refined adaptive = refineWith(mesh, warp, 0.2f);
     // The finest one with less than three times as many.
     const Mesh uniform = subdivideUniformly(mesh, 20, 3 * adaptive.mesh.triangleCount() - 1).mesh;
     EXPECT_GT(geometricError(uniform, warp), geometricError(adaptive.mesh, warp)) << name;
   }
 }
 
-TEST(Subdivide, TheSameInputGivesTheSameResult) {
+TEST(Subdivide, IsDeterministic) {
   const Mesh mesh = sphereWithSeam(16, 8, 50);
   const Refined a = subdivide(mesh, {0.01f, 0.1f, 3000}, onMeshes(genie));
   const Refined b = subdivide(mesh, {0.01f, 0.1f, 3000}, onMeshes(genie));
@@ -212,11 +215,11 @@ TEST(Subdivide, TheSameInputGivesTheSameResult) {
   EXPECT_EQ(a.mesh.indices, b.mesh.indices);
 }
 
-TEST(Subdivide, NothingIsAskedTwice) {
-  std::size_t asked = 0;
+TEST(Subdivide, EvaluatesTheWarpAFewTimesPerVertex) {
+  std::size_t evaluations = 0;
   const WarpFunction warp = onMeshes(genie);
   const Refined result = subdivide(sphereWithSeam(32, 16, 50), {0.01f}, [&](const Mesh& vertices) {
-    asked += vertices.vertexCount();
+    evaluations += vertices.vertexCount();
     return warp(vertices);
   });
   // Per vertex about 3 edges of 5 samples and 2 triangles of 4, and the vertex; split pieces were
@@ -224,10 +227,10 @@ TEST(Subdivide, NothingIsAskedTwice) {
   // across its size, on 3.14 such squares: fewer could miss a spike with a width of a 200th of the
   // mesh.
   EXPECT_GT(result.mesh.vertexCount(), 10000u);
-  EXPECT_LT(asked, 32 * result.mesh.vertexCount() + 322000);
+  EXPECT_LT(evaluations, 32 * result.mesh.vertexCount() + 322000);
 }
 
-TEST(Subdivide, UniformlyEachTriangleBecomesFour) {
+TEST(Subdivide, UniformSubdivisionSplitsEachTriangleIntoFour) {
   for (const auto& [name, mesh] : closedMeshes()) {
     const Mesh finer = subdivideUniformly(mesh, 3).mesh;
     EXPECT_EQ(finer.triangleCount(), 64 * mesh.triangleCount()) << name;

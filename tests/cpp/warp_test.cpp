@@ -39,7 +39,7 @@ class WarpTest : public testing::Test {
   }
 };
 
-TEST_F(WarpTest, NoOffsetLeavesTheNormalButMakesItUnit) {
+TEST_F(WarpTest, AZeroOffsetOnlyNormalizesTheNormal) {
   expectNear(normalOf(vec3(zero, zero, zero), {1, 2, 3}, {0, 3, 4}), {0, 0.6, 0.8});
 }
 
@@ -51,13 +51,13 @@ TEST_F(WarpTest, AHeightFieldHasTheNormalOfItsGradient) {
 }
 
 // Scaling by (2, 1, 1) transforms the normal (1, 1, 0) to (1/2, 1, 0).
-TEST_F(WarpTest, NormalsTurnByTheCofactorNotByTheJacobian) {
+TEST_F(WarpTest, NormalsAreTransformedByTheCofactorMatrix) {
   expectNear(normalOf(vec3(p[0], zero, zero), {0, 0, 0}, {1, 1, 0}),
              {0.5 / std::hypot(0.5, 1.0), 1 / std::hypot(0.5, 1.0), 0});
 }
 
 // x -> 0 collapses all surfaces except those that face along x.
-TEST_F(WarpTest, WhereTheSurfaceCollapsesTheNormalIsZero) {
+TEST_F(WarpTest, TheNormalIsZeroWhereTheSurfaceCollapses) {
   const Value flatten = vec3(-p[0], zero, zero);
   expectNear(normalOf(flatten, {1, 2, 3}, {0, 1, 0}), {0, 0, 0});
   expectNear(normalOf(flatten, {1, 2, 3}, {0.6, 0.8, 0}), {1, 0, 0});
@@ -71,7 +71,7 @@ TEST_F(WarpTest, ThePapersEquationFlipsTheNormalOfAMirror) {
 }
 
 // x -> 0.5 x and y -> x: moved - position, where the ones of I + J cancel.
-TEST_F(WarpTest, AMovedPositionMinusThePositionCancels) {
+TEST_F(WarpTest, CancelsThePositionInMovedMinusPosition) {
   const Value offset = vec3(p[0] * 0.5 - p[0], p[0] + (p[1] * 0.25 - p[1]), zero);
   expectNear(normalOf(offset, {1, 2, 3}, {1, 0, 0}), {1, 0, 0});
   const double length = std::hypot(1.0, 0.5);
@@ -80,13 +80,13 @@ TEST_F(WarpTest, AMovedPositionMinusThePositionCancels) {
 
 // cof(M) n = (M u) x (M v) for tangents with u x v = n, here for a warp that rotates, scales and
 // shears.
-TEST_F(WarpTest, AgreesWithTurnedTangentsOnAGeneralWarp) {
+TEST_F(WarpTest, MatchesTheCrossProductOfWarpedTangents) {
   const Value offset = vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0] + cos(p[2]) * 0.5);
   const double x = 0.4, y = -0.8, z = 1.3;
   const double m[3][3] = {
       {1, std::cos(y) * z, std::sin(y)}, {0.6 * x, 1, 0}, {1, 0, 1 - 0.5 * std::sin(z)}};
   const Point u{1, 2, 0}, v{0, 1, 3};
-  const auto turned = [&](const Point& t) {
+  const auto warped = [&](const Point& t) {
     Point result{};
     for (std::size_t i = 0; i < 3; ++i)
       result[i] = m[i][0] * t[0] + m[i][1] * t[1] + m[i][2] * t[2];
@@ -95,19 +95,19 @@ TEST_F(WarpTest, AgreesWithTurnedTangentsOnAGeneralWarp) {
   const auto crossed = [](const Point& a, const Point& b) {
     return Point{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   };
-  Point expected = crossed(turned(u), turned(v));
+  Point expected = crossed(warped(u), warped(v));
   const double length = std::hypot(expected[0], expected[1], expected[2]);
   for (double& component : expected) component /= length;
   expectNear(normalOf(offset, {x, y, z}, crossed(u, v)), expected);
 }
 
 // Unless their gradients over the surface are given.
-TEST_F(WarpTest, OtherInputsCountAsConstant) {
+TEST_F(WarpTest, TreatsOtherInputsAsConstant) {
   expectNear(normalOf(n * 2.0, {1, 2, 3}, {0.6, 0, 0.8}), {0.6, 0, 0.8});
 }
 
 // M = I + J of x -> x + sin(y) z, y -> y + 0.3 x^2, z -> z + x, by hand.
-TEST_F(WarpTest, TheDeformationIsOneAndTheJacobian) {
+TEST_F(WarpTest, TheDeformationIsTheIdentityPlusTheJacobian) {
   const Value m = deformation(differentiator, vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0]), p);
   const double x = 0.4, y = -0.8, z = 1.3;
   const Inputs inputs{{p[0].id, x}, {p[1].id, y}, {p[2].id, z}};
@@ -122,7 +122,7 @@ TEST_F(WarpTest, TheDeformationIsOneAndTheJacobian) {
 
 // A tangent by finite differences of the moved curve p + s t, orthogonalized to the warped normal;
 // and the bitangent with the same sign, also if the warp is a mirror.
-TEST_F(WarpTest, TangentsGoWithTheSurface) {
+TEST_F(WarpTest, TangentsFollowTheSurface) {
   const Value t = vector3(graph, "tangent");
   const Value wave = vec3(sin(p[1] * 2.0) * 0.3, p[0] * p[2] * 0.4, cos(p[0]) * 0.5);
   const Value mirrored = vec3(sin(p[1] * 2.0) * 0.3 - p[0] * 2.0, p[0] * p[2] * 0.4, zero);
@@ -140,19 +140,19 @@ TEST_F(WarpTest, TangentsGoWithTheSurface) {
       const Point a = moved(direction, 1e-6), b = moved(direction, -1e-6);
       return Point{(a[0] - b[0]) / 2e-6, (a[1] - b[1]) / 2e-6, (a[2] - b[2]) / 2e-6};
     };
-    const auto dotted = [](const Point& a, const Point& b) {
+    const auto dotProduct = [](const Point& a, const Point& b) {
       return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     };
     const Point u = along(tangent), v = along(bitangent);
     Point across{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double length = std::sqrt(dotted(across, across));
+    const double length = std::sqrt(dotProduct(across, across));
     for (double& x : across) x /= length;
     Point expected;
-    for (int i = 0; i < 3; ++i) expected[i] = u[i] - across[i] * dotted(across, u);
-    const double size = std::sqrt(dotted(expected, expected));
+    for (int i = 0; i < 3; ++i) expected[i] = u[i] - across[i] * dotProduct(across, u);
+    const double size = std::sqrt(dotProduct(expected, expected));
 
-    const Value turned = warpNormal(deformation(differentiator, offset, p), n);
-    const Value result = warpTangent(deformation(differentiator, offset, p), t, turned);
+    const Value warped = warpNormal(deformation(differentiator, offset, p), n);
+    const Value result = warpTangent(deformation(differentiator, offset, p), t, warped);
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
       inputs[p[i].id] = at[i];
@@ -162,17 +162,17 @@ TEST_F(WarpTest, TangentsGoWithTheSurface) {
     Point found, foundNormal;
     for (int i = 0; i < 3; ++i) {
       found[i] = evaluateNode(graph, result[i].id, inputs);
-      foundNormal[i] = evaluateNode(graph, turned[i].id, inputs);
+      foundNormal[i] = evaluateNode(graph, warped[i].id, inputs);
       EXPECT_NEAR(found[i], expected[i] / size, 1e-8) << "component " << i;
     }
     const Point side{foundNormal[1] * found[2] - foundNormal[2] * found[1],
                      foundNormal[2] * found[0] - foundNormal[0] * found[2],
                      foundNormal[0] * found[1] - foundNormal[1] * found[0]};
-    EXPECT_GT(dotted(side, v), 0) << "the bitangent is on the other side";
+    EXPECT_GT(dotProduct(side, v), 0) << "the bitangent is on the other side";
   }
 }
 
-TEST_F(WarpTest, WhereTheWarpCollapsesTheTangentItIsZero) {
+TEST_F(WarpTest, TheTangentIsZeroWhereTheWarpCollapsesIt) {
   const Value t = vector3(graph, "tangent");
   const Value result = warpTangent(deformation(differentiator, vec3(-p[0], zero, zero), p), t, n);
   Inputs inputs{{p[0].id, 1.0}, {p[1].id, 2.0}, {p[2].id, 3.0}};
@@ -256,10 +256,10 @@ class SurfaceTest : public WarpTest {
 
   void expectRight(const Value& offset) {
     const Value m = surfaceDeformation(offset);
-    const Value turned = warpNormal(m, n);
+    const Value warped = warpNormal(m, n);
     for (double a = 0.1; a < 6; a += 0.9) {
       for (double b = 0.2; b < 6; b += 0.7) {
-        const Point found = at(turned, {a, b}), expected = movedNormal(offset, a, b);
+        const Point found = at(warped, {a, b}), expected = movedNormal(offset, a, b);
         for (std::size_t i = 0; i < 3; ++i)
           EXPECT_NEAR(found[i], expected[i], 1e-8) << a << ", " << b;
       }
@@ -267,26 +267,26 @@ class SurfaceTest : public WarpTest {
   }
 };
 
-TEST_F(SurfaceTest, AnOffsetAlongTheNormalCountsItsVariation) {
+TEST_F(SurfaceTest, UsesTheGradientOfTheNormal) {
   expectRight(n * (sin(p[0] * 3.0) * 0.1 + cos(p[2] * 5.0) * p[1] * 0.05));
 }
 
-TEST_F(SurfaceTest, AnOffsetByTextureCoordinatesCountsTheirs) {
+TEST_F(SurfaceTest, UsesTheGradientsOfTextureCoordinates) {
   expectRight(vec3(zero, zero, sin(uv[0] * 3.0) * cos(uv[1] * 2.0) * 0.2));
 }
 
-TEST_F(SurfaceTest, AllOfThemCountTogether) {
+TEST_F(SurfaceTest, CombinesGradientsOfPositionNormalAndUv) {
   expectRight(vec3(n[0] * p[1] * 0.2 + n[1] * n[2] * 0.3, sin(uv[0] + n[2]) * 0.1 - p[0] * 0.5,
                    uv[1] * uv[0] * 0.02 * n[1] + sin(p[2] * 2.0) * 0.1));
 }
 
 // If the target is n itself, the position cancels: M is W alone, to the last digit.
-TEST_F(SurfaceTest, TheOnesCancelOfAMovedPositionMinusThePosition) {
+TEST_F(SurfaceTest, CancelsThePositionExactlyInTargetMinusPosition) {
   const Value m = surfaceDeformation(n - p);
   for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, gradients[i % 3][i / 3].id);
 }
 
-TEST_F(SurfaceTest, WithoutNormalAndUvItIsTheDeformation) {
+TEST_F(SurfaceTest, EqualsTheDeformationIfOnlyThePositionIsRead) {
   const Value offset = vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0]);
   const Value m = surfaceDeformation(offset);
   const Value known = deformation(differentiator, offset, p);
@@ -295,7 +295,7 @@ TEST_F(SurfaceTest, WithoutNormalAndUvItIsTheDeformation) {
 
 // Inwards past the middle of the tube, but not past that of the ring: one direction of the surface
 // is reversed, and the outer side becomes the inner side of the moved surface.
-TEST_F(SurfaceTest, TheDeterminantTellsWhereTheSidesChangePlaces) {
+TEST_F(SurfaceTest, TheDeterminantIsNegativeWhereTheSidesAreSwapped) {
   const auto sign = [&](double amount) {
     const Value m = surfaceDeformation(n * amount);
     return evaluateNode(graph, determinant(m).id, inputsAt({0.5, 0.3}));
@@ -317,19 +317,19 @@ class WholeWarpTest : public SurfaceTest {
   }
 };
 
-TEST_F(WholeWarpTest, ItHasTheParts) {
+TEST_F(WholeWarpTest, CombinesPositionNormalAndTangent) {
   const Value offset = vec3(sin(p[1]) * n[2], p[0] * uv[1], n[0] * n[1]);
   const Warp warp = makeWarp(differentiator, offset, inputs);
   expectSame(warp.position, p + offset);
   EXPECT_TRUE(warp.varies);
   const Value along = vec3(t[0], t[1], t[2]);
-  const auto expectParts = [&](const WarpedDirections& turned, const Value& m) {
-    expectSame(turned.normal, warpNormal(m, n));
-    const Value tangent = warpTangent(m, along, turned.normal);
-    expectSame(turned.direction, multiply(m, along));
-    EXPECT_EQ(turned.determinant.id, determinant(m).id);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(turned.tangent[i].id, tangent[i].id);
-    EXPECT_EQ(turned.tangent[3].id, t[3].id) << "the side of the bitangent stays";
+  const auto expectParts = [&](const WarpedDirections& warped, const Value& m) {
+    expectSame(warped.normal, warpNormal(m, n));
+    const Value tangent = warpTangent(m, along, warped.normal);
+    expectSame(warped.direction, multiply(m, along));
+    EXPECT_EQ(warped.determinant.id, determinant(m).id);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(warped.tangent[i].id, tangent[i].id);
+    EXPECT_EQ(warped.tangent[3].id, t[3].id) << "the side of the bitangent stays";
   };
   expectParts(*warp.flat, deformation(differentiator, offset, p));
   expectParts(*warp.surface, surfaceDeformation(offset));
@@ -356,7 +356,7 @@ TEST_F(WholeWarpTest, TheDirectionIsTheTangentOfTheMovedCurve) {
   }
 }
 
-TEST_F(WholeWarpTest, AnOffsetByThePositionAloneNeedsNoGradients) {
+TEST_F(WholeWarpTest, AnOffsetThatReadsOnlyThePositionNeedsNoGradients) {
   const Warp warp = makeWarp(differentiator, vec3(sin(p[1]), zero, zero), inputs);
   EXPECT_FALSE(warp.varies);
   expectSame(warp.flat->normal, warp.surface->normal);
@@ -365,13 +365,13 @@ TEST_F(WholeWarpTest, AnOffsetByThePositionAloneNeedsNoGradients) {
   EXPECT_FALSE(cancelled.varies);
 }
 
-TEST_F(WholeWarpTest, WhatIsNotAskedForIsNotMade) {
+TEST_F(WholeWarpTest, ComputesOnlyTheRequestedParts) {
   const Value offset = n * p[0];
   const Warp moved = makeWarp(differentiator, offset, inputs, {.needsDirections = false});
   EXPECT_FALSE(moved.flat || moved.surface);
-  const Warp turned = makeWarp(differentiator, offset, inputs, {.isFlat = false});
-  EXPECT_FALSE(turned.flat);
-  EXPECT_TRUE(turned.surface);
+  const Warp warped = makeWarp(differentiator, offset, inputs, {.isFlat = false});
+  EXPECT_FALSE(warped.flat);
+  EXPECT_TRUE(warped.surface);
 }
 
 // Normals, bitangents and triangles of warps that mirror space, against a mirror computed by hand.
@@ -408,12 +408,12 @@ class MirrorTest : public WholeWarpTest {
   bool isKnown(const Warp& warp) const { return graph.isConstant(warp.orientation->id); }
 
   // Rotates about an oblique axis, by an angle that grows with the height.
-  Value screwed(const Value& q, Expression by) {
+  Value screw(const Value& q, Expression by) {
     const Expression x{&graph, graph.constant(0.6)}, z{&graph, graph.constant(0.8)};
     return multiply(rotationAbout(vec3(x, zero, z), by), q);
   }
 
-  Value twisted(const Value& q) {
+  Value twist(const Value& q) {
     const Expression angle = q[1] * 2.0;
     return vec3(cos(angle) * q[0] - sin(angle) * q[2], q[1], sin(angle) * q[0] + cos(angle) * q[2]);
   }
@@ -426,16 +426,16 @@ TEST_F(MirrorTest, AMirrorMirrorsTheNormalAndTheBitangent) {
   ASSERT_TRUE(isKnown(warp));
   EXPECT_EQ(signOf(warp), -1);
   const double normal[] = {-0.48, 0.6, 0.64}, tangent[] = {-0.8, 0, -0.6, -1};
-  for (const WarpedDirections& turned : {*warp.flat, *warp.surface}) {
+  for (const WarpedDirections& warped : {*warp.flat, *warp.surface}) {
     for (int i = 0; i < 3; ++i)
-      EXPECT_NEAR(evaluateNode(graph, turned.normal[i].id, at()), normal[i], 1e-15);
+      EXPECT_NEAR(evaluateNode(graph, warped.normal[i].id, at()), normal[i], 1e-15);
     for (int i = 0; i < 4; ++i)
-      EXPECT_NEAR(evaluateNode(graph, turned.tangent[i].id, at()), tangent[i], 1e-15);
-    EXPECT_NEAR(evaluateNode(graph, turned.determinant.id, at()), -1, 1e-15);
+      EXPECT_NEAR(evaluateNode(graph, warped.tangent[i].id, at()), tangent[i], 1e-15);
+    EXPECT_NEAR(evaluateNode(graph, warped.determinant.id, at()), -1, 1e-15);
   }
 }
 
-TEST_F(MirrorTest, ASignIsKnownFromTheRange) {
+TEST_F(MirrorTest, TheRangeDeterminesASign) {
   const Expression x = p[0], y = p[1], z = p[2];
   const Value mirrors[] = {
       vec3(-x, -y, -z),
@@ -447,10 +447,10 @@ TEST_F(MirrorTest, ASignIsKnownFromTheRange) {
       vec3(x / (-2.0 - y * y), y, z),
       vec3(-x, y + sin(x) * 3.0, z + x * y),
       vec3(y, x, z),
-      twisted(vec3(x * -2.0, y, z)),
-      vec3(twisted(p)[0] * -3.0, twisted(p)[1], twisted(p)[2]),
-      screwed(vec3(-x, y, z), u),
-      screwed(vec3(-x, y, z), x * 0.6 - z * 0.8),
+      twist(vec3(x * -2.0, y, z)),
+      vec3(twist(p)[0] * -3.0, twist(p)[1], twist(p)[2]),
+      screw(vec3(-x, y, z), u),
+      screw(vec3(-x, y, z), x * 0.6 - z * 0.8),
       vec3(-(x - 1.0) - 1.0, y, z),
       vec3((x - 1.0) * -2.0 + x - 1.0, y, z),
   };
@@ -462,19 +462,19 @@ TEST_F(MirrorTest, ASignIsKnownFromTheRange) {
 }
 
 // These need no code.
-TEST_F(MirrorTest, WhatDoesNotMirrorOrFoldsHasTheEquationOfThePaper) {
+TEST_F(MirrorTest, WarpsThatDoNotMirrorUseTheEquationOfThePaper) {
   const Expression x = p[0], y = p[1], z = p[2];
   const Value others[] = {
       p,
-      twisted(p),
-      screwed(p, u),
-      screwed(p, x * 0.6 + z * 0.8),
+      twist(p),
+      screw(p, u),
+      screw(p, x * 0.6 + z * 0.8),
       vec3(-x, -y, z),
       vec3(x * (y * y + 1.0), y, z),
       vec3(zero, y, z),                  // flattened
       vec3(x * x, y, z),                 // folded
       vec3(-x * y, y, z),                // mirrored on one side
-      vec3(x + n[0] * -3.0, y, z),       // by the normal
+      vec3(x + n[0] * -3.0, y, z),       // depends on the normal
       vec3(-x * uv[0], y, z),            // one half of the texture
       vec3(x * (y + 2e4) * -1.0, y, z),  // mirrored except at distant places
   };
@@ -485,26 +485,26 @@ TEST_F(MirrorTest, WhatDoesNotMirrorOrFoldsHasTheEquationOfThePaper) {
   }
 }
 
-TEST_F(MirrorTest, AttributesDecideNoSign) {
+TEST_F(MirrorTest, AttributesDoNotDetermineASign) {
   const Value color = variable(graph, "color", vectorOf(4));
   for (const Expression attribute : {color[2], t[0], t[3], gradients[0][1]})
     EXPECT_TRUE(isKnown(to(vec3(p[0] * attribute, p[1], p[2]))));
 }
 
-TEST_F(MirrorTest, UniformsDecideASign) {
+TEST_F(MirrorTest, UniformsDetermineASign) {
   const Expression x = p[0], y = p[1], z = p[2];
   const Value ofU[] = {
       vec3(x * u, y, z),
       vec3(x * (u - 1.0) + x, y, z),
       vec3(x * u * (y * y + 1.0), y, z),
-      twisted(vec3(x * u, y, z)),
-      twisted(p * Value(u)),
-      vec3(twisted(p)[0] * u, twisted(p)[1], twisted(p)[2]),
+      twist(vec3(x * u, y, z)),
+      twist(p * Value(u)),
+      vec3(twist(p)[0] * u, twist(p)[1], twist(p)[2]),
       vec3(x * u * w, y * w, z),
       vec3(x * u + y * w, y, z),
       vec3(x * sin(u) / 3.0, y, z),
       vec3(x * (y * y + 1.0) / u, y, z),
-      screwed(vec3(x * u, y, z), w),
+      screw(vec3(x * u, y, z), w),
   };
   for (const Value& place : ofU) {
     const Warp warp = to(place);
@@ -520,15 +520,16 @@ TEST_F(MirrorTest, UniformsDecideASign) {
   EXPECT_TRUE(isKnown(to(vec3(x + u, y * w - y * w + y, z)))) << "read, but not by M";
 }
 
-// Signs multiply: a mirror by a uniform, in either direction, times a part with a known sign.
+// Signs multiply: a factor that mirrors for some values of a uniform, times a part whose sign is
+// known.
 TEST_F(MirrorTest, SignsMultiply) {
-  const Warp warp = to(twisted(vec3(p[0] * u, p[1], p[2] * -2.0)));
+  const Warp warp = to(twist(vec3(p[0] * u, p[1], p[2] * -2.0)));
   EXPECT_EQ(signOf(warp, 0.7), -1);
   EXPECT_EQ(signOf(warp, -0.7), 1);
 }
 
 // With zero gradients the surface is flat, and space itself is mirrored.
-TEST_F(MirrorTest, AnOffsetAlongTheNormalIsMirroredAsSpaceIs) {
+TEST_F(MirrorTest, AnOffsetAlongTheNormalIsMirroredLikeSpace) {
   const Warp warp = warpOf(vec3(p[0] * -2.0, zero, zero) + n * 0.1);
   EXPECT_EQ(signOf(warp), -1);
   Inputs all = at();

@@ -35,17 +35,17 @@ inline Point pointOf(const std::vector<float>& numbers, std::size_t vertex) {
 }
 
 // Warps for meshes with a size of about 100.
-inline Point turnedAboutY(const Point& p, double angle) {
+inline Point rotateAboutY(const Point& p, double angle) {
   return {p[0] * std::cos(angle) - p[2] * std::sin(angle), p[1],
           p[0] * std::sin(angle) + p[2] * std::cos(angle)};
 }
 
-inline Point twist(const Point& p) { return turnedAboutY(p, 0.015 * p[1]); }
+inline Point twist(const Point& p) { return rotateAboutY(p, 0.015 * p[1]); }
 
 // Nothing moves below y = 20.
 inline Point twistNearOneEnd(const Point& p) {
   const double t = std::clamp((p[1] - 20) / 30, 0.0, 1.0);
-  return turnedAboutY(p, 1.2 * t * t * (3 - 2 * t));
+  return rotateAboutY(p, 1.2 * t * t * (3 - 2 * t));
 }
 
 // The cube of figure 6.

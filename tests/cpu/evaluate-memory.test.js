@@ -18,7 +18,7 @@ const towards = ({ position, uniforms: { center, amount } }) =>
 
 /**
  * Returns the bytes of JavaScript's heap that a call allocates, collected or not. It is the minimum of some rounds, since the engine
- * compiles at any time, and then allocates objects of its own; allocations of every call are in every round.
+ * compiles at any time, and then allocates its own objects; allocations of every call are in every round.
  */
 async function bytesOf(call, calls) {
   let min = Infinity
@@ -27,7 +27,7 @@ async function bytesOf(call, calls) {
   return min
 }
 
-/** Measures one round by the engine's sampling profiler. */
+/** Measures one round with the engine's sampling profiler. */
 async function bytesInRound(call, calls) {
   const session = new Session()
   session.connect()
@@ -50,12 +50,12 @@ const arrays = (vertices) => ({ positions: numbers(3 * vertices), normals: numbe
 describe('evaluate into arrays of the caller allocates nothing, whatever the number of vertices', () => {
   const x = 0.25
   const cases = {
-    'a uniform that is given': [compileWarp(wave), { millis: 5 }],
-    'a vector that is given': [
+    'a uniform passed to the call': [compileWarp(wave), { millis: 5 }],
+    'a vector uniform passed to the call': [
       compileWarp(towards, { uniforms: { center: [0, 0, 0], amount: 0.5 } }),
       { center: [0.5, 0.25, 1] },
     ],
-    'declared uniforms, one by a function': [
+    'declared uniforms, one of which is a function': [
       compileWarp(towards, { uniforms: { center: [0, 0, 0], amount: () => x } }),
     ],
   }
@@ -78,7 +78,7 @@ describe('evaluate into arrays of the caller allocates nothing, whatever the num
     })
 })
 
-test('the object of the caller is returned, unless it holds other arrays', () => {
+test('evaluate returns the object of the caller, unless it contains other arrays', () => {
   const warp = compileWarp(wave)
   const mesh = arrays(5)
   const uniforms = { millis: 5 }
@@ -94,7 +94,7 @@ test('the object of the caller is returned, unless it holds other arrays', () =>
   assert.deepEqual(warp.evaluate(mesh, { uniforms, out: more }), out)
 })
 
-test("a uniform's function and a getter may evaluate the same warp", () => {
+test('the function of a uniform, or a getter, may evaluate the same warp', () => {
   const mesh = arrays(7)
   const other = arrays(9)
   let isNested = false
@@ -143,7 +143,7 @@ test('the call after one that throws is correct', () => {
   assert.deepEqual(warp.evaluate(mesh, { out }), expected)
 })
 
-test('new numbers in the same arrays are used, and arrays that have grown', () => {
+test('evaluate reads new numbers in the same arrays, and accepts arrays that have grown', () => {
   const warp = compileWarp(wave)
   const uniforms = { millis: 5 }
   const buffer = new ArrayBuffer(12 * 9000, { maxByteLength: 12 * 10_000 })
@@ -167,14 +167,14 @@ test('arrays of the caller are not retained', async () => {
       (array) => new WeakRef(array),
     )
   }
-  const kept = given()
+  const references = given()
   for (let i = 0; i < 5; i++) {
     await setTimeout(1)
     collect()
   }
   assert.deepEqual(
-    kept.map((each) => each.deref()?.length),
-    kept.map(() => undefined),
+    references.map((each) => each.deref()?.length),
+    references.map(() => undefined),
   )
   assert.ok(warp.evaluate(arrays(3), { uniforms: { millis: 5 } }))
 })

@@ -41,20 +41,20 @@ describe('evaluate', () => {
     }
     wave.evaluate(own, { uniforms, out: own })
     assert.deepEqual(own, { positions, normals })
-    const refused = (wrong, message) =>
+    const expectRejected = (wrong, message) =>
       assert.throws(() => wave.evaluate(plane, { uniforms, out: wrong }), {
         name: 'WarpError',
         message,
       })
-    refused(
+    expectRejected(
       { positions: new Float32Array(5) },
       /at least 6 numbers for out\.positions, got one of 5/,
     )
-    refused(
+    expectRejected(
       { normals: [0, 0, 0] },
       /expected a Float32Array .* for out\.normals, got an array of 3/,
     )
-    refused({ normal: new Float32Array(6) }, /normal/)
+    expectRejected({ normal: new Float32Array(6) }, /normal/)
   })
 
   test('allocates no array of the size of the mesh if all are passed', () => {
@@ -101,12 +101,12 @@ describe('evaluate', () => {
     assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), refusal)
   })
 
-  test('accepts any number of vertices, also none', () => {
+  test('accepts any number of vertices, including 0', () => {
     assert.deepEqual(wave.evaluate({ positions: [], normals: [] }, { uniforms }), {
       positions: new Float32Array(0),
       normals: new Float32Array(0),
     })
-    // Around the number of vertices per batch.
+    // Counts just below and above the number of vertices per batch.
     for (const count of [1, 5, 4095, 4096, 4097, 9001]) {
       const xs = Float32Array.from({ length: count }, (_, i) => Math.sin(i))
       const positions = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 ? 0 : xs[i / 3]))
@@ -240,7 +240,7 @@ describe('bounds', () => {
   const holds = ({ min, max }, truth) =>
     [0, 1, 2].every((axis) => min[axis] <= truth.min[axis] && max[axis] >= truth.max[axis])
 
-  for (const { name, compile, offset, size, reach, params, kept } of warps) {
+  for (const { name, compile, offset, size, reach, params, isGolden } of warps) {
     const warp = compile('glsl300')
     if (!warp.bounds) continue
     test(`contain the warped box, and are at most twice as large in the gallery: ${name}`, () => {
@@ -249,7 +249,7 @@ describe('bounds', () => {
         const bounds = warp.bounds(box(size), { uniforms: all })
         const truth = sampleBox(offset, size, all)
         assert.ok(holds(bounds, truth), `${JSON.stringify([bounds, truth])}`)
-        for (let axis = 0; kept && axis < 3; axis++) {
+        for (let axis = 0; isGolden && axis < 3; axis++) {
           const extent = Math.max(truth.max[axis] - truth.min[axis], reach / 1000)
           const ratio = (bounds.max[axis] - bounds.min[axis]) / extent
           assert.ok(ratio <= 2, `${ratio} times as large as needed`)
@@ -259,9 +259,9 @@ describe('bounds', () => {
   }
 
   // A grid of 25 × 25 × 25 has the same result.
-  test('that are 5% too small would be detected, for nearly every warp', () => {
+  test('that are 5% too small would fail this test for nearly every warp', () => {
     const moment = moments[1]
-    const refused = warps.filter(({ compile, offset, size, params }) => {
+    const detected = warps.filter(({ compile, offset, size, params }) => {
       const inputs = { ...moment, ...params }
       const bounds = compile('glsl300').bounds?.(box(size), { uniforms: inputs })
       if (!bounds) return false
@@ -270,7 +270,7 @@ describe('bounds', () => {
       const tooSmall = { min: inwards(min, max), max: inwards(max, min) }
       return !holds(tooSmall, sampleBox(offset, size, inputs))
     })
-    assert.ok(refused.length >= 65, `only ${refused.length} of ${warps.length}`)
+    assert.ok(detected.length >= 65, `only ${detected.length} of ${warps.length}`)
   })
 
   test('contain both sides of the cut of atan(y, x), also for a plane', () => {
@@ -418,7 +418,7 @@ describe('errors for', () => {
     )
   })
 
-  test('warps that the CPU cannot run, and without normals', () => {
+  test('warps that the CPU cannot evaluate, or that were compiled without normals', () => {
     const own = compileWarp(({ glsl, position }) => {
       const bump = glsl.fn({
         name: 'bump',
@@ -515,7 +515,7 @@ describe('inputs and results that share memory', () => {
       }
   })
 
-  test('with other kinds of input: normals over positions, tangents over normals, doubles', () => {
+  test('do not change the result if normals overlap positions, or tangents overlap normals, or arrays are Float64Array', () => {
     for (const shift of [-9000, -1, 0, 1, 5000]) {
       const buffer = new ArrayBuffer(4 * 200_000)
       const mesh = {
@@ -538,23 +538,29 @@ describe('inputs and results that share memory', () => {
 
   test('two results must not share memory', () => {
     const same = new Float32Array(4 * count)
-    const refused = (out, message) =>
+    const expectRejected = (out, message) =>
       assert.throws(() => bend.evaluate({ positions, normals, tangents }, { out }), {
         name: 'WarpError',
         message,
       })
-    refused(
+    expectRejected(
       { positions: same, normals: same },
       /^evaluate: out\.positions and out\.normals must not share memory, but are the same array\.$/,
     )
-    refused({ normals: same, tangents: same }, /out\.normals and out\.tangents .* same array/)
+    expectRejected(
+      { normals: same, tangents: same },
+      /out\.normals and out\.tangents .* same array/,
+    )
     const buffer = new ArrayBuffer(4 * 80_000)
     const at = (place) => new Float32Array(buffer, 4 * place)
-    refused(
+    expectRejected(
       { positions: at(0), tangents: at(3 * count - 1) },
       /out\.positions and out\.tangents .* same part of a buffer/,
     )
-    refused({ positions: at(3 * count - 1), normals: at(0) }, /out\.positions and out\.normals/)
+    expectRejected(
+      { positions: at(3 * count - 1), normals: at(0) },
+      /out\.positions and out\.normals/,
+    )
     // Adjacent arrays are allowed, and so are arrays that are not written.
     const out = { positions: at(0), normals: at(3 * count) }
     assert.deepEqual(
@@ -615,7 +621,7 @@ describe('unused uniforms', () => {
       callAll(built, {})
     })
 
-  test('of every type that GLSL source can declare', () => {
+  test('may have every type that GLSL source can declare', () => {
     const types = {
       int: -3,
       uint: 3e9,

@@ -22,7 +22,7 @@ test('a twist is undone by the opposite twist, from anywhere', () => {
     const from = [Math.sin(i), Math.cos(2.1 * i), Math.sin(3.7 * i + 1)].map((x) => 3 * x)
     const [x, y, z] = from
     const [c, s] = [Math.cos(2 * y), Math.sin(2 * y)]
-    // The rotation about y may be in either direction: the one of evaluateAt.
+    // Rotates about y in the direction that evaluateAt shows.
     const [moved] = twist.evaluateAt(from).position
     const to =
       Math.abs(moved - (c * x + s * z)) < 1e-5
@@ -48,7 +48,7 @@ test('a wave that does not fold has one position, and is not folded', () => {
 describe('a wave that folds', () => {
   const wave = along((x) => x.sin().mult(-3))
 
-  test('has several positions, of which near selects one', () => {
+  test('has several inverse positions, of which the option near selects one', () => {
     // x - 3 sin x is 0 at x = 0, where space is inside out, and at one position on each side.
     const side = 2.27886266
     for (const near of [0.1, 2.2, -2.2]) {
@@ -63,7 +63,7 @@ describe('a wave that folds', () => {
     assert.deepEqual([-2, 0, 2.4].map(isFolded), [false, true, false])
   })
 
-  test('has a solution from every start', () => {
+  test('is inverted from every start', () => {
     for (let i = -30; i <= 30; i++) {
       const { position } = wave.inverseAt([i / 3, 0, 0])
       assert.ok(Math.abs(position[0] - 3 * Math.sin(position[0]) - i / 3) < 1e-9)
@@ -88,7 +88,7 @@ test('there is no result for a point that nothing is moved to', () => {
   assert.equal(flat.inverseAt([1, 1, 1]), undefined)
 })
 
-test('uniforms by value and by function, and other inputs of the offset', () => {
+test('uniforms can be values or functions, and other inputs can be passed', () => {
   const moving = compileWarp(
     ({ glsl, normal, millis, uniforms: { amount } }) =>
       normal.mult(amount).add(glsl.vec3(millis.div(1000), 0, 0)),
@@ -100,7 +100,7 @@ test('uniforms by value and by function, and other inputs of the offset', () => 
   isClose(moving.inverseAt([5, 5, 5], other).position, [5, 4, 5], 1e-12)
 })
 
-test('errors', () => {
+test('invalid arguments throw', () => {
   const rejects = (work, message) => assert.throws(work, { name: 'WarpError', message })
   rejects(
     () => twist.inverseAt([1, 2]),
@@ -216,8 +216,8 @@ describe('random warps, targets and starts', () => {
     for (const size of [1, 1e5, 1e-6])
       test(`${kind} of size ${size}`, () => {
         const random = randomOf(7 + Math.round(size))
-        const number = (most) => most * (2 * random() - 1)
-        const point = (most) => [number(most), number(most), number(most)]
+        const number = (max) => max * (2 * random() - 1)
+        const point = (max) => [number(max), number(max), number(max)]
         let found = 0
         for (let i = 0; i < 30; i++) {
           const { offset, placeOf } = make(number, size)

@@ -1,4 +1,4 @@
-// Warps as machine code on the CPU: the same bits as by the interpreter, which computes the first call; and the lifetime of the code.
+// Warps compiled to machine code on the CPU return the same bits as the interpreter, which handles the first call; and unused code is freed.
 // NaNs may differ in their bits, which WebAssembly does not define.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
@@ -99,7 +99,7 @@ function assertSame(found, expected, message) {
   }
 }
 
-/** Evaluates a new warp by the interpreter, and then by machine code, with a number of vertices at a time. */
+/** Evaluates a new warp with the interpreter, and then with machine code, with a number of vertices at a time. */
 function assertBothSame(warp, mesh, uniforms, counts, message) {
   const expected = warp.evaluate(mesh, { uniforms })
   const before = made
@@ -110,8 +110,8 @@ function assertBothSame(warp, mesh, uniforms, counts, message) {
 
 const counts = [1, 3, 5, 17, 1000]
 
-describe('the same bits', () => {
-  test('of every warp of the tests', () => {
+describe('machine code returns the same bits as the interpreter', () => {
+  test('for every warp of the tests', () => {
     let compared = 0
     for (const { name, compile, params } of warps) {
       const warp = compile('glsl300')
@@ -140,7 +140,7 @@ describe('the same bits', () => {
   ])
     for (const name of list.split(' '))
       for (const isUniform of arity ? [false, true] : [false])
-        test(`of ${name} of ${['a place', 'a number', 'two', 'three'][arity]}${isUniform ? ' that all vertices share' : ''}`, () => {
+        test(`for ${name} of ${['a position', 'a number', 'two numbers', 'three numbers'][arity]}${isUniform ? ' that all vertices share' : ''}`, () => {
           const offset = ({ glsl, position, millis, mouseX, mouseY }) => {
             const given = isUniform
               ? [millis, mouseX, mouseY]
@@ -163,7 +163,7 @@ describe('the same bits', () => {
         })
 
   const texts = isRun('every random expression') ? 400 : 100
-  test(`of ${texts} random functions in GLSL: loops, conditions, whole numbers`, () => {
+  test(`for ${texts} random functions in GLSL, with loops, conditions and integers`, () => {
     for (let seed = 1; seed <= texts; seed++) {
       const { glsl: text } = randomFunction(seed)
       const warp = compileWarp(({ glsl, position }) => glsl.source(above + text)(position))
@@ -171,7 +171,7 @@ describe('the same bits', () => {
     }
   })
 
-  test('of a warp whose code has several functions, which pass values to each other', () => {
+  test('for a warp whose code is split into several functions, which pass values to each other', () => {
     const warp = compileWarp(({ glsl, position, millis }) => {
       const [x, y, z] = [position.x(), position.y(), position.z()]
       const waves = Array.from({ length: 300 }, (_, i) =>
@@ -188,7 +188,7 @@ describe('the same bits', () => {
     assertBothSame(warp, ordinary, { millis: 3 }, counts, 'waves')
   })
 
-  test('of more vertices than a batch has, and into arrays of the caller', () => {
+  test('for more vertices than a batch has, and into arrays of the caller', () => {
     const warp = compileWarp(({ position, millis }) => position.yzx().mult(3).add(millis).sin())
     const mesh = {
       positions: Float32Array.from({ length: 3 * 9001 }, (_, i) => Math.sin(i)),
@@ -201,7 +201,7 @@ describe('the same bits', () => {
     assertSame(mesh, expected, 'in place')
   })
 
-  test('of one vertex by itself', () => {
+  test('for a single vertex', () => {
     const warp = compileWarp(({ position, millis }) => position.yzx().mult(3).add(millis).sin())
     const at = () =>
       warp.evaluateAt([0.1, 0.2, 0.3], { normal: [0, 1, 0], uniforms: { millis: 1 } })
@@ -218,7 +218,7 @@ const offsets =
 test('code of unreachable warps is freed', async () => {
   const count = isRun('thousands of warps') ? 3000 : 300
   const mesh = first(ordinary, 64)
-  compileWarp(offsets(0)).evaluate(mesh) // what runs programs has started
+  compileWarp(offsets(0)).evaluate(mesh) // the evaluation module has started
   const { Instance } = WebAssembly
   const instances = []
   WebAssembly.Instance = function (...given) {
@@ -227,10 +227,10 @@ test('code of unreachable warps is freed', async () => {
     return instance
   }
   const inside = evaluationMemoryInUse()
-  let kept
+  let last
   for (let i = 0; i < count; i++) {
-    kept = compileWarp(offsets(i))
-    for (let k = 0; k < 2; k++) kept.evaluate(mesh)
+    last = compileWarp(offsets(i))
+    for (let k = 0; k < 2; k++) last.evaluate(mesh)
   }
   WebAssembly.Instance = Instance
   assert.equal(instances.length, count)
@@ -241,7 +241,7 @@ test('code of unreachable warps is freed', async () => {
   }
   const left = instances.filter((instance) => instance.deref()).length
   assert.ok(left >= 1 && left < 20, `${left} of ${count} are left`)
-  assert.ok(kept.evaluate(mesh), 'which goes on')
+  assert.ok(last.evaluate(mesh), 'the last warp still works')
 })
 
 // Must be the last test: no code is compiled after it.

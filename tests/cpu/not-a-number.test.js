@@ -1,4 +1,5 @@
-// NaN and infinity: divisions by a uniform that is 0, and vertices without a finite position, in each host that evaluates on the CPU.
+// Tests results that are NaN or infinite, in each host that evaluates on the CPU: divisions by a uniform that is 0, and vertices without a
+// finite position.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js'
@@ -17,10 +18,10 @@ const beat = ({ glsl, position, millis, uniforms }) =>
   glsl.vec3(0, millis.div(uniforms.period).mult(0.001).add(position.x).sin(), 0)
 const drift = ({ glsl, millis, uniforms }) => glsl.vec3(0, millis.div(uniforms.period), 0)
 
-describe('with frame constants', () => {
+describe('a warp with frame constants', () => {
   const options = { perFrame: true, uniforms: { period: 0 } }
 
-  test('a division by 0 is not a missing uniform', () => {
+  test('does not mistake a division by 0 for a missing uniform', () => {
     for (const offset of [beat, drift])
       for (const millis of [0, 1200]) {
         const made = compileWarp(offset, options)
@@ -40,7 +41,7 @@ describe('with frame constants', () => {
       }
   })
 
-  test('the message names a missing input that is read, whatever the other values are', () => {
+  test('names a missing input in its message, whatever the other values are', () => {
     const made = compileWarp(beat, options)
     const missing = (method) => new RegExp(`^WarpError: ${method}: the warp reads "millis"`)
     assert.throws(() => made.frameUniforms({}), missing('frameUniforms'))
@@ -54,7 +55,7 @@ describe('with frame constants', () => {
     assert.throws(() => pointed.evaluateAt([0, 0, 0]), /the warp reads "mouse"/)
   })
 
-  test('a declared uniform is passed as everywhere else', () => {
+  test('a declared uniform can be passed to each method', () => {
     const made = compileWarp(
       ({ glsl, millis, uniforms: { isOn, center } }) =>
         glsl.vec3(center.x.mult(millis), isOn.mult(millis), 0),
@@ -149,7 +150,7 @@ describe('three.js', () => {
         }
     })
 
-  test('neither does such a texture coordinate, or such a geometry of a batch', () => {
+  test('a non-finite texture coordinate or batch geometry neither throws nor hides the others', () => {
     const along = ({ glsl, position, uv }) => glsl.vec3(0, 0, uv.x.mult(0.1).add(position.x))
     const mesh = new THREE.Mesh(broken(plane(), NaN, 'uv'), material)
     warp(mesh, along)
@@ -166,7 +167,7 @@ describe('three.js', () => {
     }
   })
 
-  test('the bounds of a group with such a part are infinite, not NaN', () => {
+  test('the bounds of a group with a non-finite part are infinite, not NaN', () => {
     const group = new THREE.Group()
     group.add(new THREE.Mesh(plane(), material), new THREE.Mesh(broken(plane(), NaN), material))
     group.children[1].position.x = 3
@@ -178,7 +179,7 @@ describe('three.js', () => {
     )
   })
 
-  test('an object without any value is drawn, since the GPU may have one', () => {
+  test('draws an object whose positions are all NaN on the CPU, since the GPU may compute finite ones', () => {
     const mesh = new THREE.Mesh(plane(), material)
     warp(mesh, ({ glsl, position }) => glsl.vec3(position.x.abs().add(1).neg().sqrt(), 0, 0))
     assert.equal(isSeen(mesh), true)

@@ -1,5 +1,5 @@
-// chain, add, blend, mask and inSpace: positions and normals equal those of the same composition of plain functions of numbers,
-// computed step by step.
+// Tests chain, add, blend, mask and inSpace: positions and normals equal those of the same composition of plain functions, computed
+// step by step.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
@@ -47,7 +47,7 @@ const vertices = Array.from({ length: 40 }, () => ({
 }))
 const step = 0.02
 
-/** In double: maps a vertex and uniforms to the offset, the columns of its Jacobian, and the warped normal. */
+/** Evaluates in double precision: maps a vertex and uniforms to the offset, the columns of its Jacobian, and the warped normal. */
 function inDouble(warp) {
   return compile((glsl) => {
     const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
@@ -98,7 +98,7 @@ const after = (a, b) => (p, inputs) => {
   const first = a(p, inputs)
   return plus(first, b(plus(p, first), inputs))
 }
-/** Returns the normal of the surface moved by `offset`, at the image of p, by differences only. */
+/** Returns the normal of the surface moved by `offset`, at the image of p, from finite differences only. */
 const normalAfter = (offset, p, inputs) =>
   warpVertex(offset, { position: p, normal: inputs.normal }, inputs, step).normal
 
@@ -109,7 +109,7 @@ describe('chain', () => {
     agree(chain(waved[0], twisted[0], bent[0]), after(after(waved[1], twisted[1]), bent[1]))
   })
 
-  test('of one warp is that warp, and chains can be nested', () => {
+  test('equals the warp if there is only one, and can be nested', () => {
     agree(chain(twisted[0]), twisted[1])
     const expected = after(waved[1], after(twisted[1], bent[1]))
     agree(chain(waved[0], chain(twisted[0], bent[0])), expected)
@@ -158,7 +158,7 @@ describe('chain', () => {
         millis: 0,
       })
       assertClose(offset, [(-30 * slope) / length, x ** 2 / 200 + 30 / length, 0], 1e-9)
-      // Their derivatives d/dx; a parallel surface has the normal of the original.
+      // The derivatives of these offsets with respect to x. A parallel surface has the same normals as the original.
       const byX = [-0.3 / length ** 3, slope - (0.3 * slope) / length ** 3, 0]
       assertClose(derivatives.slice(0, 3), byX, 1e-9)
       assertClose(turned, [-slope / length, 1 / length, 0], 1e-9)
@@ -166,7 +166,7 @@ describe('chain', () => {
   })
 
   test('computes no unused normal', () => {
-    const matrix = columnMajor(spaces['a turn'])
+    const matrix = columnMajor(spaces['a rotation'])
     const warp = chain(
       waved[0],
       inSpace(matrix, chain(twisted[0], bent[0])),
@@ -186,7 +186,7 @@ describe('chain', () => {
     )
   })
 
-  test('shares its sines', () => {
+  test('computes each sine and cosine only once', () => {
     const text = compileWarp(chain(twisted[0], bent[0], waved[0])).code
     const count = (name) => text.match(new RegExp(`\\b${name}\\(`, 'g')).length
     assert.deepEqual([count('sin'), count('cos')], [3, 3])
@@ -194,13 +194,13 @@ describe('chain', () => {
     assert.ok(stats.operations < 250, `${stats.operations} operations`)
   })
 
-  test('of eight warps compiles quickly, and its code grows linearly', () => {
+  test('compiles to code whose length is linear in the number of warps', () => {
     const size = (count) => compileWarp(chain(...Array(count).fill(twisted[0]))).stats.operations
     const [two, four, eight] = [2, 4, 8].map(size)
     assert.ok(eight - four < 2.2 * (four - two), `${two} ${four} ${eight}`)
   })
 
-  test('has a message that a moved position cannot be differentiated by', () => {
+  test('throws for a derivative with respect to a moved position', () => {
     const slope = ({ glsl, position }) => glsl.derivative(position.yzx(), position.x())
     assert.equal(typeof compileWarp(slope).code, 'string')
     assert.equal(typeof compileWarp(chain(slope, twisted[0])).code, 'string')
@@ -232,7 +232,7 @@ describe('blend', () => {
     return a.map((x, i) => x + (b[i] - x) * t)
   }
 
-  test('goes from one warp to the other', () => {
+  test('interpolates from one warp to the other', () => {
     agree(
       blend(twisted[0], bent[0]),
       between(() => 0.5),
@@ -246,7 +246,7 @@ describe('blend', () => {
     )
   })
 
-  test('by an amount that varies over the shape', () => {
+  test('accepts an amount that varies over the shape', () => {
     const amount = ({ position }) => position.x().mult(0.02).sin()
     agree(
       blend(twisted[0], bent[0], amount),
@@ -259,7 +259,7 @@ describe('blend', () => {
   })
 })
 
-test('mask weakens a warp, and accounts for the slope of its weight', () => {
+test('mask multiplies a warp by a weight, and accounts for the derivative of the weight', () => {
   agree(mask(twisted[0], 0.25), (p, inputs) => times(twisted[1](p, inputs), 0.25))
   agree(
     mask(twisted[0], ({ glsl }) => glsl.param('w')),
@@ -271,7 +271,7 @@ test('mask weakens a warp, and accounts for the slope of its weight', () => {
     mask(twisted[0], ({ position }) => position.dot(position).div(-5000).exp()),
     (p, inputs) => times(twisted[1](p, inputs), near(p)),
   )
-  // Inside of a chain, where the previous warp has moved the points.
+  // In a chain, the previous warp has already moved the points.
   agree(
     chain(
       waved[0],
@@ -285,9 +285,9 @@ test('mask weakens a warp, and accounts for the slope of its weight', () => {
 })
 
 const spaces = {
-  'a shift': translation(30, -20, 7),
-  'a turn': rotation(0.8, 0, 1),
-  'a turn, a scale and a shift': product(
+  'a translation': translation(30, -20, 7),
+  'a rotation': rotation(0.8, 0, 1),
+  'a rotation, a scale and a translation': product(
     translation(5, 6, 7),
     rotation(1, 1, 2),
     scaling(0.5, 2, 1.5),
@@ -340,7 +340,7 @@ describe('inSpace', () => {
       )
     })
 
-    test(`transforms normals into it and back: ${name}`, () => {
+    test(`transforms normals into the space and back: ${name}`, () => {
       const flat = columnMajor(matrix)
       agree(inSpace(flat, inflate({ amount: 8 })), inside(matrix, oracles.inflate({ amount: 8 })))
       // A normal points outwards, and an offset along it has an outward component, also under a mirror.
@@ -391,11 +391,11 @@ describe('inSpace', () => {
   })
 })
 
-test('deformers and compositions make one graph, in all three languages', () => {
+test('deformers and compositions compile to one piece of code in all three languages', () => {
   const all = chain(
     blend(taper(), stretch({ keepVolume: true }), 0.4),
     mask(add(bulge(), shear()), ({ position }) => position.y().mult(0.01).sin()),
-    inSpace(columnMajor(spaces['a turn']), spherify({ amount: 0.3 })),
+    inSpace(columnMajor(spaces['a rotation']), spherify({ amount: 0.3 })),
   )
   for (const target of ['glsl300', 'glsl100', 'wgsl'])
     assert.match(compileWarp(all, { target }).code, /warpedNormal/)

@@ -1,4 +1,4 @@
-// The deformers in a page: by a second script tag in p5 sketches, and through a bundler.
+// The deformers in a page, loaded by a second script tag in p5 sketches, and by a bundler.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { launchBrowser, leavePage } from '../support/browser/browser.js'
@@ -20,7 +20,7 @@ after(async () => {
 
 for (const [version, p5] of p5InThisRun)
   describe(`script tags and p5 ${version}:`, () => {
-    test('the names are on the global warpjet, and a warp made of them is drawn', async () => {
+    test('the global warpjet has the deformers, and a sketch draws warps made with them', async () => {
       const { right, local } = await drawScenes(browser, server, [p5, ...scripts], {
         size: 200,
         setup: `
@@ -72,7 +72,7 @@ for (const [version, p5] of p5InThisRun)
     })
   })
 
-test('the second script has a message that it needs the first', async () => {
+test('the second script throws a message if the first one is missing', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,

@@ -1,5 +1,5 @@
 // 'warpjet/deformers': each deformer moves points by its documented formula and transforms normals by the exact derivative, for
-// options of every form. The oracle is the documented formula in plain numbers, and its differences.
+// options of every form. The oracle evaluates the documented formula in plain numbers, and its finite differences.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
@@ -89,7 +89,7 @@ const step = 0.02
 /** Maps a deformer to its option that makes it move nothing. */
 const amountOf = (name) => (name === 'twist' || name === 'bend' ? 'angle' : 'amount')
 
-/** A warp in double: maps inputs by name to its offset, the columns of its Jacobian, and the warped normal. */
+/** Evaluates a warp in double precision: maps inputs by name to its offset, the columns of its Jacobian, and the warped normal. */
 function inDouble(warp) {
   const { evaluate } = compile((glsl) => {
     const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
@@ -235,7 +235,7 @@ for (const [name, list] of Object.entries(cases))
     })
   })
 
-test('is finite where computed options have no meaning', () => {
+test('is finite for computed options outside their valid range', () => {
   const strange = {
     twist: { length: 0, axis: [0, 0, 0] },
     taper: { length: 0 },
@@ -263,7 +263,7 @@ test('is finite where computed options have no meaning', () => {
   }
 })
 
-test('known points, by hand', () => {
+test('deformers move points to positions computed by hand', () => {
   const at = (warp, position, more = {}) =>
     inDouble(warp)({ position, normal: [0, 0, 1], millis: 0, ...more }).offset
   const { twist, taper, stretch, bend, spherify, shear, wave, melt, genie } = deformers

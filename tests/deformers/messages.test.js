@@ -7,7 +7,7 @@ import { columnMajor, product, rotation, scaling, translation } from '../support
 import { throwsWarpError } from '../support/warp-errors.js'
 import { deformers as oracles } from '../warps/deformers.js'
 
-describe('deformers have a message about', () => {
+describe('deformers throw a message about', () => {
   const { twist, bend, stretch, bulge, wave, genie, inflate } = deformers
 
   test('unknown options, for every deformer', () => {
@@ -37,7 +37,7 @@ describe('deformers have a message about', () => {
     )
   })
 
-  test('constants', () => {
+  test('invalid constants', () => {
     throwsWarpError(
       () => twist({ angle: 'fast' }),
       /^twist: expected a number, an expression of one number, or a function that returns one for the option "angle", got the text "fast"\.$/,
@@ -104,7 +104,7 @@ describe('deformers have a message about', () => {
     )
   })
 
-  test('the two directions of a bend, and its range', () => {
+  test('invalid directions and ranges of a bend', () => {
     throwsWarpError(
       () => bend({ axis: 'y', along: 'y' }),
       /^bend: the options "axis" and "along" have the same direction/,
@@ -122,7 +122,7 @@ describe('deformers have a message about', () => {
     assert.equal(typeof bend({ axis: [0, -2, 0] }), 'function')
   })
 
-  test('results of functions, and expressions', () => {
+  test('wrong results of functions, and wrong expressions', () => {
     const compiling = (warp) => () => compileWarp(warp)
     throwsWarpError(
       compiling(twist({ angle: () => 'x' })),
@@ -161,10 +161,10 @@ describe('deformers have a message about', () => {
   })
 })
 
-describe('compositions have a message about', () => {
+describe('compositions throw a message about', () => {
   const { add, blend, chain, inSpace, mask, twist, bend } = deformers
 
-  test('no offset functions', () => {
+  test('missing offset functions', () => {
     for (const [name, make] of Object.entries({ chain, add }))
       throwsWarpError(
         () => make(),
@@ -221,7 +221,7 @@ describe('compositions have a message about', () => {
       throwsWarpError(() => compileWarp(warp), sentence)
   })
 
-  test('amounts and weights', () => {
+  test('invalid amounts and weights', () => {
     throwsWarpError(
       () => blend(twist(), bend(), '1'),
       /^blend: expected a number, .* for the amount, got the text "1"\.$/,
@@ -236,7 +236,7 @@ describe('compositions have a message about', () => {
     )
   })
 
-  test('matrices', () => {
+  test('invalid matrices', () => {
     const identity = columnMajor(translation(0, 0, 0))
     const matrix = (value) => () => inSpace(value, twist())
     throwsWarpError(

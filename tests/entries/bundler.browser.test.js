@@ -1,4 +1,4 @@
-// A project with a bundler: `import 'warpjet/p5'` beside `import p5 from 'p5'`, built by Vite, on both versions of p5.
+// Tests a project with a bundler: imports 'warpjet/p5' and p5 from 'p5', builds with Vite, and runs on both versions of p5.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -47,7 +47,7 @@ after(async () => {
 })
 
 for (const version of ['p5', 'p5-v1']) {
-  test(`Vite and ${version}`, async () => {
+  test(`a Vite bundle draws a warp on ${version}`, async () => {
     mkdirSync(`${root}${project}`, { recursive: true })
     writeFileSync(`${root}${project}/${version}.js`, sketch)
     await build({

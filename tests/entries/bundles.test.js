@@ -96,7 +96,7 @@ test('warpjet.min.js and mesh.min.js need no other file', async () => {
   assert.equal(WarpError.name, 'WarpError')
 })
 
-describe('an entry loads only what it needs', () => {
+describe('an entry loads only the files that it needs', () => {
   /** Finds all files that `file` imports statically. */
   function closure(file, known = new Set()) {
     if (known.has(file)) return known
@@ -133,7 +133,7 @@ describe('an entry loads only what it needs', () => {
     })
 })
 
-/** Bundles `code` by Rolldown, and returns the file. */
+/** Bundles `code` with Rolldown, and returns the file. */
 async function bundle(name, code, platform) {
   const folder = `${root}.build/bundles`
   mkdirSync(folder, { recursive: true })
@@ -161,12 +161,12 @@ describe("import 'warpjet/p5' registers with the imported p5", () => {
     })
 })
 
-test("'warpjet/p5' in a bundle for Node brings no p5", async () => {
+test("a bundle of 'warpjet/p5' for Node does not contain p5", async () => {
   const file = await bundle('node', "export { default } from 'warpjet/p5'", 'node')
   assert.doesNotMatch(readFileSync(file, 'utf8'), /class P5/)
 })
 
-test('a bundle of warpjet/text has no evaluation, and the message says which entry has it', async () => {
+test('a bundle of warpjet/text cannot evaluate warps, and the message names the entry that can', async () => {
   const file = await bundle('text', "export { compileWarp } from 'warpjet/text'", 'browser')
   assert.deepEqual(inside(readFileSync(file, 'utf8')), ['core'])
   const { compileWarp } = await import(pathToFileURL(file))
@@ -183,7 +183,7 @@ test('a bundle of warpjet/text has no evaluation, and the message says which ent
     })
 })
 
-test('warpjet contains nothing of warpjet/three, whose size is printed', async () => {
+test('warpjet contains no code of warpjet/three; prints the size of the latter', async () => {
   const size = async (name, code) => {
     const text = readFileSync(await bundle(name, code, 'browser'), 'utf8')
     // Without the inlined WebAssembly, which is in both: it makes the difference depend on where gzip's blocks end.

@@ -107,7 +107,7 @@ test('links and pictures of shipped pages work wherever they are shown', () => {
     })
     .filter(({ path, link }) => {
       if (link.startsWith('#')) return false
-      // npm shows the README alone; the other pages are beside the files that they refer to.
+      // npm shows only the README, so its relative links would be broken; the other pages are served with the files that they link to.
       const { href } = new URL(link, path === 'README.md' ? undefined : `${cdn}${path}`)
       const page = href.replace(/#.*/, '')
       if (page.startsWith(homepage)) return !isOfSite(page.slice(homepage.length))
@@ -118,7 +118,7 @@ test('links and pictures of shipped pages work wherever they are shown', () => {
   assert.deepEqual(wrong, [])
 })
 
-test('npm shows the repository and the issue tracker', () => {
+test('package.json names the repository and the issue tracker for npm', () => {
   const { repository, homepage, bugs } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   const source = 'https://github.com/warpjet/warpjet'
   assert.deepEqual(repository, { type: 'git', url: `git+${source}.git` })
@@ -131,7 +131,8 @@ test('NOTICE names every library that is compiled in', () => {
   const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
   // Libraries that the linker adds, and those that Vite bundles; .cmake/wasm.cmake selects the allocators.
   const others = ['emscripten', 'embind', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
-  for (const name of [...others, 'compiler-rt', 'acorn', 'magic-string'])
+  const bundled = ['acorn', 'magic-string', 'mikktspace', 'fast-png', 'iobuffer', 'fflate']
+  for (const name of [...others, 'compiler-rt', ...bundled])
     assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
   const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
   for (const [, name] of linked.matchAll(/-sMALLOC=(\w+)/g)) assert.ok(notice.includes(name), name)

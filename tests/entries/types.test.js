@@ -154,7 +154,7 @@ test('all members of expressions and of the builder have a hint', () => {
   assert.deepEqual(silent, [])
 })
 
-test('the types of the scripts have the names that the scripts have', () => {
+test('the types of the scripts declare the same names as the scripts', () => {
   for (const script of [
     'p5.warpjet',
     ...['deformers', 'glsl', 'operators'].map((s) => `warpjet.${s}`),

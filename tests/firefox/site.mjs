@@ -1,5 +1,5 @@
-// node tests/firefox/site.mjs [words of paths]: opens every page of the built site in Firefox, on a desktop and on a phone, and prints what
-// any of them prints, what does not fit, and what stays undrawn. By hand, after `npm run site`.
+// node tests/firefox/site.mjs [parts of paths]: opens every page of the built site in Firefox, with the size of a desktop and of a phone, and
+// reports console messages, pages that are too wide, and missing pictures. Run it by hand, after `npm run site`.
 import { mkdirSync } from 'node:fs'
 import { preview } from 'vite'
 import { path, walk } from '../../.scripts/lib/files.mjs'
@@ -10,33 +10,34 @@ const screenshots = path('.build/screenshots/firefox')
 const sizes = { desktop: { width: 1280, height: 900 }, phone: { width: 360, height: 740 } }
 const patience = 60_000
 
-/** In the page, when it has come to rest → what is wrong with it. */
-async function look() {
+/** Waits in the page until it has been drawn → the list of its problems. */
+async function findProblems() {
   const until = performance.now() + 60_000
   const wait = async (ready) => {
     while (!ready() && performance.now() < until) await new Promise((go) => setTimeout(go, 100))
     return ready()
   }
-  const wrong = []
+  const problems = []
   const find = (selector) => document.querySelector(selector)
-  if (find('.hero') && !(await wait(() => find('.hero canvas')))) wrong.push('The hero is still')
+  if (find('.hero') && !(await wait(() => find('.hero canvas'))))
+    problems.push('The hero is not drawn')
   if (find('main[data-name]') && !(await wait(() => find('iframe.shown'))))
-    wrong.push(`The example is not drawn: ${find('.rate').textContent}`)
+    problems.push(`The example is not drawn: ${find('.rate').textContent}`)
   if (find('.playground') && !(await wait(() => find('main').ariaBusy === 'false')))
-    wrong.push('The playground is busy')
-  if (find('.playground .mistake')?.textContent) wrong.push(find('.mistake').textContent)
-  // What a page was loading when it is left, Firefox calls an error.
+    problems.push('The playground is busy')
+  if (find('.playground .mistake')?.textContent) problems.push(find('.mistake').textContent)
+  // Waits for all requests: Firefox reports an error for those that leaving the page interrupts.
   const loaded = () => performance.getEntriesByType('resource').length
   for (let before = -1; before !== loaded();) {
     before = loaded()
     await new Promise((go) => setTimeout(go, 400))
   }
   const { scrollWidth } = document.documentElement
-  if (scrollWidth > innerWidth) wrong.push(`It is ${scrollWidth} wide`)
-  return wrong
+  if (scrollWidth > innerWidth) problems.push(`The page is ${scrollWidth} pixels wide`)
+  return problems
 }
 
-/** What a driver without a GPU says of itself. */
+/** Recognizes the messages of a graphics driver without a GPU. */
 const isOfDriver = (text) => /WebGL warning|WEBGL_debug_renderer_info|GPU stall/.test(text)
 
 const wanted = process.argv.slice(2)
@@ -60,19 +61,21 @@ page.on('console', (message) => {
   if (!isOfDriver(message.text())) messages.push(`${message.type()}: ${message.text()}`)
 })
 page.on('pageerror', ({ message }) => messages.push(`uncaught: ${message}`))
-const wrong = []
+const problems = []
 for (const [size, viewport] of Object.entries(sizes)) {
   await page.setViewport(viewport)
   for (const file of pages) {
     messages = []
-    const late = new Promise((give) => setTimeout(give, 2 * patience, ['It hangs']))
-    const seen = async () => {
+    const timeout = new Promise((give) =>
+      setTimeout(give, 2 * patience, ['The page does not respond']),
+    )
+    const inspect = async () => {
       await page.goto(url + file, { timeout: 2 * patience })
-      return page.evaluate(look)
+      return page.evaluate(findProblems)
     }
-    const found = [...(await Promise.race([seen(), late])), ...messages]
-    for (const each of found) wrong.push(`${size}, ${file}: ${each}`)
-    console.log(`${size} ${file} ${found.length ? found.join(' | ') : 'is well'}`)
+    const found = [...(await Promise.race([inspect(), timeout])), ...messages]
+    for (const each of found) problems.push(`${size}, ${file}: ${each}`)
+    console.log(`${size} ${file} ${found.length ? found.join(' | ') : 'has no problems'}`)
     if (/^index|playground|units|gallery\/(?:lotus|three-sea)/.test(file)) {
       const name = `${size}-${file.replaceAll('/', '-')}.png`
       await page.screenshot({ path: `${screenshots}/${name}` })
@@ -82,6 +85,6 @@ for (const [size, viewport] of Object.entries(sizes)) {
 await firefox.close()
 await server.close()
 console.log(
-  wrong.length ? `\n${wrong.join('\n')}` : `\nNothing is wrong with ${pages.length} pages.`,
+  problems.length ? `\n${problems.join('\n')}` : `\nNo problems on ${pages.length} pages.`,
 )
-process.exit(wrong.length ? 1 : 0)
+process.exit(problems.length ? 1 : 0)

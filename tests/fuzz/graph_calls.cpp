@@ -14,7 +14,7 @@ namespace warpjet {
 
 namespace {
 
-// Derivatives of derivatives grow without end.
+// Repeated differentiation makes expressions grow without limit.
 constexpr std::size_t maxNodes = 4000, maxValues = 1000;
 
 constexpr double largest = std::numeric_limits<float>::max();

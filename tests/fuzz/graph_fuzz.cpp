@@ -212,7 +212,7 @@ void checkEvaluation(const Module& module, unsigned style) {
 void check(std::span<const std::uint8_t> bytes) {
   Reader reader(bytes);
   Builder builder;
-  reader.byte();  // was a language, of which now all are written
+  reader.byte();  // unused: chose the language in older corpora; now every language is written
   const unsigned style = reader.byte();
   GraphCalls calls(builder, reader);
   calls.run();

@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { differentiate, glslOffset } from 'warpjet/glsl'
 
-test('arguments that are not source, and wrong options', () => {
+test('rejects arguments that are not source, and wrong options', () => {
   const good = 'vec3 offset(vec3 p) { return p; }'
   assert.throws(
     () => glslOffset(5),

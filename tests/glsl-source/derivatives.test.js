@@ -1,4 +1,4 @@
-// The Jacobian of every function of the corpus, against differences in double by an interpreter over an independent parser.
+// Compares the Jacobian of every function of the corpus with finite differences in double, from an interpreter with its own parser.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from 'warpjet'
@@ -10,7 +10,7 @@ import { derivative } from '../random/differences.js'
 
 const points = pointsOfCube(12)
 
-/** Steps smaller than the step of any difference: functions made of integers have derivative zero. */
+/** Functions that are staircases with steps finer than any difference: since they compute with integers, their derivative is zero. */
 const isStairs = new Set([
   'a hash of bits',
   'bits of floats',
@@ -19,16 +19,16 @@ const isStairs = new Set([
   'halves of a uint',
 ])
 
-/** The accuracy that differences must estimate of themselves to be compared; at a kink or a jump they fail. */
+/** The maximum estimated error of a finite difference that is compared; at a kink or a jump the error is larger. */
 const sure = 1e-4
 
-/** Values that GLSL leaves undefined, such as the root of a negative number. */
+/** Excludes values that GLSL leaves undefined, such as the root of a negative number. */
 const isPromised = Number.isFinite
 
 const compared = { slopes: 0, kinks: 0 }
 
 for (const { name, text } of corpus)
-  test(`${name}: values, and derivatives by x, y and z`, () => {
+  test(`${name}: values and derivatives with respect to x, y and z are correct`, () => {
     const compiled = compile((glsl) => {
       const p = glsl.vec3Param('p')
       const value = glsl.source(text, { function: 'corpus' })(p)

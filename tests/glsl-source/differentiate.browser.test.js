@@ -14,7 +14,7 @@ after(() => pipelines.close())
 
 /**
  * Functions `f`, with the argument for each parameter, as code and as numbers at a point `p`; `by` is the index of the parameter
- * to differentiate by.
+ * with respect to which `f` is differentiated.
  */
 const whole = {
   glsl: 'int(floor(p.z * 4.0))',
@@ -42,20 +42,20 @@ const turn = `vec2 f(vec2 p, float a) {
   return mat2(c, s, -s, c) * p;
 }`
 const cases = {
-  'a distance field by its place': [
+  'a distance field, with respect to its point': [
     'float f(vec3 p) { return length(p * p.yzx + 0.3) - p.x; }',
     0,
     [xyz],
   ],
-  'a number of a number': ['float f(float t) { return sin(t * 3.0) * t; }', 0, [x]],
-  'a number of a vec2, with a whole number and a condition': [
+  'a float function of a float': ['float f(float t) { return sin(t * 3.0) * t; }', 0, [x]],
+  'a float function of a vec2, with an int and a bool': [
     'float f(int n, vec2 p, bool isOn) { return isOn ? sin(p.x * float(n)) : p.y * p.y * float(abs(n) % 3); }',
     1,
     [whole, xy, condition],
   ],
-  'two of two': [turn, 0, [xy, x]],
-  'two of a number': [turn, 1, [xy, x]],
-  'three of three, with a loop to a whole number that is given': [
+  'a vec2 function of a vec2': [turn, 0, [xy, x]],
+  'a vec2 function of a float': [turn, 1, [xy, x]],
+  'a vec3 function of a vec3, with a loop up to an int parameter': [
     `vec3 f(vec3 p, int n, bool isOn) {
       vec3 q = p;
       for (int i = 0; i < 4; i++) { if (i >= n) break; q += 0.3 * sin(q.yzx * float(i + 1)); }
@@ -64,17 +64,21 @@ const cases = {
     0,
     [xyz, whole, condition],
   ],
-  'three of three, with a whole number without a sign, by its bits': [
+  'a vec3 function of a vec3, with the bits of a uint': [
     'vec3 f(vec3 p, uint n) { return p.zxy * p * float((n & 3u) + (n >> 1)); }',
     0,
     [xyz, natural],
     true,
   ],
-  'four of four': ['vec4 f(vec4 q) { return q.wzyx * q * q.x + normalize(q + 1.5); }', 0, [xyzx]],
-  'two of three': ['vec2 f(vec3 p) { return p.xy * p.z + sin(p.zx); }', 0, [xyz]],
-  'four of two': ['vec4 f(vec2 p) { return vec4(p, p.x * p.y, cos(p.x)); }', 0, [xy]],
-  'three of four': ['vec3 f(vec4 q) { return cross(q.xyz, q.wzx + 0.3); }', 0, [xyzx]],
-  'two of two, with a matrix that is given': [
+  'a vec4 function of a vec4': [
+    'vec4 f(vec4 q) { return q.wzyx * q * q.x + normalize(q + 1.5); }',
+    0,
+    [xyzx],
+  ],
+  'a vec2 function of a vec3': ['vec2 f(vec3 p) { return p.xy * p.z + sin(p.zx); }', 0, [xyz]],
+  'a vec4 function of a vec2': ['vec4 f(vec2 p) { return vec4(p, p.x * p.y, cos(p.x)); }', 0, [xy]],
+  'a vec3 function of a vec4': ['vec3 f(vec4 q) { return cross(q.xyz, q.wzx + 0.3); }', 0, [xyzx]],
+  'a vec2 function of a vec2, with a matrix parameter': [
     'vec2 f(vec2 p, mat2 m) { return m * p * p.x + inverse(m) * p; }',
     0,
     [xy, matrix],
@@ -84,7 +88,7 @@ const cases = {
 const sizes = { float: 1, vec2: 2, vec3: 3, vec4: 4 }
 const points = pointsOfCube(40)
 
-/** Moves the numbers of the parameter itself, so the point need not be moved. */
+/** Changes the argument directly, so that the point can stay where it is. */
 function wantedAt(text, by, operands, p) {
   const f = walk(text, 'f')
   const given = operands.map(({ of }) => of(p))

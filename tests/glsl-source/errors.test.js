@@ -444,7 +444,7 @@ const wrong = [
 test('there are at least 100 cases', () => assert.ok(wrong.length >= 100, `${wrong.length}`))
 
 for (const [source, line, piece] of wrong)
-  test(`line ${line}: ${piece}`, () => {
+  test(`reports an error in line ${line}: ${piece}`, () => {
     assert.throws(
       () => compileWarp(glslOffset(source)),
       (error) => {

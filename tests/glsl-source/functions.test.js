@@ -27,7 +27,7 @@ vec3 offset(vec3 p) { return vec3(bump(p.xy, 3.0), bump(p.yz * 2.0, 3.0), bump(p
 
 const uniforms = { steepness: 0.4 }
 
-/** Central differences of the moved position. */
+/** Computes the expected normal from central differences of `moved`. */
 function normalOf(moved, [x, y, z], normal) {
   const h = 1e-5
   const column = (k) => {
@@ -51,7 +51,7 @@ const near = (got, wanted, tolerance) =>
     assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)} is not ${wanted}`),
   )
 
-function follows(source, moved, options = {}) {
+function assertFollows(source, moved, options = {}) {
   const warp = compileWarp(glslOffset(source, options), { uniforms })
   for (const p of [
     [0.3, 0.1, -0.2],
@@ -72,18 +72,18 @@ test('a function that is called three times is in the code once, under its own n
     assert.equal(names.length, 1, `${names}`)
     assert.match(names[0], /Gradient$/)
     assert.equal(code.split(names[0]).length - 1, 3)
-    // The constant argument has no derivative: the function returns a value and derivatives by two numbers and the uniform.
+    // The constant argument has no derivative: the function returns its value and three derivatives, for two numbers and the uniform.
     assert.doesNotMatch(declarations, /Results/)
   }
 })
 
-test('its values and normals equal those by differences', () => {
+test('a function that is called three times gives the right positions, and normals that agree with central differences', () => {
   const moved = ([x, y, z]) => [
     x + bump(x, y, 3, 0.4),
     y + bump(y * 2, z * 2, 3, 0.4),
     z + bump(z, x, 3, 0.4),
   ]
-  follows(thrice, moved)
+  assertFollows(thrice, moved)
 })
 
 test('a function that is called once, short, or constant is inlined', () => {
@@ -95,7 +95,7 @@ test('a function that is called once, short, or constant is inlined', () => {
   assert.equal(declared('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
 })
 
-test('functions that call functions, and out parameters', () => {
+test('functions may call functions and have out parameters', () => {
   const source = `${bumps}
   void both(vec2 q, out float high, inout vec2 way) {
     high = bump(q, 2.0) + bump(q.yx + 0.5, 2.0);
@@ -124,13 +124,13 @@ test('functions that call functions, and out parameters', () => {
     const [b, w] = both([y, z], first)
     return [x + a * 0.3, y + b * 0.3, z + (w[0] - w[1]) * 0.3]
   }
-  follows(source, moved)
+  assertFollows(source, moved)
   const { declarations } = compileWarp(glslOffset(source), { uniforms })
   assert.match(declarations, /both_\w+/)
   assert.match(declarations, /bump_\w+/)
 })
 
-test('a function that reads a variable which another changes is inlined correctly', () => {
+test('a function that reads and changes a global variable is inlined correctly', () => {
   const source = `float seed = 0.0;
   float next(float x) {
     seed += 1.0;
@@ -146,7 +146,7 @@ test('a function that reads a variable which another changes is inlined correctl
       Math.sin(x) * Math.cos(x * 2)
     return (y * y + 0.5 * y) * 0.2
   }
-  follows(source, (p) => p.map((x, i) => x + next(x, i + 1)))
+  assertFollows(source, (p) => p.map((x, i) => x + next(x, i + 1)))
 })
 
 test('two functions with the same name and code in two warps share a name', () => {
@@ -156,7 +156,7 @@ test('two functions with the same name and code in two warps share a name', () =
   assert.notEqual(nameIn(thrice), nameIn(thrice.replace('0.25', '0.26')))
 })
 
-test('differentiate keeps functions too', () => {
+test('differentiate preserves functions, too', () => {
   const text = differentiate(
     `${bumps}\nfloat map(vec3 p) { return p.y - bump(p.xz, 2.0) - bump(p.zx * 2.0, 2.0); }`,
   )
@@ -189,7 +189,7 @@ const hasLoop = (source, target = 'glsl300', options = {}) =>
 test('a long loop stays a loop, in each language', () => {
   const source = loop('for (int i = 0; i < 8; i++)', wave)
   for (const target of targets) assert.ok(hasLoop(source, target), target)
-  follows(source, waves(8))
+  assertFollows(source, waves(8))
 })
 
 test('a short loop is unrolled', () => {
@@ -210,18 +210,18 @@ test('counters have the right values in the loop, for any step', () => {
     ['int i = 5; while (i-- > -2)', 4, -1],
   ]) {
     assert.ok(hasLoop(source(head)), head)
-    follows(source(head), by(start, step))
+    assertFollows(source(head), by(start, step))
   }
 })
 
-test('side effects of the condition that ends a loop happen', () => {
+test('the condition of a loop keeps its side effects', () => {
   const source = loop('int i = 5; while (i-- > -2)', wave).replace(
     'vec3(0.0, s,',
     'vec3(0.0, s + float(i),',
   )
   assert.ok(hasLoop(source))
   const moved = waves(7)
-  follows(source, (p) => moved(p).map((x, k) => (k === 1 ? x - 3 : x)))
+  assertFollows(source, (p) => moved(p).map((x, k) => (k === 1 ? x - 3 : x)))
   const stops = source.replace('s += a', 'if (q.x > 2.5) break; s += a')
   const stopped = ([x, y, z]) => {
     let [s, a, q, i] = [0, 0.5, [x, y, z], 5]
@@ -233,22 +233,22 @@ test('side effects of the condition that ends a loop happen', () => {
     }
     return [x, y + s + i, z]
   }
-  follows(stops, stopped)
+  assertFollows(stops, stopped)
 })
 
-test('break, continue and return', () => {
+test('break, continue and return work in a loop', () => {
   const far = 'if (q.x > 2.5) break;'
   const source = loop('for (int i = 0; i < 12; i++)', `${far} ${wave}`)
   assert.ok(hasLoop(source))
-  follows(
+  assertFollows(
     source,
     waves(12, (q) => q[0] > 2.5),
   )
-  follows(
+  assertFollows(
     loop('for (int i = 0; i < 9; i++)', wave.replace('a *=', 'if (i == 4) break; a *=')),
     waves(5),
   )
-  follows(
+  assertFollows(
     loop(
       'for (int i = 0; i < 9; i++)',
       `float k = i == 3 ? 0.0 : 1.0; ${wave.replace('a * sin', 'k * a * sin')}`,
@@ -259,23 +259,23 @@ test('break, continue and return', () => {
     for (int i = 0; i < 12; i++) { if (q.x > 2.5) return s; ${wave} } return s; }
     vec3 offset(vec3 p) { return vec3(0.0, f(p), 0.0); }`
   assert.ok(hasLoop(returns))
-  follows(
+  assertFollows(
     returns,
     waves(12, (q) => q[0] > 2.5),
   )
 })
 
-test('a loop whose end depends on the shader stays a loop too', () => {
+test('a loop whose end depends on values in the shader stays a loop, too', () => {
   const source = loop('while (q.x < 2.5)', wave)
   assert.ok(hasLoop(source, 'glsl300', { maxIterations: 12 }))
-  follows(
+  assertFollows(
     source,
     waves(12, (q) => q[0] >= 2.5),
     { maxIterations: 12 },
   )
 })
 
-test('the number of iterations is right, also as an int that is read after the loop', () => {
+test('the number of iterations is right, also if it is read as an int after the loop', () => {
   const source = `vec3 offset(vec3 p) { vec3 q = p; int n = 0;
     for (int i = 0; i < 20; i++) { if (dot(q, q) > 9.0) break; q = q.yzx * 1.2 + sin(q) * cos(q.zxy) * 0.3 + 0.1; n++; }
     return vec3(float(n), 0.0, 0.0); }`
@@ -288,10 +288,10 @@ test('the number of iterations is right, also as an int that is read after the l
     }
     return n
   }
-  follows(source, (p) => [p[0] + count(p), p[1], p[2]])
+  assertFollows(source, (p) => [p[0] + count(p), p[1], p[2]])
 })
 
-test("loops over bits are unrolled, since a loop's state is a float", () => {
+test("loops that compute with bits are unrolled, since a loop's variables can only be floats", () => {
   const source = `vec3 offset(vec3 p) { uint h = floatBitsToUint(p.x); float s = 0.0;
     for (int i = 0; i < 6; i++) { h = h * 1664525u + 1013904223u; h ^= h >> 13; h ^= h << 7;
       s += float(h >> 8) / 16777216.0 * sin(p.y * float(i)) * cos(p.z + float(i)) + sin(p.x * s); }
@@ -299,7 +299,7 @@ test("loops over bits are unrolled, since a loop's state is a float", () => {
   assert.ok(!hasLoop(source))
 })
 
-test('nested loops, where the inner loop reads the outer counter', () => {
+test('an inner loop can read the counter of the outer loop', () => {
   const body =
     'vec2 c = vec2(float(i), float(j)); s += exp(-dot(p.xz - c, p.xz - c)) * sin(p.y + c.x);'
   const source = loop('for (int i = -2; i <= 2; i++) for (int j = -2; j <= 2; j++)', body)
@@ -310,9 +310,9 @@ test('nested loops, where the inner loop reads the outer counter', () => {
       for (let j = -2; j <= 2; j++) s += Math.exp(-((x - i) ** 2) - (z - j) ** 2) * Math.sin(y + i)
     return [x, y + s, z]
   }
-  follows(source, cells)
+  assertFollows(source, cells)
   const triangle = source.replace('j <= 2', 'j <= i')
-  follows(triangle, ([x, y, z]) => {
+  assertFollows(triangle, ([x, y, z]) => {
     let s = 0
     for (let i = -2; i <= 2; i++)
       for (let j = -2; j <= i; j++) s += Math.exp(-((x - i) ** 2) - (z - j) ** 2) * Math.sin(y + i)

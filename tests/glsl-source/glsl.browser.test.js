@@ -87,7 +87,7 @@ test('every function of the corpus equals the original, in each language and on 
         // A point may be on the edge between two branches.
         if (wrong > wanted[0].length) problems.push(`${each.name}, ${name}: ${wrong} differ`)
       }
-      // Where float32 is on the other side of a jump than double, in a hash for instance, the value shows it.
+      // If float32 is on the other side of a jump than double, for instance in a hash, the values differ, too.
       const isSameSide = cpu.map(({ ours }, i) =>
         ours.every((x, k) => !(Math.abs(x - original[i][k]) > tolerance(x) / 10)),
       )

@@ -1,4 +1,4 @@
-// GLSL source as offset functions: values by hand, on the CPU, and the generated code.
+// Tests GLSL source as offset functions: compares CPU results with values computed by hand, and checks the generated code.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp } from 'warpjet'
@@ -32,13 +32,13 @@ test('source is an offset function', () => {
   near(normal, [-slope / Math.hypot(1, slope), 1 / Math.hypot(1, slope), 0])
 })
 
-test('it is generated in every language', () => {
+test('GLSL source is translated to every language', () => {
   const offset = glslOffset('vec3 offset(vec3 p) { return vec3(0., sin(p.x), 0.); }')
   for (const target of ['glsl300', 'glsl100', 'wgsl'])
     assert.match(compileWarp(offset, { target }).code, /sin\(position\.x\)/)
 })
 
-test('statements, by hand', () => {
+test('statements have the values computed by hand', () => {
   near(
     offsetOf('float s = 0.; for (int i = 0; i < 4; i++) s += float(i); return vec3(s);'),
     [6, 6, 6],
@@ -78,7 +78,7 @@ test('statements, by hand', () => {
   )
 })
 
-test('functions, overloads and out parameters', () => {
+test('functions, overloads and out parameters work', () => {
   const above = `
     float twice(float x) { return 2. * x; }
     vec2 twice(vec2 x) { return 2. * x; }
@@ -95,7 +95,7 @@ test('functions, overloads and out parameters', () => {
   )
 })
 
-test('uniforms and inputs by name', () => {
+test('uniforms and inputs are found by name', () => {
   const source = `uniform float amount; uniform vec2 way;
     vec3 offset(vec3 position, float millis) { return vec3(way * amount, millis); }`
   const warp = compileWarp(glslOffset(source), { uniforms: { amount: 0.5, way: [1, 2] } })
@@ -110,14 +110,14 @@ test('uniforms and inputs by name', () => {
   )
 })
 
-test('a function that returns the moved position', () => {
+test('the function may return the moved position', () => {
   const { position } = at('vec3 moved(vec3 p) { return p * 2.; }', [1, 2, 3], {
     returns: 'position',
   })
   near(position, [2, 4, 6])
 })
 
-test('a function of GLSL among expressions, against the same by hand', () => {
+test('glslFunction in an expression equals the same expression by hand', () => {
   const warp = (offset) =>
     compileWarp(offset, { surfaceVariation: false }).evaluateAt([0.3, 0.5, 0.7], {
       normal: [0, 1, 0],
@@ -134,7 +134,7 @@ test('a function of GLSL among expressions, against the same by hand', () => {
   near(ours.normal, byHand.normal)
 })
 
-test('arguments of a function of GLSL are checked', () => {
+test('glslFunction checks its arguments', () => {
   const call = (...operands) =>
     compileWarp(({ glsl, position }) => {
       const f = glsl.source('float f(vec2 p, float x) { return x; }')
@@ -145,7 +145,7 @@ test('arguments of a function of GLSL are checked', () => {
   assert.throws(() => call(1, 2), /f: expected a vec2 for argument 1, got a single number/)
 })
 
-test('uniforms of a function of GLSL are checked', () => {
+test('glslFunction checks its uniforms', () => {
   const warp = (uniforms, name = 'amount') =>
     compileWarp(
       ({ glsl, position }) =>
@@ -174,7 +174,7 @@ test('uniforms of a function of GLSL are checked', () => {
   for (const name of ['constructor', 'toString']) assert.ok(warp({ amount: 1 }, name).code)
 })
 
-test('loops that only the shader ends run up to the max number of iterations', () => {
+test('loops with a dynamic condition run up to maxIterations times', () => {
   const source = 'vec3 offset(vec3 p) { float x = p.x; while (x < 10.) x *= 2.; return vec3(x); }'
   const { position } = at(source, [1, 0, 0], { maxIterations: 16 })
   near(position, [17, 16, 16])
@@ -226,7 +226,7 @@ test('differentiate generates a function with its derivatives, in each language'
   assert.match(glsl, /vec3\(way & 65535\)/)
 })
 
-test('an array of thousands, indexed by a constant', () => {
+test('an array of thousands can be indexed by a constant', () => {
   near(
     offsetOf(
       'float a[4096]; for (int i = 0; i < 4096; i++) a[i] = 0.; for (int i = 0; i < 8000; i++) a[i % 4096] += p.x; return vec3(a[0], a[4095], a[2615]);',
@@ -241,7 +241,7 @@ test('an array of thousands, indexed by a constant', () => {
   )
 })
 
-test('integers by hand', () => {
+test('integer operations have the values computed by hand', () => {
   near(offsetOf('int i = int(p.z) << 3; return vec3(i, i ^ 5, ~i);'), [24, 29, -25])
   near(
     offsetOf('int i = int(p.z) * 715827883; return vec3(i / 65536, i & 255, i + i);'),
@@ -258,7 +258,7 @@ test('integers by hand', () => {
   )
 })
 
-test('halves by hand: IEEE 754 defines these bits for these numbers', () => {
+test('packHalf2x16 and unpackHalf2x16 use the bits that IEEE 754 defines', () => {
   const known = [
     ['1.0', 0x3c00, 1],
     ['-2.5', 0xc100, -2.5],
@@ -284,7 +284,7 @@ test('halves by hand: IEEE 754 defines these bits for these numbers', () => {
     }
 })
 
-test('bit operations are unsupported in GLSL 1.00, by name, and nothing else is', () => {
+test('only bit operations are unsupported in GLSL 1.00, and the message names them', () => {
   const text = (value) => glslOffset(`vec3 offset(vec3 p) { return vec3(${value}); }`)
   const write = (value) => compileWarp(text(value), { target: 'glsl100' }).code
   assert.match(write('int(p.x) % 3'), /highp int/)
@@ -292,7 +292,7 @@ test('bit operations are unsupported in GLSL 1.00, by name, and nothing else is'
   assert.throws(() => write('floatBitsToInt(p.x)'), /glsl100 has no floatBitsToInt/)
 })
 
-test('integers of the host that no float holds are passed in two halves', () => {
+test('integers of the host that no float can represent are passed in two halves', () => {
   const source =
     'uniform int n; vec3 offset(vec3 p) { return vec3(n % 1000, n > 0 ? 1 : 2, n / 7); }'
   const at = (n) =>

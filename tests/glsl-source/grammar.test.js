@@ -1,4 +1,4 @@
-// The grammar of GLSL against an independent parser: we accept the same source, and reject the same.
+// Compares our grammar of GLSL with an independent parser: both accept and reject the same source.
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { test } from 'node:test'
@@ -11,7 +11,7 @@ const { parser } = require('@shaderfrog/glsl-parser')
 const { preprocess } = require('@shaderfrog/glsl-parser/preprocessor')
 
 /** Returns the message of the independent parser; `undefined` if it accepts the source. */
-function refusedThere(text) {
+function messageOfParser(text) {
   try {
     parser.parse(preprocess(text, { preserve: { version: () => true } }), { quiet: true })
     return undefined
@@ -20,7 +20,7 @@ function refusedThere(text) {
   }
 }
 
-function refusedHere(text) {
+function ourMessage(text) {
   try {
     glslOffset(text)
     return undefined
@@ -30,22 +30,22 @@ function refusedHere(text) {
   }
 }
 
-test('it accepts all source of the corpus, and so do we', () => {
+test('the independent parser accepts all source of the corpus, and so do we', () => {
   for (const { name, text } of corpus) {
-    assert.equal(refusedHere(text), undefined, name)
-    assert.equal(refusedThere(text), undefined, name)
+    assert.equal(ourMessage(text), undefined, name)
+    assert.equal(messageOfParser(text), undefined, name)
   }
 })
 
-test('it accepts random functions, and so do we', () => {
+test('the independent parser accepts random functions, and so do we', () => {
   for (let seed = 1; seed <= 60; seed++) {
     const text = above + randomFunction(seed).glsl
-    assert.equal(refusedHere(text), undefined, text)
-    assert.equal(refusedThere(text), undefined, text)
+    assert.equal(ourMessage(text), undefined, text)
+    assert.equal(messageOfParser(text), undefined, text)
   }
 })
 
-test('source with a token missing, added or misplaced: we reject whatever it rejects', () => {
+test('of source with a token missing, added or misplaced, we reject whatever the independent parser rejects', () => {
   const random = randomOf(15)
   const int = (count) => Math.floor(random() * count)
   const refused = { there: 0, here: 0 }
@@ -60,8 +60,8 @@ test('source with a token missing, added or misplaced: we reject whatever it rej
       else if (kind === 1) tokens.splice(at, 0, tokens[int(tokens.length)])
       else tokens[at] = tokens[int(tokens.length)]
       const changed = tokens.join(' ')
-      const why = refusedThere(changed)
-      const here = refusedHere(changed)
+      const why = messageOfParser(changed)
+      const here = ourMessage(changed)
       if (here !== undefined) refused.here++
       // A ; between functions, which desktop GLSL accepts, and which people leave after a }.
       if (why === undefined || /function prototype.*but ";" found/.test(why)) continue

@@ -36,7 +36,7 @@ function assertMovedBy(source, expected) {
 }
 
 for (const [name, value] of Object.entries({ position, ...vertex, ...frame, ...parts }))
-  test(`the parameter ${typeOf(value)} ${name}`, () => {
+  test(`the parameter ${typeOf(value)} ${name} is the input ${name}`, () => {
     const source = `vec3 offset(${typeOf(value)} ${name}) { ${bodyOf(name, value)} }`
     assertMovedBy(source, expectedOf(value))
     for (const target of targets) assert.ok(compileWarp(glslOffset(source), { target }).code)
@@ -49,7 +49,7 @@ for (const [name, value] of Object.entries({ position, ...vertex, ...frame, ...p
     )
   })
 
-test('all of them together, in any order', () => {
+test('an offset may have all parameters together, in any order', () => {
   assertMovedBy(
     `vec3 offset(float millis, vec4 color, vec2 uv, vec3 normal, vec2 mouse, vec2 size, float pixelDensity,
       vec3 position, float width, float instance) {

@@ -1,5 +1,5 @@
-// Random long loops in GLSL, which stay loops: compares values with an interpreter, step by step, in double, and derivatives with
-// its differences.
+// Compares random long loops in GLSL, which are not unrolled, with an interpreter in double: values step by step, and derivatives with
+// finite differences.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
@@ -23,7 +23,7 @@ function slopeOf(f, p, k) {
   return isSmooth ? narrow : undefined
 }
 
-test('the interpreter, by hand', () => {
+test('the interpreter has the values computed by hand', () => {
   const run = (body, x = 2) => interpret(`float f(float x) { ${body} }`).f(x)
   assert.equal(run('int i = 7; return float(i / 2 * 2 + i % 2 - -i);'), 14)
   assert.equal(run('vec3 v = vec3(1.0, 2.0, 3.0); v.zx = v.xy * 2.0; return dot(v, vec3(1.0));'), 8)
@@ -47,7 +47,7 @@ test('the interpreter, by hand', () => {
   assert.equal(run('float x = 3.0; { float x = 4.0; } return mix(x, 5.0, 0.5);'), 4)
 })
 
-test(`${count} random long loops: values and gradients`, () => {
+test(`${count} random long loops have correct values and gradients`, () => {
   const problems = []
   const compared = { slopes: 0, loops: 0 }
   for (let seed = 1; seed <= count && problems.length < 3; seed++) {

@@ -27,7 +27,7 @@ const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2
 
 /** Cases where we differ on purpose. */
 const known = [
-  // A number that does not fit in 32 bits, which 1.00 leaves undefined.
+  // GLSL 1.00 does not define numbers that do not fit in 32 bits.
   /a whole number: (?:0x100000000|4294967296|040000000000)$/,
   // We only support a uniform sampler2D by itself.
   /uniform sampler2D a\[2\]|uniform samplerCube a|sampler2D s; \}; uniform S a|^a samplerCube|^a sampler2D: uniform X a\[2\]/,
@@ -39,12 +39,12 @@ const known = [
   /layout\((?:shared|packed)\) uniform B/,
   // Chromium looks for built-in names only among its own.
   /^field gl_Position$/,
-  // A warp cannot use fragments, and source that names none of their variables may be either.
+  // A warp cannot use the variables of fragment shaders; source that uses none of them may be for either stage.
   /a fragment: (?:float x = gl_FragCoord\.x|bool b = gl_FrontFacing|vec2 x = gl_PointCoord|gl_Position|gl_PointSize|int i = gl_VertexID)/,
   /a fragment: gl_FragColor = gl_FragData/,
 ]
 
-async function refusedThere(context, stage, texts) {
+async function browserMessages(context, stage, texts) {
   return page.evaluate(
     ([context, stage, texts]) => {
       const gl = document.createElement('canvas').getContext(context)
@@ -61,7 +61,7 @@ async function refusedThere(context, stage, texts) {
   )
 }
 
-function refusedHere(text) {
+function ourMessage(text) {
   try {
     glslOffset(text, { function: 'offset', maxIterations: 8 })
     return ''
@@ -76,9 +76,9 @@ async function compare(version, stage, cases, least) {
   const [above, below] = stages[stage]
   const names = Object.keys(cases)
   const texts = names.map((name) => `${head}\n${above}${cases[name]}\n${below}\n`)
-  const there = await refusedThere(context, stage, texts)
+  const there = await browserMessages(context, stage, texts)
   const disagreeing = names.flatMap((name, i) => {
-    const here = refusedHere(texts[i])
+    const here = ourMessage(texts[i])
     if (!here === !there[i] || known.some((piece) => piece.test(name))) return []
     return [`${name}: here "${here}", there "${there[i]}"`]
   })
@@ -91,13 +91,13 @@ async function compare(version, stage, cases, least) {
 }
 
 for (const version of [100, 300]) {
-  test(`source of #version ${version}: the same rules as in a browser`, () =>
+  test(`source of #version ${version} follows the same rules as in a browser`, () =>
     compare(version, 'VERTEX_SHADER', rules, [2300, 800]))
 
-  test(`a fragment shader of #version ${version}: the same rules too`, () =>
+  test(`a fragment shader of #version ${version} follows the same rules, too`, () =>
     compare(version, 'FRAGMENT_SHADER', rulesOfFragments, [4, 5]))
 
-  test(`names of #version ${version} are those that a browser takes`, () => {
+  test(`source of #version ${version} may use the same names as in a browser`, () => {
     const cases = reserved.flatMap((word) =>
       Object.entries(declaring).map(([kind, make]) => [`${kind} ${word}`, make(word)]),
     )

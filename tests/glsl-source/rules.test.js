@@ -1,4 +1,4 @@
-// Name clashes, matrices, blocks of uniforms, loops, limits and compile times, with expected values by hand.
+// Tests name clashes, matrices, blocks of uniforms, loops, limits and compile times. Expected values were computed by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
@@ -83,7 +83,7 @@ test('a parameter with the name of a uniform does not hide it', () => {
   assert.match(text, /x2\.x \* /)
 })
 
-test('uniforms of non-square matrices, column by column', () => {
+test('uniforms that are non-square matrices are read column by column', () => {
   for (const [columns, rows] of [
     [2, 3],
     [2, 4],
@@ -157,7 +157,7 @@ test('a loop that only a break ends runs up to maxIterations times', () => {
   }
 })
 
-test('do stays a loop, like for', () => {
+test('a do loop stays a loop, like a for loop', () => {
   const length = (loop, options) =>
     compileWarp(
       glslOffset(body(`float x = p.x; int n = int(p.y); ${loop} return vec3(x);`), options),
@@ -176,7 +176,7 @@ test('do stays a loop, like for', () => {
   assert.ok(length('int i = 0; do { x = x * 0.5 + sin(x); } while (++i < 500);') < 1200)
 })
 
-test('images with projective coordinates or texel offsets', () => {
+test('images can be read with projective coordinates or texel offsets', () => {
   const code = (expression) =>
     compileWarp(glslOffset(body(`return ${expression}.xyz;`, 'uniform sampler2D image;')), quietly)
       .code
@@ -244,14 +244,14 @@ test('source without #version has the __VERSION__ of a browser', () => {
   )
 })
 
-test('\\r alone ends a line', () => {
+test('\a single \\r ends a line', () => {
   assert.match(
     message(() => glslOffset('float a;\rfloat b = c;\r')),
     /line 2, column 11: "c" is not declared\.\n {2}float b = c;\n {12}\^/,
   )
 })
 
-test('names of types have the right article', () => {
+test('messages use the right article before names of types', () => {
   assert.match(
     message(() => glslOffset(body('ivec3 n = 1; return p;'))),
     /expected an ivec3 as the value of "n", got an int/,
@@ -288,7 +288,7 @@ for (const [name, make] of Object.entries(long))
   test(`the time for ${name} is proportional to their number`, () =>
     isLinear((count) => glslOffset(make(count))))
 
-test('functions that call each other twice, twenty deep', () => {
+test('functions that call each other twice, twenty levels deep, compile quickly', () => {
   const calls = (first, next, value) =>
     `${first}\n${repeat(20, (i) => `${next(`f${i + 1}`, `f${i}`)}\n`)}${body(value.includes(';') ? value : `return ${value};`)}`
   const start = performance.now()

@@ -106,7 +106,7 @@ const isNear = (ours, theirs) =>
   ours.every((x, i) => Math.abs(x - theirs[i]) <= 1e-3 * Math.max(1, Math.abs(theirs[i])))
 
 for (const version of [100, 300])
-  test(`values of source of #version ${version} are those of a browser`, async () => {
+  test(`source of #version ${version} has the same values as in a browser`, async () => {
     const names = Object.keys(values[version])
     const shaders = names.map((name) => whole[version](values[version][name]))
     const theirs = await valuesThere(shaders)

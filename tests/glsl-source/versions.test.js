@@ -115,7 +115,7 @@ for (const [text, [version, sentence]] of Object.entries(told))
     assert.equal(refusal(`${heads[version]}\n${text}`).split('\n')[0], `glslOffset: ${sentence}`)
   })
 
-test('a keyword only of 3.00 is a name under #version 100', () => {
+test('a keyword that only 3.00 has is a valid name under #version 100', () => {
   const text = `float smin(float a, float b, float smooth) {
   float layout = max(smooth - abs(a - b), 0.0) / smooth;
   layout *= layout;
@@ -135,7 +135,7 @@ vec3 offset(vec3 p) { float uint = smin(p.x, p.y, 0.5); uint += 1.0; return vec3
   )
 })
 
-test('a version that is not of WebGL, or is too late, is rejected', () => {
+test('a #version that WebGL lacks, or that follows other code, is rejected', () => {
   const after = (head) => refusal(`${head}\nvec3 offset(vec3 p) { return p; }`)
   for (const head of [
     '#version 300',
@@ -212,7 +212,7 @@ void main(void) {
 }`,
 }
 for (const [name, text] of Object.entries(shaders))
-  test(`a whole shader of ${name}: its function is an offset, and its header does not matter`, () => {
+  test(`a whole shader of ${name} can be passed: its function is the offset, and its header is ignored`, () => {
     const plain = compileWarp(glslOffset(`uniform float amount;\n${moved}`))
     assert.equal(compileWarp(glslOffset(text)).code, plain.code)
   })
@@ -226,7 +226,7 @@ void main() { gl_FragColor = vec4(offset(gl_FragCoord.xyz), gl_FragCoord[3]); }`
   assert.equal(compileWarp(glslOffset(text)).code, plain.code)
 })
 
-test("a warp does not know the values of the host's attributes", () => {
+test("a warp cannot read the host's attributes", () => {
   const text = `#version 300 es\nin float aSize;\nvec3 offset(vec3 p) { return p * aSize; }`
   assert.throws(
     () => compileWarp(glslOffset(text)),

@@ -56,7 +56,7 @@ const fail = (sentence) => {
   throw new SyntaxError(`the interpreter: ${sentence}`)
 }
 
-/** The ways in which a statement ends, other than reaching the next one. */
+/** Returned by statements after which control does not continue with the next statement. */
 const ends = { break: { by: 'break' }, continue: { by: 'continue' } }
 
 /** Returns the functions of the source by name, each on numbers and arrays of numbers. */
@@ -221,7 +221,7 @@ export function interpret(text) {
     return { type: test.type, run: (frame) => test.set(frame, value.run(frame)) }
   }
 
-  /** Each executes in a frame, and returns `undefined` if the next statement follows. */
+  /** Parses a statement to a function of a frame, which returns `undefined` if control continues with the next statement. */
   function statement() {
     const token = tokens[at]
     if (accept('{')) return within(() => sequence('}'))

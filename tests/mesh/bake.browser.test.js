@@ -1,4 +1,4 @@
-// A bake equals the screen on the meshes of the gallery: each warp of the gallery on each mesh. normals.test.js does the same for
+// A baked mesh equals what the GPU draws, for each warp of the gallery on each of its meshes. normals.test.js does the same for
 // all warps on a mesh with all attributes; support/baked.js has the tolerances.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
@@ -56,7 +56,7 @@ after(async () => {
 })
 
 const cases = warps
-  .filter(({ kept }) => kept)
+  .filter(({ isGolden }) => isGolden)
   .map((warp) => ({ ...warp, compiled: warp.compile('glsl300') }))
   .filter(({ compiled }) => compiled.evaluate)
   // Picks some warps per model: neighbours in the list are similar.
@@ -84,8 +84,8 @@ for (const [i, warp] of cases.entries()) {
   })
 }
 
-test('tangents', async () => {
-  // The tangent is passed in by the color attribute, and out by the position.
+test('tangents equal those on the screen', async () => {
+  // The shader reads the tangent from the color attribute, and returns it as the position.
   const warp = compileWarp(
     ({ glsl, position }) =>
       glsl.vec3(position.y().sin(), position.x().mult(position.z()), position.x().cos().mult(0.5)),

@@ -14,7 +14,7 @@ describe('bakeWarp', () => {
     const mesh = { ...sphere(), material }
     const before = structuredClone(mesh)
     const baked = bakeWarp(mesh, twist)
-    assert.deepEqual(mesh, before, 'what came in is as it was')
+    assert.deepEqual(mesh, before, 'the input is unchanged')
     for (const name of ['uvs', 'colors', 'indices', 'material'])
       assert.deepEqual(baked[name], mesh[name], name)
     assert.notEqual(baked.uvs, mesh.uvs)
@@ -40,7 +40,7 @@ describe('bakeWarp', () => {
     assert.equal(baked.tangents.length, mesh.tangents.length)
   })
 
-  test('uniforms', () => {
+  test('uses uniforms', () => {
     const baked = bakeWarp(triangle(), rise, { uniforms: { millis: 5 } })
     assert.deepEqual([...baked.positions], [0, 5, 0, 1, 5, 0, 0, 6, 0])
     throwsWarpError(() => bakeWarp(triangle(), rise), /^bakeWarp: the warp reads "millis"/)
@@ -50,7 +50,7 @@ describe('bakeWarp', () => {
     )
   })
 
-  test('missing normals are computed first', () => {
+  test('computes missing normals first', () => {
     const { positions } = triangle()
     assert.deepEqual(
       [...bakeWarp({ positions }, rise, { uniforms: { millis: 1 } }).normals],
@@ -58,11 +58,11 @@ describe('bakeWarp', () => {
     )
   })
 
-  test('an empty mesh stays empty', () => {
+  test('returns an empty mesh for an empty mesh', () => {
     assert.equal(bakeWarp({ positions: [] }, twist).positions.length, 0)
   })
 
-  test('no finite result', () => {
+  test('rejects warps without a finite result', () => {
     const pole = compileWarp(({ glsl, position }) => glsl.vec3(position.x().sub(1).pow(-1), 0, 0))
     throwsWarpError(
       () => bakeWarp(triangle(), pole),
@@ -70,7 +70,7 @@ describe('bakeWarp', () => {
     )
   })
 
-  test('invalid warps', () => {
+  test('rejects invalid warps', () => {
     for (const warp of [undefined, 7, {}, () => 1])
       throwsWarpError(
         () => bakeWarp(triangle(), warp),
@@ -83,7 +83,7 @@ describe('bakeWarp', () => {
     )
   })
 
-  test('other programs can read the result', async () => {
+  test('exports a result that other programs can read', async () => {
     const again = await loadMesh(exportGLB(bakeWarp(sphere(), twist)))
     assert.deepEqual(again.positions, bakeWarp(sphere(), twist).positions)
   })

@@ -1,4 +1,4 @@
-// exportGLB: reads its output back by the specification, and validates it by Khronos' validator.
+// exportGLB: reads its output back according to the specification, and validates it with Khronos' validator.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import validator from 'gltf-validator'
@@ -32,7 +32,7 @@ async function validGlb(mesh) {
 const primitiveOf = ({ json }) => json.meshes[0].primitives[0]
 const attribute = (glb, name) => glb.accessor(primitiveOf(glb).attributes[name])
 
-test('the validator does find errors', async () => {
+test('the validator of this test finds errors', async () => {
   const bytes = exportGLB(triangle())
   const { json, chunks } = readGlb(bytes)
   json.accessors[0].max[0] = 7
@@ -56,7 +56,7 @@ test('every array is identical after export', async () => {
   assert.deepEqual(Object.keys(primitiveOf(glb).attributes).sort(), Object.keys(names).sort())
 })
 
-test('accessors have min and max of their numbers, and views their usage', async () => {
+test('accessors have the min and max of their numbers, and views have a target', async () => {
   const mesh = sphere()
   const glb = await validGlb(mesh)
   const { POSITION } = primitiveOf(glb).attributes
@@ -115,7 +115,7 @@ test('a zero normal is replaced by that of the surrounding triangles; other leng
   close(0, [0, 0, 1])
   close(1, [0, 1, 0])
   close(2, [Math.SQRT1_2, Math.SQRT1_2, 0])
-  assert.equal(mesh.normals[2], 8, 'what came in is as it was')
+  assert.equal(mesh.normals[2], 8, 'the input is unchanged')
 })
 
 test('a surface that is collapsed to a point is a valid file', async () => {
@@ -165,7 +165,7 @@ for (const [mimeType, bytes] of Object.entries({ 'image/png': checker, 'image/jp
     assert.equal(glb.json.textures[index].source, 0)
   })
 
-test('a texture without uvs is left out', async () => {
+test('a texture without uvs is omitted', async () => {
   const material = { baseColor: [1, 1, 1, 1], baseColorTexture: { bytes: checker } }
   const { json } = await validGlb({ ...triangle(), material })
   assert.equal(json.images, undefined)

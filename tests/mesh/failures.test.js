@@ -10,7 +10,7 @@ import { checkWarpError, rejectsWithWarpError, throwsWarpError } from '../suppor
 checkMemoryAfterEach()
 
 describe('failures of the wasm module', () => {
-  test('out of memory: a message, and the next call works', () => {
+  test('running out of memory throws a message, and the next call works', () => {
     const tooMany = new Array(3 * 2 ** 29)
     for (const mesh of [
       { positions: tooMany },
@@ -19,7 +19,7 @@ describe('failures of the wasm module', () => {
       throwsWarpError(() => exportGLB(mesh), /^exportGLB: there is not enough memory/)
   })
 
-  test('a browser that refuses more memory', () => {
+  test('a browser that provides no more memory causes a message', () => {
     const { grow } = WebAssembly.Memory.prototype
     const mesh = grid(500, 500)
     WebAssembly.Memory.prototype.grow = () => {
@@ -42,7 +42,7 @@ describe('failures of the wasm module', () => {
     }
   }
 
-  test('an uncaught C++ exception', () => {
+  test('an uncaught C++ exception becomes a message', () => {
     class Thrower extends Float32Array {
       get length() {
         throw new WebAssembly.Exception(new WebAssembly.Tag({ parameters: [] }), [])
@@ -78,7 +78,7 @@ describe('failures of the wasm module', () => {
     )
   })
 
-  test('a write out of bounds: a message, and a new instance for the next call', () => {
+  test('a write out of bounds throws a message, and the next call uses a new instance', () => {
     throwsWarpError(
       () => exportGLB({ positions: new Liar(2 ** 24) }),
       /^exportGLB: the mesh is too large/,
@@ -106,7 +106,7 @@ describe('failures of the wasm module', () => {
     }
   })
 
-  test('a warp that itself uses meshes', () => {
+  test('a warp may use meshes itself', () => {
     const warp = {
       evaluate(vertices) {
         const coarse = { warp: twist, tolerance: 1, angle: 4 }
@@ -125,12 +125,12 @@ describe('failures of the wasm module', () => {
 describe('hostile files', () => {
   const file = exportGLB({ ...sphere(6, 4), material })
 
-  test('every truncation is rejected', async () => {
+  test('are rejected if they are truncated anywhere', async () => {
     for (let length = 0; length < file.length; length += length < 3000 ? 13 : 97)
       await rejectsWithWarpError(() => loadMesh(file.slice(0, length)), /^loadMesh: /)
   })
 
-  test('flipped bits give a mesh or a message', async () => {
+  test('with flipped bits give a mesh or a message', async () => {
     let seed = 12345
     const random = (n) => (seed = (Math.imul(seed, 1103515245) + 12345) >>> 0) % n
     let rejectedCount = 0
@@ -148,7 +148,7 @@ describe('hostile files', () => {
     assert.ok(rejectedCount > 100)
   })
 
-  test('sizes beyond the end of the file', async () => {
+  test('with sizes beyond the end of the file are rejected', async () => {
     const { json, chunks } = readGlb(file)
     const lie = (change) => {
       const document = structuredClone(json)
@@ -167,7 +167,7 @@ describe('hostile files', () => {
     await lie(({ nodes }) => nodes.push({ children: [0] }) && (nodes[0].children = [1]))
   })
 
-  test('endless nesting of brackets', async () => {
+  test('with deeply nested brackets are rejected', async () => {
     const deep = `{"asset":{"version":"2.0"},"extras":${'['.repeat(1e6)}${']'.repeat(1e6)}}`
     await rejectsWithWarpError(() => loadMesh(new TextEncoder().encode(deep)), /^loadMesh: /)
     await rejectsWithWarpError(() => loadMesh(writeGlb(deep)), /^loadMesh: /)

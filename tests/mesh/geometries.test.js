@@ -87,7 +87,7 @@ describe('subdivide', () => {
     }
   })
 
-  test('between vertices with different bones, both bones move the new vertex', () => {
+  test('a new vertex between vertices with different bones is moved by both bones', () => {
     const strip = new THREE.PlaneGeometry(1, 1)
     strip.setAttribute(
       'skinIndex',
@@ -113,7 +113,7 @@ describe('subdivide', () => {
     assert.deepEqual(weights(0, -0.5), { 7: 0.5, 2: 0.25, 3: 0.25 })
   })
 
-  test('for a warp, only where it bends', () => {
+  test('splits triangles only where the warp bends them', () => {
     const bump = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, position.dot(position).mult(-20).exp()),
     )
@@ -187,7 +187,7 @@ const waves = compileWarp(({ glsl, position }) =>
 )
 const height = (x, y) => 0.2 * (Math.sin(2 * x) + Math.cos(3 * y))
 
-/** Transforms a normal by the slopes of that height, by the inverse transpose of the Jacobian. */
+/** Transforms a normal with the inverse transpose of the Jacobian, from the slopes of that height. */
 function transformNormal(normal, { x, y }) {
   const [dx, dy] = [0.4 * Math.cos(2 * x), -0.6 * Math.sin(3 * y)]
   const made = new THREE.Matrix3().set(1, 0, 0, 0, 1, 0, dx, dy, 1).invert().transpose()

@@ -15,7 +15,7 @@ import { rejectsWithWarpError } from '../support/warp-errors.js'
 
 checkMemoryAfterEach()
 
-describe('load, export, load', () => {
+describe('a model that is loaded, exported and loaded again', () => {
   for (const [name, mesh] of Object.entries({
     'all attributes, a material and a texture': { ...sphere(), material },
     'no indices, no material': triangle(),
@@ -34,14 +34,14 @@ describe('load, export, load', () => {
       assert.equal(first.warnings, undefined)
     })
 
-  test('a loaded mesh belongs to the caller', async () => {
+  test('can be modified by the caller', async () => {
     const mesh = await loadMesh(exportGLB(sphere()))
     for (const array of [mesh.positions, mesh.indices])
       assert.equal(array.buffer.byteLength, array.byteLength)
   })
 })
 
-describe('sources of bytes', () => {
+describe('loadMesh', () => {
   const folder = mkdtempSync(join(tmpdir(), 'warpjet mesh '))
   const mesh = triangle()
   const { text, buffer } = withBuffer(mesh, 'a%20b/c.bin')
@@ -69,7 +69,7 @@ describe('sources of bytes', () => {
   const loads = async (source, options) =>
     assert.deepEqual((await loadMesh(source, options)).positions, mesh.positions)
 
-  test('bytes of every kind', async () => {
+  test('accepts bytes in every form', async () => {
     const bytes = exportGLB(mesh)
     await loads(bytes)
     await loads(bytes.slice().buffer)
@@ -82,7 +82,7 @@ describe('sources of bytes', () => {
     await loads(longer.subarray(7, 7 + bytes.length))
   })
 
-  test('a path, a file URL, and the web', async () => {
+  test('accepts a path, a file URL or a web address', async () => {
     const path = join(folder, 'model.glb')
     await loads(path)
     await loads(pathToFileURL(path))
@@ -98,7 +98,7 @@ describe('sources of bytes', () => {
     }
   })
 
-  test('in Node a string is a path, with any characters', async () => {
+  test('treats a string as a path in Node, with any characters', async () => {
     const odd = join(folder, 'odd')
     mkdirSync(odd)
     const names = ['a#1.glb', 'q?.glb', 'a%20b.glb', '100%.glb', 'C:m.glb', 'c:\\m\\a.glb']
@@ -124,7 +124,7 @@ describe('sources of bytes', () => {
     )
   })
 
-  test('the buffer of a .gltf in the same folder, or from the caller', async () => {
+  test('reads the buffer of a .gltf from the same folder or from the caller', async () => {
     await loads(`${origin}/m/model.gltf`)
     const asked = []
     const resolve = (uri) => {
@@ -137,7 +137,7 @@ describe('sources of bytes', () => {
     await loads(text, { resolve: () => new Blob([buffer]) })
   })
 
-  test('a .gltf without its buffer is rejected', async () => {
+  test('rejects a .gltf without its buffer', async () => {
     await rejectsWithWarpError(() => loadMesh(text), /^loadMesh: .*"a%20b\/c\.bin"/)
     await rejectsWithWarpError(
       () => loadMesh(text, { resolve: () => undefined }),
@@ -157,7 +157,7 @@ describe('sources of bytes', () => {
     )
   })
 
-  test('a missing image gives a warning, a missing buffer an error, from any source', async () => {
+  test('warns about a missing image, and throws for a missing buffer', async () => {
     const without = readGlb(exportGLB({ ...sphere(), material }))
     const { images, buffers } = without.json
     delete images[0].bufferView
@@ -191,7 +191,7 @@ describe('sources of bytes', () => {
     )
   })
 
-  test('an interrupted download', async () => {
+  test('throws for an interrupted download', async () => {
     const broken = new Blob(['x'])
     broken.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotReadableError'))
     await rejectsWithWarpError(
@@ -204,7 +204,7 @@ describe('sources of bytes', () => {
     )
   })
 
-  test('an untrusted file cannot read files outside its folder', async () => {
+  test('does not read files outside the folder of an untrusted file', async () => {
     writeFileSync(join(folder, 'secret.bin'), buffer)
     for (const uri of ['../secret.bin', pathToFileURL(join(folder, 'secret.bin')).href]) {
       const path = join(mkdtempSync(join(folder, 'sub')), 'model.gltf')
@@ -225,7 +225,7 @@ describe('sources of bytes', () => {
     )
   })
 
-  test('missing files, and invalid sources', async () => {
+  test('throws for missing files and invalid sources', async () => {
     await rejectsWithWarpError(
       () => loadMesh(join(folder, 'no.glb')),
       /^loadMesh: the file .*no\.glb does not exist/,
@@ -264,9 +264,10 @@ describe('sources of bytes', () => {
   })
 })
 
-test('all public exports', () => {
+test('the module exports exactly the public functions', () => {
   assert.deepEqual(Object.keys(addresses).sort(), [
     'WarpError',
+    'bakeNormalMap',
     'bakeWarp',
     'exportGLB',
     // Exports for the p5 addon, such as subdivideP5Model and varyGeometry.

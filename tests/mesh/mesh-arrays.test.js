@@ -99,7 +99,7 @@ describe('a mesh whose arrays do not fit together', () => {
       )
     })
 
-  test('exportGLB: no triangles, and an invalid image', () => {
+  test('exportGLB rejects a mesh without triangles, and an invalid image', () => {
     const none = { positions: [], normals: [] }
     throwsWarpError(() => exportGLB(none), /^exportGLB: the mesh has no triangles/)
     throwsWarpError(

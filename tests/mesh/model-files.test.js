@@ -21,8 +21,8 @@ after(() => assert.equal(meshMemoryInUse(), memory))
 
 const trianglesIn = ({ positions, indices }) => trianglesOf({ positions, indices })
 
-function assertTriangles(came, expected, tolerance = 1e-5) {
-  const far = compareTriangles(came, expected)
+function assertTriangles(actual, expected, tolerance = 1e-5) {
+  const far = compareTriangles(actual, expected)
   assert.ok(far <= tolerance, typeof far === 'string' ? far : `a corner is ${far} away`)
 }
 
@@ -44,7 +44,7 @@ async function assertValid(file, files = {}) {
   )
 }
 
-describe('generated models', () => {
+describe('loadMesh reads generated models:', () => {
   let count = 0
   const variants = { ...plainVariants, ...extensionVariants, ...packedVariants, ...textVariants }
   for (const [name, make] of Object.entries(variants))
@@ -65,7 +65,7 @@ describe('generated models', () => {
   test('there are at least 200', () => assert.ok(count >= 200, `${count}`))
 })
 
-describe('invalid models', () => {
+describe('loadMesh rejects invalid models:', () => {
   for (const [name, { file, files = {}, decoders, reason }] of Object.entries(broken))
     test(name, async () => {
       await assert.rejects(loadMesh(file, { resolve: (uri) => files[uri], decoders }), (error) => {
@@ -77,7 +77,7 @@ describe('invalid models', () => {
     })
 })
 
-describe('models of packages from npm', () => {
+describe('loadMesh reads models of packages from npm:', () => {
   const folder = fileURLToPath(new URL('../../node_modules/stl/test/', import.meta.url))
   for (const kind of ['ascii', 'binary'])
     for (const name of readdirSync(folder + kind))
@@ -107,7 +107,7 @@ describe('models of packages from npm', () => {
 
 describe('decoders', () => {
   const meshopt = packedVariants['meshopt, vertices and triangles'](shapes.cube)
-  const draco = packedVariants['Draco, in order'](shapes.cube)
+  const draco = packedVariants['Draco, sequential encoding'](shapes.cube)
 
   test('may be passed in every form that their packages have', async () => {
     const { MeshoptDecoder } = await import('meshoptimizer')
@@ -130,7 +130,7 @@ describe('decoders', () => {
     }
   })
 
-  test('are those of the option, and no others', async () => {
+  test('are taken from the option only', async () => {
     let calls = 0
     const { MeshoptDecoder } = await import('meshoptimizer')
     const counting = {
@@ -164,7 +164,7 @@ describe('decoders', () => {
       })
   })
 
-  test('an uncompressed fallback is used without a decoder', async () => {
+  test('are not needed if the file has an uncompressed fallback', async () => {
     const { file, files, triangles } = packedVariants['meshopt with a fallback'](shapes.sphere)
     const broken = {
       ready: Promise.resolve(),
@@ -181,8 +181,8 @@ describe('decoders', () => {
   })
 })
 
-test('a compressed model can be warped and exported', async () => {
-  const { file } = packedVariants['Draco, edge breaker'](shapes.sphere)
+test('make models that can be warped and exported', async () => {
+  const { file } = packedVariants['Draco, edgebreaker encoding'](shapes.sphere)
   const mesh = await loadMesh(file)
   const lifted = {
     evaluate: ({ positions, normals }) => ({ positions: positions.map((x) => x + 1), normals }),

@@ -30,7 +30,7 @@ for (const [name, make] of Object.entries(models))
     const { positions, normals, uvs, indices } = make()
     const model = { positions, normals, uvs, indices }
 
-    test('load, export, load is identical', async () => {
+    test('is the same after loading, exporting and loading again', async () => {
       const bytes = exportGLB(model)
       await assertValid(bytes)
       const loaded = await loadMesh(bytes)
@@ -39,7 +39,7 @@ for (const [name, make] of Object.entries(models))
       assert.deepEqual(exportGLB(loaded), bytes)
     })
 
-    test('loads as OBJ too', async () => {
+    test('can be loaded as OBJ, too', async () => {
       const loaded = await loadMesh(new TextEncoder().encode(toOBJ(model, name)))
       assert.equal(loaded.indices.length, indices.length)
       // The OBJ has three decimals, and its vertices in the order of its faces.
@@ -48,7 +48,7 @@ for (const [name, make] of Object.entries(models))
       assertClose(cornersOf(loaded), cornersOf(model), 6e-4, 'corner')
     })
 
-    test('the warped model is a valid file too', async () => {
+    test('is a valid file after warping, too', async () => {
       const baked = bakeWarp(model, twist, { uniforms })
       await assertValid(exportGLB(baked))
       const radius = (mesh, i) => Math.hypot(mesh.positions[3 * i], mesh.positions[3 * i + 2])

@@ -1,4 +1,4 @@
-// A skinned model that gltf-validator accepts, in the pose of its joints; the numbers are computed by hand.
+// Loads a skinned model that gltf-validator accepts, in the pose of its joints, and compares it with numbers computed by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import validator from 'gltf-validator'
@@ -47,7 +47,7 @@ function skinnedModel() {
   return writeGlb(json, bytes)
 }
 
-test('a skinned model is in the pose of its joints', async () => {
+test('a skinned model is loaded in the pose of its joints', async () => {
   const bytes = skinnedModel()
   const { issues } = await validator.validateBytes(bytes)
   assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages))

@@ -12,7 +12,7 @@ checkMemoryAfterEach()
 
 describe('subdivide', () => {
   // The file of the issue: 16,000 coincident triangles took 10 s, and more blocked the page.
-  test('a model whose nodes repeat one mesh in place', async () => {
+  test('handles a model whose nodes repeat one mesh at the same place', async () => {
     const { json, chunks } = readGlb(exportGLB(triangle()))
     json.nodes = Array.from({ length: 20_000 }, () => ({ mesh: 0 }))
     json.scenes = [{ nodes: json.nodes.map((_, i) => i) }]
@@ -29,12 +29,12 @@ describe('subdivide', () => {
     assert.ok(user + system < 5e6, `${(user + system) / 1e6} s`)
   })
 
-  test('each level splits a triangle into four', () => {
+  test('splits each triangle into four per level', () => {
     assert.equal(subdivide(triangle(), { levels: 0 }).indices.length, 3)
     assert.equal(subdivide(triangle(), { levels: 3 }).indices.length, 3 * 64)
   })
 
-  test('triangles that the warp bends are split until the tolerance is met, and no others', () => {
+  test('splits only triangles that the warp bends, until the tolerance is met', () => {
     const bump = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, position.x().mult(position.x()).mult(0.5)),
     )
@@ -57,7 +57,7 @@ describe('subdivide', () => {
     assert.equal(still.indices.length, plane.indices.length)
   })
 
-  test('maxTriangles is a limit, with a warning', () => {
+  test('stops at maxTriangles with a warning', () => {
     const options = { warp: twist, tolerance: 1e-4, maxTriangles: 500 }
     const mesh = subdivide(sphere(), options)
     assert.ok(mesh.indices.length <= 3 * 500)
@@ -71,7 +71,7 @@ describe('subdivide', () => {
     assert.equal(subdivide({ positions: [] }, { levels: 15 }).warnings, undefined)
   })
 
-  test('wrong options', () => {
+  test('rejects wrong options', () => {
     const rejectsChange = (options, pattern) =>
       throwsWarpError(() => subdivide(triangle(), options), pattern)
     rejectsChange(undefined, /^subdivide: expected options such as .*, got undefined/)
@@ -114,7 +114,7 @@ describe('subdivide', () => {
     rejectsChange({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })
 
-  test('results of warps made by hand are checked', () => {
+  test('checks the results of objects with their own evaluate', () => {
     const of = (evaluate, pattern) => {
       for (const work of [
         () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 }),
@@ -147,7 +147,7 @@ describe('subdivide', () => {
     )
   })
 
-  test('an error of the warp is rethrown unchanged', () => {
+  test('rethrows an error of the warp unchanged', () => {
     const warp = {
       evaluate() {
         throw new TypeError('mine')

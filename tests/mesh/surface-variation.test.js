@@ -31,7 +31,7 @@ const warps = {
     warp: ({ normal }) => normal.mult(0.25),
     offset: (_, normal) => normal.map((k) => k * 0.25),
   },
-  'swirled by its normal': {
+  'a swirl that depends on the normal': {
     warp: ({ glsl, position, normal }) =>
       glsl.vec3(
         normal.y().mult(position.z()).mult(0.2),
@@ -40,7 +40,7 @@ const warps = {
       ),
     offset: ([, , z], [a, b, c]) => [0.2 * b * z, 0.1 * sin(2 * a), 0.3 * a * c],
   },
-  'bumps by uv': {
+  'bumps that depend on uv': {
     warp: ({ normal, uv }) =>
       normal.mult(
         uv

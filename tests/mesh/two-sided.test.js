@@ -61,9 +61,9 @@ const files = {
 const ofCorners = (array, indices) =>
   Array.from(indices, (vertex) => Array.from(array.subarray(3 * vertex, 3 * vertex + 3)))
 
-function assertNear(came, expected) {
-  assert.equal(came.length, expected.length)
-  came.forEach((numbers, corner) =>
+function assertNear(actual, expected) {
+  assert.equal(actual.length, expected.length)
+  actual.forEach((numbers, corner) =>
     numbers.forEach((number, k) =>
       assert.ok(Math.abs(number - expected[corner][k]) < 1e-6, `${corner}: ${numbers}`),
     ),
@@ -90,11 +90,11 @@ for (const [name, fileOf] of Object.entries(files))
       const front = ofCorners(one.normals, one.indices)
       for (const normal of front) assert.ok(Math.abs(Math.hypot(...normal) - 1) < 1e-6, `${normal}`)
       const back = backwards(front).map((normal) => normal.map((number) => -number))
-      const came = ofCorners(two.normals, two.indices)
-      assertNear(came, [...front, ...back])
+      const computed = ofCorners(two.normals, two.indices)
+      assertNear(computed, [...front, ...back])
 
-      // Lambert's law for a light above: the front is lit, the back dark.
-      const lit = came.map((normal) => Math.max(0, normal[2]))
+      // By Lambert's law, a light from above lights the front, and the back is dark.
+      const lit = computed.map((normal) => Math.max(0, normal[2]))
       assert.ok(lit.slice(0, indices.length).every((light) => light > 0.3))
       assert.ok(lit.slice(indices.length).every((light) => light === 0))
     })
@@ -108,7 +108,7 @@ for (const [name, fileOf] of Object.entries(files))
       assertNear(ofCorners(mixed.normals, mixed.indices).slice(half.length), front)
     })
 
-    test('it is warped and subdivided as two surfaces', async () => {
+    test('warping and subdividing treat it as two surfaces', async () => {
       const { positions, indices } = saddle()
       const one = await loadMesh(fileOf({ positions, indices }))
       const two = await loadMesh(

@@ -1,4 +1,4 @@
-// Names that people know from three's TSL, p5.strands, p5 and GLSL, and the operation that each is.
+// Maps names that people know from three's TSL, p5.strands, p5 and GLSL to our operations.
 
 /** Maps an operation to its other names. */
 export const sameAs = {

@@ -1,7 +1,7 @@
-// The requirements for a measurement, on any pipeline: returns lists of problems, in words.
+// Checks whether a measurement, on any pipeline, meets the requirements: returns a list of problems, as sentences.
 import { errorOf, measure } from './measure.js'
 
-/** Tolerances on the CPU: values in double precision, and derivatives up to the precision of differences. */
+/** Tolerances on the CPU: double precision for values, and the precision of finite differences for derivatives. */
 export const inDouble = {
   value: 1e-12,
   derivative: 1e-9,

@@ -1,6 +1,6 @@
-// Conventions where GLSL or mathematics leaves a choice: values and derivatives exactly at kinks, jumps and ends of domains,
-// computed by hand. `slopes` has the derivatives by each number of the operands, one after the other, each with as many numbers
-// as the value.
+// Our conventions where GLSL or mathematics leaves a choice: values and derivatives exactly at kinks, jumps and the ends of domains,
+// computed by hand. `slopes` lists the derivatives with respect to each number of the operands; each derivative has as many numbers as the
+// value.
 import { cases } from './reference.js'
 
 const { PI } = Math

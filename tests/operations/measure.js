@@ -1,5 +1,5 @@
-// Measures the errors of a case of the reference on any pipeline: of the value, and of every derivative by every number of every
-// operand, against differences of the reference. Only the reference determines the expected results.
+// Runs a case of the reference on any pipeline, and measures the errors of the value and of its derivatives with respect to every number of
+// every operand. Expected derivatives are finite differences of the reference, which alone determines the expected results.
 import { setImmediate } from 'node:timers/promises'
 import { sizeOf } from '../support/browser/pipelines/text.js'
 import { seededRandom } from '../warps/random.js'
@@ -69,8 +69,8 @@ export function errorOf(got, expected, sensitivity) {
  * Runs a case: `run(points)` returns all resulting numbers at each point → {
  * - `value`, `derivative`: the max errors, { error, at, got, expected, by }, each divided by the sensitivity;
  * - `points`;
- * - `derivatives`: the number of compared ones, and `excluded`, the number of those not compared, since the differences show a
- *   kink;
+ * - `derivatives`: the number of derivatives that were compared; `excluded`: the number of those that were not, since the differences
+ *   show a kink;
  * - `fewest`: the min number of points at which one of the partial derivatives was compared }.
  */
 export async function measure(operation, run) {

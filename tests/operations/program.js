@@ -1,4 +1,4 @@
-// Makes a program from a case of the reference: its value and the derivatives by every component of every input.
+// Makes a program from a case of the reference: its value and the derivatives with respect to every component of every input.
 import { compile } from '../../dist/warpjet.js'
 import { sizeOf } from '../support/browser/pipelines/text.js'
 
@@ -33,7 +33,7 @@ export const forms = ({ only }) => (only ? [only] : ['method', 'builder'])
 
 /**
  * Returns the program for `target`, { code, declarations, inputs, outputs, evaluate }, for the pipelines. The outputs are the
- * value and its derivative by each number of the inputs.
+ * value and its derivative with respect to each number of the inputs.
  */
 export function programOf(operation, target, form = forms(operation).at(-1)) {
   const { name, inputs, result, build } = operation

@@ -3,9 +3,9 @@ import { compile } from '../../dist/warpjet.js'
 import { letterSets, swizzle } from './reference/row.js'
 
 /** Returns all words of up to four of the letters. */
-function words(letters, most = 4) {
-  if (most === 0) return ['']
-  const shorter = words(letters, most - 1)
+function words(letters, max = 4) {
+  if (max === 0) return ['']
+  const shorter = words(letters, max - 1)
   return ['', ...[...letters].flatMap((letter) => shorter.map((word) => letter + word))]
 }
 

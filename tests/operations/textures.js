@@ -4,7 +4,7 @@ import { randomOf } from '../random/generate.js'
 
 const cube = (x) => x ** 3
 
-/** Kernels by the distance to a texel, in texels. */
+/** Kernels, as functions of the distance to a texel, in texels. */
 const kernels = {
   bilinear: (d) => Math.max(0, 1 - d),
   // Keys (1981), equation 15, which is his equation 8 with a = -1/2.
@@ -28,7 +28,7 @@ const wrappers = {
   clamp: (i, size) => Math.min(Math.max(i, 0), size - 1),
   repeat: (i, size) => ((i % size) + size) % size,
   mirror(i, size) {
-    // Step by step over the edges, which are half a texel beyond the outermost texels.
+    // Reflects repeatedly at the edges, which are half a texel beyond the outermost texels.
     for (;;) {
       if (i < 0) i = -1 - i
       else if (i >= size) i = 2 * size - 1 - i

@@ -4,12 +4,12 @@ import { describe, test } from 'node:test'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
 import { MathUtils } from 'three'
-import { built, callOffset } from '../support/operator-tests.js'
+import { runTranslated, callOffset } from '../support/operator-tests.js'
 
 describe('functions, methods and classes:', () => {
   const expected = compileWarp(({ position }) => position.mult(2)).code
 
-  test('methods of objects and classes, static methods, and fields', () => {
+  test('methods of objects and classes, static methods, and fields are translated', () => {
     class Waves {
       static wave({ position }) {
         return position * 2
@@ -46,7 +46,7 @@ describe('functions, methods and classes:', () => {
       assert.equal(compileWarp(operators(offset)).code, expected)
   })
 
-  test('this of a method is the object of the call', () => {
+  test('this in a method is the object on which it is called', () => {
     const object = {
       factor: 2,
       wave({ position }) {
@@ -55,7 +55,7 @@ describe('functions, methods and classes:', () => {
     }
     const read = operators(object.wave)
     assert.equal(compileWarp((inputs) => read.call(object, inputs)).code, expected)
-    // Also a method that is called with expressions.
+    // The method is also translated when it is called as a helper, with expressions.
     const offset = ({ position }) => [waves.wave({ position: position * 1 })][0]
     assert.equal(
       compileWarp(operators(offset, { waves: object })).code,
@@ -107,7 +107,7 @@ describe('functions, methods and classes:', () => {
       )
   })
 
-  test('a function with new.target', () => {
+  test('a function with new.target is rejected with a message', () => {
     const offset = function ({ position }) {
       return position * (new.target ? 1 : 2)
     }
@@ -129,7 +129,7 @@ describe('functions, methods and classes:', () => {
     assert.equal(operators(plain), plain)
   })
 
-  test('invalid scopes, and invalid names of variables', () => {
+  test('invalid scopes and invalid variable names are rejected', () => {
     const offset = ({ position }) => position * 2
     assert.throws(
       () => operators(offset, null),
@@ -174,7 +174,7 @@ describe('helper functions:', () => {
       '({ position }) => [wave.at(position.x), wave.amount, 0]',
       ({ glsl, position: { x } }) => glsl.vec3(x.gt(0).ifElse(x, x.neg()).mult(6), 6, 0),
     ],
-    'a class that is made of expressions': [
+    'a class constructed from expressions': [
       '({ position }) => { const w = new Wave(position.y); return [w.at(1), w.at(position.x), w instanceof Wave ? 1 : 0] }',
       ({ glsl, position: { x, y } }) => {
         const amount = y.mult(2)
@@ -192,10 +192,10 @@ describe('helper functions:', () => {
       const expected = callOffset(twin)
       assert.equal(compileWarp(operators((0, eval)(`(${written})`))).code, expected)
       const module = `${script.replaceAll(/globalThis\.(\w+) = function/g, 'const $1 = function').replaceAll('globalThis.', 'const ')}\nout.push(createWarp(${written}))`
-      assert.equal(built(module), expected)
+      assert.equal(runTranslated(module), expected)
     })
 
-  test('a helper that reads a variable set by the offset function', () => {
+  test('a helper can read a variable that the offset function sets', () => {
     ;(0, eval)(`globalThis.warpjetPoint = undefined
     globalThis.lift = function () { return warpjetPoint.x * 2 }`)
     assert.equal(
@@ -208,7 +208,7 @@ describe('helper functions:', () => {
     )
   })
 
-  test('a helper of another library', () => {
+  test('a helper of another library gets a message', () => {
     assert.equal(
       compileWarp(operators(({ position }) => MathUtils.lerp(position, 2, 0.25) * 1, { MathUtils }))
         .code,
@@ -238,7 +238,7 @@ describe('helper functions:', () => {
   test('a build reports that it does not translate functions of other modules', () => {
     assert.throws(
       () =>
-        built('out.push(createWarp(({ position }) => [imported(position.x), 0, 0]))', {
+        runTranslated('out.push(createWarp(({ position }) => [imported(position.x), 0, 0]))', {
           imported: (d) => d * 2,
         }),
       /^WarpError: createWarp: an operator .* that warpjet\/operators\/plugin has not translated.* move the function into that module/,
@@ -256,7 +256,7 @@ function makeWave(height) {
   return createWarp(({ position }) => position.mult(height) * 1)
 }
 out.push(createWarp(offset), makeWave(5), height(3))`
-    const [byName, shadowed, number] = built(code)
+    const [byName, shadowed, number] = runTranslated(code)
     assert.equal(
       byName,
       compileWarp(({ glsl, position }) => glsl.vec3(position.x.mult(2).add(1), 1, 0)).code,

@@ -1,4 +1,4 @@
-// Every warp of the gallery with its own formula, written a second time with operators: generates the same code, byte for byte.
+// Every warp of the gallery that has its own formula is written again with operators, and generates the same code, byte for byte.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { operators } from '../../dist/operators.js'

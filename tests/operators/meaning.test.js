@@ -3,18 +3,18 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
-import { built, bothOf, callOffset } from '../support/operator-tests.js'
+import { runTranslated, compileBoth, callOffset } from '../support/operator-tests.js'
 
 const pairs = {
   'a shorthand parameter with a default': [
     '({ position }) => { const f = ({ x, amount = 2 }) => x * amount; const { y, size = 3 } = { y: 1 }; return f({ x: position }) * f({ x: 1, amount: size }) }',
     ({ position }) => position.mult(2).mult(3),
   ],
-  'shorthand parameters with defaults that are computed': [
+  'shorthand parameters with computed defaults': [
     '({ position }) => { const f = ({ a = 1 + 1, b: { c = a * 2 } = {} } = {}) => a + c; return position * f() }',
     ({ position }) => position.mult(6),
   ],
-  'map that clamps': [
+  'map() with clamping': [
     '({ position }) => [map(position.x, -1, 1, 0, 3, true), map(position.y, 0, 2, 5, 1, true), map(position.z, 0, 1, 2, 4)]',
     ({ glsl, position: { x, y, z } }) =>
       glsl.vec3(
@@ -23,16 +23,16 @@ const pairs = {
         z.sub(0).div(1).mult(2).add(2),
       ),
   ],
-  'max and min of an array, and of one that is spread': [
+  'max and min of an array, and of a spread array': [
     '({ position: { x, y, z } }) => [max([x, y, 0.5]), Math.min(...[x, z]), min([x, y, z])]',
     ({ glsl, position: { x, y, z } }) => glsl.vec3(x.max(y).max(0.5), x.min(z), x.min(y).min(z)),
   ],
-  'or, and of numbers keep numbers': [
+  '|| and && of numbers return numbers': [
     '({ position: { x, y } }) => [x || 0.2, x && y, (x > 0) && y] * 1',
     ({ glsl, position: { x, y } }) =>
       glsl.vec3(x.ifElse(x, 0.2), x.ifElse(y, 0), x.gt(0).ifElse(y, 0)).mult(1),
   ],
-  'assignments of logic': [
+  'logical assignments': [
     '({ position: { x, y } }) => { let a = x * 1; a ||= 3; let b = y * 1; b &&= a; let c = 0; c ||= 0.25; return [a, b, c] }',
     ({ glsl, position: { x, y } }) => {
       const [a, b] = [x.ifElse(x, 3), y]
@@ -43,18 +43,18 @@ const pairs = {
     '({ position, uniforms }) => position * (uniforms.amount || 0.2)',
     ({ position, uniforms: { amount } }) => position.mult(amount.ifElse(amount, 0.2)),
   ],
-  'conditions among conditions, and true and false': [
+  'nested conditions, and true and false': [
     '({ position: { x, y } }) => { let on = false; if (x > 0 || y > 0) on = true; let off = on ? y < 3 : false; return on && !off ? [x, 0, 0] : [0, y, 0] }',
     ({ glsl, position: { x, y } }) => {
       const on = x.gt(0).or(y.gt(0))
       return on.and(on.and(y.lt(3)).not()).ifElse(glsl.vec3(x, 0, 0), glsl.vec3(0, y, 0))
     },
   ],
-  'a vector is there, and so true': [
+  'a vector is truthy': [
     '({ position, normal }) => (position && normal || 3) * (position ? 2 : 1)',
     ({ normal }) => normal.mult(2),
   ],
-  'rounding goes up at halves': [
+  'halves are rounded up': [
     '({ position: { x, y } }) => [round(x), Math.round(y * 2), round(2.5)]',
     ({ glsl, position: { x, y } }) => {
       const round = (a) => a.floor().add(glsl.step(0.5, a.sub(a.floor())))
@@ -75,11 +75,11 @@ const pairs = {
       )
     },
   ],
-  'a vector that is taken apart': [
+  'a destructured vector': [
     '({ position }) => { let [x, y, z] = position; x *= 2; return [x, y, z] }',
     ({ glsl, position: { x, y, z } }) => glsl.vec3(x.mult(2), y, z),
   ],
-  'a vector that is taken apart as a parameter, and spread': [
+  'a vector destructured in a parameter, and a spread vector': [
     '({ position: [x, ...others], uv }) => [x * 1, ...others.slice(1), [...uv].length]',
     ({ glsl, position: { x, z } }) => glsl.vec3(x.mult(1), z, 2),
   ],
@@ -95,7 +95,7 @@ const pairs = {
         .add(glsl.vec3(x, 1, 0))
         .add(glsl.vec3(1, 2, 3)),
   ],
-  'a vector of numbers, of which a part is set': [
+  'a vector of numbers with a component that is assigned': [
     '({ position }) => { const v = createVector(1, 2, 3); v.y = sin(position.x); return v }',
     ({ glsl, position }) => glsl.vec3(1, position.x.sin(), 3),
   ],
@@ -115,18 +115,18 @@ const pairs = {
         .add(glsl.vec3(5, 1, 3))
     },
   ],
-  'counting up and down': [
+  '++ and --': [
     "({ position }) => { let x = position.x * 1; const o = { n: x }; x++; const before = o.n++; --o.n; let i = '5'; i++; let j = 2; const k = j-- + j; return [x, before + o.n, i + k] }",
     ({ glsl, position }) => {
       const x = position.x.mult(1)
       return glsl.vec3(x.add(1), x.add(x.add(1).add(-1)), 9)
     },
   ],
-  'cutting off the fraction': [
+  'truncation to an integer': [
     '({ position: { x, y, z } }) => [x | 0, ~~y, z >> 0]',
     ({ glsl, position: { x, y, z } }) => glsl.vec3(x.trunc(), y.trunc(), z.trunc()),
   ],
-  'more of Math': [
+  'further functions of Math': [
     '({ position: { x, y } }) => [Math.log10(x), Math.expm1(y), Math.hypot(x, y, 1, 2, 3)]',
     ({ glsl, position: { x, y } }) =>
       glsl.vec3(
@@ -135,11 +135,11 @@ const pairs = {
         glsl.sqrt(x.mult(x).add(y.mult(y)).add(1).add(4).add(9)),
       ),
   ],
-  'a parameter of a function within has the name of a function': [
+  'a parameter of an inner function that shadows a function': [
     '({ position }) => { const f = (sin) => sin(position.y * 1); return [f((a) => a + 1), 0, 0] }',
     ({ glsl, position }) => glsl.vec3(position.y.mult(1).add(1), 0, 0),
   ],
-  'functions that are taken from Math': [
+  'functions destructured from Math': [
     '({ position: { x } }) => { const { sin, floor: down } = Math; const s = Math.cos; return [sin(x), s(x * 2), sin(0)] }',
     ({ glsl, position: { x } }) => glsl.vec3(x.sin(), x.mult(2).cos(), 0),
   ],
@@ -147,11 +147,11 @@ const pairs = {
     '(function () { const { position } = arguments[0]; return position * 2 })',
     ({ position }) => position.mult(2),
   ],
-  'a name that only one block has': [
+  'a variable declared in only one block': [
     '({ position }) => { { const sin = 2; position.x.mult(sin) } return [sin(position.y * 1), 0, 0] }',
     ({ glsl, position }) => glsl.vec3(position.y.mult(1).sin(), 0, 0),
   ],
-  'variables that are called as our own are': [
+  'variables with the names of our generated variables': [
     '({ position }) => { const warpjetOperators = 2, warpjetRest1 = 3, warpjetValue = 4, warpjetWithOperators = 5; let s = 1; if (position.x > 0) { s += 1; return position * s } s *= warpjetValue; const o = { s }; o.s += 1; return position * (warpjetOperators + warpjetRest1 + o.s + warpjetWithOperators) }',
     ({ position }) => position.x.gt(0).ifElse(position.mult(2), position.mult(15)),
   ],
@@ -169,17 +169,17 @@ const pairs = {
   ],
 }
 
-describe('means the same for expressions as for numbers:', () => {
+describe('JavaScript has the same meaning for expressions as for numbers:', () => {
   for (const [name, [written, twin]] of Object.entries(pairs))
     test(name, () => {
       const expected = callOffset(twin)
-      const [inPage, byBuild] = bothOf(written)
+      const [inPage, byBuild] = compileBoth(written)
       assert.equal(inPage, expected)
       assert.equal(byBuild, expected)
     })
 })
 
-test('p5 uses degrees after angleMode(DEGREES)', () => {
+test('functions of p5 use degrees after angleMode(DEGREES)', () => {
   const inDegrees = (f) => ((x) => f((x * Math.PI) / 180)).bind(null)
   const degrees = (f) => ((...x) => (f(...x) * 180) / Math.PI).bind(null)
   const scope = {
@@ -201,7 +201,7 @@ test('p5 uses degrees after angleMode(DEGREES)', () => {
   assert.equal(compileWarp(operators(written, scope)).code, expected)
 })
 
-test("a sketch in instance mode calls p5's functions by its p", () => {
+test("a sketch in instance mode can call p5's functions as methods of its p", () => {
   class P5 {
     createCanvas() {}
     angleMode() {}
@@ -221,10 +221,10 @@ test("a sketch in instance mode calls p5's functions by its p", () => {
   ).code
   const offset = ({ position }) => [p.sin(position.y * 4), p.map(position.x, 0, 1, 0, 2), p.sin(0)]
   assert.equal(compileWarp(operators(offset, { p })).code, expected)
-  assert.equal(built(code, { p }), expected)
+  assert.equal(runTranslated(code, { p }), expected)
 })
 
-test('static functions of p5.Vector', () => {
+test('static functions of p5.Vector work with expressions', () => {
   class Vector {
     static random3D() {}
     static fromAngle() {}

@@ -78,7 +78,7 @@ const pairs = {
         .gt(0)
         .ifElse(position.mult(2), glsl.vec3(position.x(), position.y().mult(3), 0)),
   ],
-  'an early return within an if': [
+  'an early return inside an if': [
     ({ position }) => {
       let s = 1
       if (position.x > 0) {
@@ -96,7 +96,7 @@ const pairs = {
       return isRight.ifElse(right, position.div(glsl.add(s, 1)))
     },
   ],
-  'what is set before an early return counts there alone': [
+  'an assignment before an early return affects only that branch': [
     ({ position }) => {
       let s = 1
       if (position.x > 0) {
@@ -130,7 +130,7 @@ const pairs = {
     },
     ({ position }) => position.mult(2),
   ],
-  'a name that a block within has too': [
+  'a variable that an inner block redeclares': [
     ({ position }) => {
       let s = 1
       if (position.x > 0) {
@@ -141,7 +141,7 @@ const pairs = {
     },
     ({ position }) => position.mult(position.x().gt(0).ifElse(1, 2)),
   ],
-  'values that are not there': [
+  'undefined and null values': [
     ({ position }) => {
       let nothing
       if (nothing == null && position != null && position !== undefined) return position * 2
@@ -149,7 +149,7 @@ const pairs = {
     },
     ({ position }) => position.mult(2),
   ],
-  'commas, assignments of logic and places that move': [
+  'comma operators, logical assignments and indices with side effects': [
     ({ position }) => {
       const all = [1, 2, 3]
       let i = 0
@@ -168,11 +168,11 @@ const pairs = {
         .or(position.x().gt(0).and(position.y().gt(0)), position.z().gt(0))
         .ifElse(position.mult(6), position.mult(10).add(Math.sin(1))),
   ],
-  'the remainder of a number by an expression': [
+  'a number modulo an expression': [
     ({ position }) => position * (-5 % position.x) + (position.y % 2),
     ({ glsl, position }) => position.mult(glsl.mod(-5, position.x())).add(position.y().mod(2)),
   ],
-  'a loop of known count': [
+  'a loop with a constant count': [
     ({ position }) => {
       let sum = 0
       for (let i = 1; i <= 4; i++) {
@@ -229,7 +229,7 @@ describe('with operators as with methods:', () => {
     })
 })
 
-test('operators on numbers give numbers, on strings strings', () => {
+test('operators on numbers give numbers, and on strings they give strings', () => {
   const seen = []
   globalThis.warpjetSeen = seen
   compileWarp(
@@ -246,7 +246,7 @@ test('operators on numbers give numbers, on strings strings', () => {
   assert.deepEqual(seen, [6, 'many', '3x', false, -3, 1, 5, 'number', 2])
 })
 
-test('variables around a function come from the scope, or a message says so', () => {
+test('variables around a function are read from the scope; without it there is a message', () => {
   const amount = 3
   const offset = ({ position }) => position * amount
   const expected = compileWarp(({ position }) => position.mult(3)).code

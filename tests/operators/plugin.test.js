@@ -4,7 +4,7 @@ import { SourceMap } from 'node:module'
 import { test } from 'node:test'
 import loader, { operators as plugin, translateModule } from '../../dist/operators-plugin.js'
 
-test('a module without warps stays unchanged, and closures stay in a module with warps', () => {
+test('a module without warps is unchanged, and closures are preserved in a module with warps', () => {
   assert.equal(translateModule('const a = b * c'), undefined)
   const code = translateModule(
     `const amount = 2\ncreateWarp(sketch, ({ position }) => position * amount, {})`,
@@ -40,7 +40,7 @@ test('the loader of webpack generates the same code as the plugin, with a map', 
   assert.deepEqual(load('const a = b * c'), [null, 'const a = b * c'])
 })
 
-test('a source map has the origin of each word of a translated module', () => {
+test('a source map maps each word of a translated module to its origin', () => {
   const code = `import { createWarp } from 'warpjet/p5'
 const twice = (value) => value * 2
 createWarp(({ position, millis }) => {

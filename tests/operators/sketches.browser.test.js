@@ -53,7 +53,7 @@ async function run(scripts, sketch) {
   return { image, messages }
 }
 
-/** Draws the versions by methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
+/** Draws the versions written with methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
 function drawTwins(p5) {
   const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
   const draw = (call) => `lights(); noStroke(); fill('coral'); ${call} sphere(40)`
@@ -74,7 +74,7 @@ function drawTwins(p5) {
 test('there are sixty sketches', () => assert.ok(Object.keys(sketches).length >= 60))
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: the same picture as by methods, or a message`, async () => {
+  test(`p5 ${version}: each sketch draws the same picture as with methods, or has a message`, async () => {
     const pictures = await drawTwins(p5)
     const problems = []
     for (const [name, sketch] of Object.entries(sketches)) {
@@ -102,7 +102,7 @@ for (const [version, p5] of p5InThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version} without that script: the same picture, or a message of ours`, async () => {
+  test(`p5 ${version} without the script of operators: each sketch draws the same picture, or has a message of warpjet`, async () => {
     const pictures = await drawTwins(p5)
     const problems = []
     for (const [name, sketch] of Object.entries(sketches)) {

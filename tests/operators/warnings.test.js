@@ -1,4 +1,4 @@
-// Where operators are translated by themselves, and the warnings and messages about them.
+// When operators are translated automatically, and the warnings and errors if they are not.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { mask } from '../../dist/deformers.js'
@@ -6,9 +6,9 @@ import { operators } from '../../dist/operators.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { warp } from '../../dist/three.js'
 import { BoxGeometry, Mesh } from 'three'
-import { built, uniforms } from '../support/operator-tests.js'
+import { runTranslated, uniforms } from '../support/operator-tests.js'
 
-test('compileWarp, compile and compositions translate operators by themselves', () => {
+test('compileWarp, compile and compositions translate operators automatically', () => {
   assert.equal(
     compileWarp(({ position }) => position * 2).code,
     compileWarp(({ position }) => position.mult(2)).code,
@@ -47,7 +47,7 @@ test('compileWarp, compile and compositions translate operators by themselves', 
   )
 })
 
-test('a variable that is read only once warns, with its name and the uniform to write', () => {
+test('a variable whose value is read only once causes a warning with its name and a suggested uniform', () => {
   const notes = []
   const { warn } = console
   console.warn = (note) => notes.push(note)
@@ -55,7 +55,7 @@ test('a variable that is read only once warns, with its name and the uniform to 
     globalThis.mouseX = 20
     globalThis.warpjetLevel = 0.5
     compileWarp(operators((0, eval)('({ position }) => position * (mouseX + warpjetLevel)')))
-    built(
+    runTranslated(
       `let level = 2\nfunction draw() { level = 3 }\nout.push(createWarp(({ position }) => position * (level + p.frameCount + keyCode)))`,
       { p: { frameCount: 1 }, keyCode: 1 },
     )
@@ -78,7 +78,7 @@ test('a variable that is read only once warns, with its name and the uniform to 
   }
 })
 
-test('silent or wrong code warns', () => {
+test('code that is ignored or has a different meaning causes a warning', () => {
   const notes = []
   const { warn } = console
   console.warn = (note) => notes.push(note)
@@ -101,7 +101,7 @@ test('silent or wrong code warns', () => {
   )
 })
 
-test("noise is warpjet's, from 0 to 1", () => {
+test("noise() is warpjet's fbm, scaled to 0 to 1", () => {
   const { warn } = console
   console.warn = () => {}
   try {

@@ -1,5 +1,5 @@
-// Warps that are called while p5 builds a geometry: vertices and normals against a computation by hand and against the GPU. And
-// p5's functions that take a shader, called with a warp instead.
+// Tests warps that are called while p5 builds a geometry: compares vertices and normals with a computation by hand and with the GPU.
+// Also tests p5's functions that take a shader, called with a warp instead.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -105,12 +105,12 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         assert.deepEqual(warped[0].slice(count), plain[0].slice(count), 'after resetShader()')
     })
 
-    test('a built warp looks as on the GPU, with its uniforms, under lights', async () => {
+    test('a warp in buildGeometry() looks as on the GPU, with its uniforms and under lights', async () => {
       const shapes = {
-        'in its own space': ['warps.wave()', 'sphere(60, 40, 30)'],
-        'by normal and uv': ['warps.bumps({ height: 0.12 })', 'ellipsoid(60, 50, 40, 60, 40)'],
-        'in the world': ['warps.sway()', 'push(); rotateZ(0.5); torus(40, 15, 40, 30); pop()'],
-        'by normal in the world': [
+        'local space': ['warps.wave()', 'sphere(60, 40, 30)'],
+        'with normal and uv': ['warps.bumps({ height: 0.12 })', 'ellipsoid(60, 50, 40, 60, 40)'],
+        'world space': ['warps.sway()', 'push(); rotateZ(0.5); torus(40, 15, 40, 30); pop()'],
+        'with normal, in world space': [
           'warps.bend()',
           'push(); scale(1.5, 1, 1); sphere(40, 60, 40); pop()',
         ],
@@ -146,7 +146,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       }
     })
 
-    test('warps that a geometry cannot have are rejected', async () => {
+    test('warps that buildGeometry() does not support are rejected', async () => {
       const buildWith = async (warp) => {
         const { result } = await run(`
           const warp = ${warp}

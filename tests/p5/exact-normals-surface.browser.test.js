@@ -21,7 +21,7 @@ const image = `
     warps.image.pixels.set([128 + 120 * Math.sin((i % 32) * 0.39), 0, 0, 255], 4 * i)
   warps.image.updatePixels()`
 
-/** Maps a name to [the sketch's own shader, the same warp by createWarp]. */
+/** Maps a name to [the sketch's own shader, the same warp made with createWarp]. */
 const inStrands = {
   'along the normal': [
     strands(`getObjectInputs((inputs) => {
@@ -30,21 +30,21 @@ const inStrands = {
     })`),
     `({ normal, position }) => normal.mult(position.y.mult(6).sin().mult(0.15))`,
   ],
-  'by the texture coordinates': [
+  'with texture coordinates': [
     strands(`getObjectInputs((inputs) => {
       inputs.position.y += 0.12 * sin(inputs.texCoord.x * 18.849556)
       return inputs
     })`),
     `({ glsl, uv }) => glsl.vec3(0, uv.x.mult(18.849556).sin().mult(0.12), 0)`,
   ],
-  'along the normal, in the world': [
+  'along the normal, in world space': [
     strands(`getWorldInputs((inputs) => {
       inputs.position += normalize(inputs.normal) * 8 * sin(inputs.position.y * 0.1)
       return inputs
     })`),
     `({ normal, position }) => normal.normalize().mult(position.y.mult(0.1).sin().mult(8)), { space: 'world' }`,
   ],
-  'along the normal, before the eye': [
+  'along the normal, in camera space': [
     strands(`getCameraInputs((inputs) => {
       inputs.position += normalize(inputs.normal) * 8 * sin(inputs.position.y * 0.1)
       return inputs
@@ -54,7 +54,7 @@ const inStrands = {
 }
 
 const inImages = {
-  'by an image': [
+  'with an image': [
     strands(`const heights = uniformTexture(() => warps.image)
     getObjectInputs((inputs) => {
       inputs.position += inputs.normal * 0.2 * getTexture(heights, inputs.texCoord).r
@@ -71,11 +71,11 @@ const inOldHooks = {
     }\` })`,
     inStrands['along the normal'][1],
   ],
-  'by the texture coordinates': [
+  'with texture coordinates': [
     `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {
       return position + vec3(0.0, 0.12 * sin(aTexCoord.x * 18.849556), 0.0);
     }\` })`,
-    inStrands['by the texture coordinates'][1],
+    inStrands['with texture coordinates'][1],
   ],
 }
 

@@ -25,7 +25,7 @@ const scene = (shading) =>
 const wave = `createWarp(({ glsl, position }) =>
   glsl.vec3(position.y().mult(4).sin().mult(0.25), position.z().mult(3).cos().mult(0.125), 0))`
 
-test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source: each looks like the same warp by hand', async () => {
+test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source each look like the same warp by createWarp', async () => {
   const images = await drawScenes(browser, server, scripts, {
     setup: `
       warps.byHand = ${wave}
@@ -96,7 +96,7 @@ test('an integer uniform keeps all its bits, and p5 declares it as an integer', 
   assert.ok(differingPixels(images.whole, images.byHand, 2) < 20)
 })
 
-test("p5.strands in world and camera space, written as in p5's reference, looks the same by createWarp", async () => {
+test("p5.strands in world and camera space, written as in p5's reference, looks like the same warp by createWarp", async () => {
   const shiftScene = (isStrands) =>
     isStrands
       ? `exactNormals(baseMaterialShader().modify(() => {
@@ -142,11 +142,11 @@ test("p5.strands in world and camera space, written as in p5's reference, looks 
   }
 })
 
-test("p5.strands written as in p5's reference and tutorials looks the same by createWarp", async () => {
+test("p5.strands written as in p5's reference and tutorials looks like the same warp by createWarp", async () => {
   const strands = (base, moves) => `exactNormals(${base}().modify(() => { ${moves} }))`
   // Each case as a strands sketch and as a warp.
   const sketches = {
-    'a flag in the wind, by the clock': [
+    'a flag in the wind, with millis()': [
       strands(
         'baseMaterialShader',
         `getWorldInputs((inputs) => {
@@ -158,7 +158,7 @@ test("p5.strands written as in p5's reference and tutorials looks the same by cr
       `createWarp(({ glsl, position, millis }) =>
         glsl.vec3(0, millis.mult(0.002).add(position.x.mult(0.05)).sin().mult(14), 0), { space: 'world' })`,
     ],
-    'jelly before the eye, its normals as colours': [
+    'jelly in camera space, with normalMaterial()': [
       strands(
         'baseNormalShader',
         `getCameraInputs((inputs) => {
@@ -176,7 +176,7 @@ test("p5.strands written as in p5's reference and tutorials looks the same by cr
         return glsl.vec3(x, y, 0)
       }, { space: 'camera', type: 'normal' })`,
     ],
-    'a ball that swells along its normal, by a uniform and a function': [
+    'a ball that swells along its normal, with a uniform and a function': [
       strands(
         'baseMaterialShader',
         `const size = uniformFloat(() => 0.2)
@@ -189,7 +189,7 @@ test("p5.strands written as in p5's reference and tutorials looks the same by cr
       `createWarp(({ position, uniforms }) =>
         position.mult(position.y.mult(5).sin().mult(uniforms.swell)), { uniforms: { swell: 0.2 } })`,
     ],
-    'a twist, by sines and an else': [
+    'a twist, with sines and an else': [
       strands(
         'baseMaterialShader',
         `getObjectInputs((inputs) => {
@@ -227,7 +227,7 @@ test("p5.strands written as in p5's reference and tutorials looks the same by cr
   }
 })
 
-test('p5 1.11: hooks in local and view space look the same by createWarp', async () => {
+test('p5 1.11: hooks in local and view space look like the same warp by createWarp', async () => {
   const old = [p5Versions['1.11'], ...scripts.slice(1)]
   const images = await drawScenes(browser, server, old, {
     setup: `

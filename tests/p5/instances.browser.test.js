@@ -10,7 +10,7 @@ const hosts = p5HostsInThisRun.filter(([version]) => version === '2.x')
 const { browsers, server } = await openHosts(hosts)
 
 for (const [, renderer, scripts] of hosts)
-  test(`instances by ${renderer}, fills and strokes`, async () => {
+  test(`${renderer}: fills and strokes of instances move by their own offsets`, async () => {
     const { fills, strokes } = await drawScenes(
       browsers[renderer],
       server,
@@ -35,7 +35,7 @@ for (const [, renderer, scripts] of hosts)
   })
 
 for (const [, renderer, scripts] of hosts)
-  test(`instances by ${renderer}: each has its own normals, like those transformed by p5`, async () => {
+  test(`${renderer}: each instance has its own normals, like those transformed by p5`, async () => {
     const light = `noStroke(); directionalLight(255, 255, 255, 0.6, 0.3, -1); fill('red')`
     const { warped, byP5, flat } = await drawScenes(
       browsers[renderer],

@@ -34,7 +34,7 @@ const offsets = {
     at: ([x, y], n, _, { height, normals }) =>
       n.map((k) => 0.06 * height * normals * k * (sin(3 * x + 1) + sin(4 * y))),
   },
-  'a flag by uv': {
+  'a flag that depends on uv': {
     code: ({ height }) =>
       `({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(${4 * PI}).sin().mult(uv.y()).mult(${0.05 * height}))`,
     at: (_, __, [u, v], { height }) => [0, 0, 0.05 * height * v * sin(4 * PI * u)],
@@ -163,7 +163,7 @@ function trueNormal({ side, where: [u, v], n }, moved, turn) {
   return m.turnNormal(turn, m.normalize(m.dot(across, n) < 0 ? turned.map((x) => -x) : turned))
 }
 
-/** Returns where u has no derivative, so that an offset by u tears the surface. */
+/** Returns where u has no derivative, so that an offset that depends on u tears the surface. */
 const isTorn = ({ side, where: [, v] }) => side.edges?.some((edge) => Math.abs(v - edge) < 1e-9)
 
 /** On p5's own cones the light is exact up to the apex; at a torn pole the normal depends on the direction of approach. */
@@ -186,7 +186,7 @@ function firstSeen(triangles) {
     const [nearA, nearB, nearC] = places.map(([, , z]) => 1 / (distance - z))
     const [left, right] = pixelsAcross(ax, bx, cx)
     const [top, bottom] = pixelsAcross(ay, by, cy)
-    // Uses no arrays in the inner loop, which runs for 20 million pixels.
+    // Avoids arrays in the inner loop, which runs for 20 million pixels.
     for (let y = top; y < bottom; y++)
       for (let x = left; x < right; x++) {
         const [px, py] = [x + 0.5, y + 0.5]
@@ -261,7 +261,7 @@ function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
 const geometries = new Map()
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  describe(`p5 ${version} by ${renderer} lights`, () => {
+  describe(`p5 ${version}, ${renderer}, lights`, () => {
     const shapes = shapesOn(version, renderer)
     for (const [what, offset] of Object.entries(offsets))
       test(`${what} within half a degree, on each shape`, async () => {
@@ -304,7 +304,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: gradients of its own shapes are those of the formula`, async () => {
+  test(`p5 ${version}: the gradients of p5's own shapes equal those of the formula`, async () => {
     const shapes = shapesOn(version, 'WEBGL')
     if (!geometries.has(version)) geometries.set(version, await geometriesOf(p5, shapes))
     for (const [name, { sides, isBuilt }] of shapes) {
@@ -360,7 +360,7 @@ const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
   .join('; ')
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: at poles and apexes, where a flag by uv has no true normal, it is lit by a unit normal`, async () => {
+  test(`p5 ${version}: a warp by uv has unit normals at poles and apexes, where the surface has no true normal`, async () => {
     const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
     const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
       Object.entries(ends).map(([name, [shape, side]]) => [
@@ -369,7 +369,7 @@ for (const [version, p5] of p5InThisRun)
         rotateX(${(side * PI) / 2}); warps.${maker}(); ${draw(shape)}`,
       ]),
     )
-    const flag = offsets['a flag by uv']
+    const flag = offsets['a flag that depends on uv']
     const images = await drawScenes(browsers.WEBGL, server, [p5, addon], {
       setup: `noStroke()
         warps.own = createWarp(${flag.code(unit)})
@@ -385,7 +385,7 @@ for (const [version, p5] of p5InThisRun)
   })
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: gradients of another shape are computed once, and cached`, async () => {
+  test(`p5 ${version}: the gradients of other shapes are computed once and cached`, async () => {
     const { page, messages } = await runSketch(
       browsers.WEBGL,
       server,

@@ -1,5 +1,5 @@
-// A WebGL context that the browser loses and restores: three.js resumes by itself, p5 with a line in the sketch, and warps behave
-// like drawings without warps.
+// The browser loses and restores a WebGL context: three.js resumes automatically, p5 needs a line in the sketch, and warps behave like
+// drawings without warps.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -17,8 +17,8 @@ import { threePages } from '../support/browser/three/open.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
-/** The lines from web/docs/uptime.md. */
-const [, cure] = /```js\n(function keepContext[^]*?)```/.exec(
+/** The function that web/docs/uptime.md recommends. */
+const [, keepContext] = /```js\n(function keepContext[^]*?)```/.exec(
   readFileSync(new URL('../../web/docs/uptime.md', import.meta.url), 'utf8'),
 )
 
@@ -32,7 +32,7 @@ const lose = `async () => {
   extension.loseContext()
   await lost
   await draw()
-  // Throws while the browser reports the loss.
+  // restoreContext() would throw while the browser still reports the loss.
   await new Promise((later) => setTimeout(later, 50))
   const restored = nextEvent('webglcontextrestored')
   extension.restoreContext()
@@ -40,7 +40,7 @@ const lose = `async () => {
   await draw()
 }`
 
-const sketch = (isWarped, isCured) => `
+const sketch = (isWarped, keepsContext) => `
   const shown = ${isWarped}
   let bumps, lines, map
   function setup() {
@@ -53,9 +53,9 @@ const sketch = (isWarped, isCured) => `
     bumps = createWarp(({ glsl, normal, uv, uniforms }) =>
       normal.mult(glsl.texture(uniforms.map, uv, { filter: 'bicubic' }).x.mult(0.3)), { uniforms: { map } })
     lines = createWarp(({ glsl, position }) => glsl.vec3(position.y.div(20).sin().mult(20), 0, 0), { stroke: true, space: 'world' })
-    ${isCured ? 'keepContext()' : `document.querySelector('canvas').addEventListener('webglcontextlost', (event) => event.preventDefault())`}
+    ${keepsContext ? 'keepContext()' : `document.querySelector('canvas').addEventListener('webglcontextlost', (event) => event.preventDefault())`}
   }
-  ${cure}
+  ${keepContext}
   window.draw = () => {
     background(0); lights(); translate(-40, 0)
     noStroke(); fill('coral'); push(); if (shown) bumps(); sphere(45); pop()
@@ -76,10 +76,10 @@ describe('a lost context', () => {
   })
 
   for (const [version, p5] of p5InThisRun) {
-    const open = (isWarped, isCured) =>
-      runSketch(browser, server, [p5, addon], sketch(isWarped, isCured))
+    const open = (isWarped, keepsContext) =>
+      runSketch(browser, server, [p5, addon], sketch(isWarped, keepsContext))
 
-    test(`p5 ${version} resumes with the lines of the docs, twice, with and without warps`, async () => {
+    test(`p5 ${version} with keepContext() of the docs draws the same again after two losses, with and without warps`, async () => {
       const firsts = []
       for (const isWarped of [false, true]) {
         const { page, messages } = await open(isWarped, true)
@@ -97,8 +97,8 @@ describe('a lost context', () => {
       assert.ok(differingPixels(...firsts, 30) > 1000, 'the warps are seen')
     })
 
-    if (isRun('rare pages of p5'))
-      test(`p5 ${version} without these lines draws nothing more, with and without warps`, async () => {
+    if (isRun('unusual p5 pages'))
+      test(`p5 ${version} without keepContext() draws nothing after a loss, with and without warps`, async () => {
         for (const isWarped of [false, true]) {
           const { page } = await open(isWarped, false)
           await page.evaluate(`(${lose.replaceAll('draw()', 'redraw()')})()`)
@@ -108,7 +108,7 @@ describe('a lost context', () => {
       })
   }
 
-  test('three.js resumes by itself, with and without warps', async () => {
+  test('three.js draws the same again after a loss, with and without warps', async () => {
     const pages = await threePages()
     try {
       const firsts = []

@@ -15,7 +15,7 @@ const setup = `
   for (const space of ['local', 'world', 'camera'])
     warps[space] = createWarp(({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0), { space })
   warps.byUniform = createWarp(({ glsl, position, uniforms }) => ${scales}, { uniforms: { flip: 1 } })
-  // This is also a linear map on a sphere, whose radius is 1 before p5's own matrix.
+  // On p5's sphere, whose local radius is 1, the normal equals the position, so this warp is linear there, too.
   warps.along = createWarp(({ glsl, position, normal }) =>
     glsl.vec3(position.x().mult(-2), 0, 0).add(normal.mult(0.2)))`
 
@@ -24,7 +24,7 @@ const lit = `ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); po
 const turned = 'translate(20, 10, 0); rotateX(0.4); rotateZ(0.5)'
 const cone = 'cone(50, 110, 32, 8)'
 
-/** Maps a name to the drawing by the warp and the drawing by p5's matrices. */
+/** Maps a name to two drawings of the same shape: one mirrored with a warp, one with p5's scale(). */
 const pairs = {
   local: [`${turned}; warps.local(); ${cone}`, `${turned}; scale(-1, 1, 1); ${cone}`],
   world: [`warps.world(); ${turned}; ${cone}`, `scale(-1, 1, 1); ${turned}; ${cone}`],
@@ -35,7 +35,7 @@ const pairs = {
   ],
   ...Object.fromEntries(
     [1, 0.6, -0.6, -1].map((flip) => [
-      `by a uniform, ${flip}`,
+      `flipped with a uniform of ${flip}`,
       [
         `${turned}; warps.byUniform({ flip: ${flip} }); ${cone}`,
         `${turned}; scale(${flip}, 1, 1); ${cone}`,
@@ -47,14 +47,14 @@ const pairs = {
 const materials = { lit, normals: 'normalMaterial()' }
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  describe(`p5 ${version} by ${renderer}`, () => {
+  describe(`p5 ${version}, ${renderer}`, () => {
     for (const [material, code] of Object.entries(materials)) {
       // p5 has no normalMaterial() on WebGPU.
       if (renderer === 'WEBGPU' && material === 'normals') continue
-      test(`${material}: looks as by matrices, in each space and with a uniform`, async () => {
+      test(`${material}: a mirroring warp draws the same as p5's scale(), in each space and with a uniform`, async () => {
         const scenes = Object.entries(pairs).flatMap(([name, [warped, moved]]) => [
           [name, `${code}; ${warped}`],
-          [`${name}, by matrices`, `${code}; ${moved}`],
+          [`${name}, with scale()`, `${code}; ${moved}`],
         ])
         const images = await drawScenes(browsers[renderer], server, [...scripts, addon], {
           renderer,
@@ -62,7 +62,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           scenes: Object.fromEntries(scenes),
         })
         for (const name of Object.keys(pairs)) {
-          const [image, expected] = [images[name], images[`${name}, by matrices`]]
+          const [image, expected] = [images[name], images[`${name}, with scale()`]]
           const covered = litPixels(expected).length
           assert.ok(covered > 2000, `${name}: ${covered} pixels`)
           const differing = differingPixels(image, expected, 8)
@@ -78,7 +78,7 @@ const hooks = {
 }
 
 for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: exactNormals of a hook that mirrors`, async () => {
+  test(`p5 ${version}: normals point outwards when exactNormals corrects a hook that mirrors`, async () => {
     const drawFlipped = (flip) =>
       `shader(warps.hook); warps.hook.setUniform('flip', ${flip}); ${cone}`
     const images = await drawScenes(
@@ -95,13 +95,13 @@ for (const [version, p5] of p5InThisRun)
         scenes: Object.fromEntries(
           [1, -1].flatMap((flip) => [
             [flip, `${lit}; ${turned}; ${drawFlipped(flip)}`],
-            [`${flip}, by matrices`, `${lit}; ${turned}; scale(${flip}, 1, 1); ${cone}`],
+            [`${flip}, with scale()`, `${lit}; ${turned}; scale(${flip}, 1, 1); ${cone}`],
           ]),
         ),
       },
     )
     for (const flip of [1, -1]) {
-      const expected = images[`${flip}, by matrices`]
+      const expected = images[`${flip}, with scale()`]
       const differing = differingPixels(images[flip], expected, 8)
       assert.ok(differing < litPixels(expected).length / 100, `${flip}: ${differing} pixels differ`)
     }

@@ -12,7 +12,7 @@ const setupOf = (renderer) =>
   renderer === 'WEBGPU' ? 'async function setup() { await' : 'function setup() {'
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  test(`p5 ${version} by ${renderer}: a warp made in every frame warns once; a missing script is named`, async () => {
+  test(`p5 ${version}, ${renderer}: a warp made in every frame warns once, and a message names a missing script`, async () => {
     const { page, messages } = await runSketch(
       browsers[renderer],
       server,
@@ -184,7 +184,7 @@ const onWebGPU = {
 const inBraces = (code) => (code.startsWith('{') ? code : `return ${code}`)
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  test(`p5 ${version} by ${renderer}: each mistake has its message, with the line of the sketch`, async () => {
+  test(`p5 ${version}, ${renderer}: each mistake has its message, with the line of the sketch`, async () => {
     const expected =
       renderer === 'WEBGL' ? { ...offsets, ...calls } : { ...offsets, ...calls, ...onWebGPU }
     // Skips cases that are null.
@@ -258,7 +258,7 @@ const uncaught = {
 }
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
-  test(`p5 ${version} by ${renderer}: friendly errors show uncaught errors`, async () => {
+  test(`p5 ${version}, ${renderer}: p5's friendly errors show uncaught errors`, async () => {
     const all = {
       ...uncaught,
       // p5 2 has a function of this name for p5.strands.
@@ -324,7 +324,7 @@ test('a printed expression describes itself', async () => {
   for (const text of components) assert.match(text, /^["'`]an expression of warpjet["'`]\(.{1,60}$/)
 })
 
-test('an unused condition warns, with the line', async () => {
+test('an unused condition causes a warning with its line', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,
@@ -349,7 +349,7 @@ test('an unused condition warns, with the line', async () => {
 
 const withoutLine = (text) => text.replace(/ \(\S+, line \d+\)/, ' (line)')
 
-test('differences between operators on expressions and JavaScript warn', async () => {
+test('operators that mean something else on expressions than in JavaScript cause a warning', async () => {
   const scripts = [p5InThisRun[0][1], '/dist/p5.warpjet.min.js', '/dist/warpjet.operators.min.js']
   const { page, messages } = await runSketch(
     browser,

@@ -119,7 +119,7 @@ const report = `(model) => ({
 })`
 
 for (const [version, p5] of p5InThisRun) {
-  /** Runs a sketch that loads models by `loading` in an async function and draws by `drawing` → { page, messages }. */
+  /** Runs a sketch with the code `loading`, which loads models in an async function, and `drawing`, which draws → { page, messages }. */
   const sketch = (loading, drawing = '', scripts = [p5, addon]) =>
     runSketch(
       browser,

@@ -1,5 +1,5 @@
-// Each sketch of the docs, the README and the gallery that is not marked "p5 2", and the playground's default sketch, on p5 1.11:
-// it draws the same picture as on p5 2, with light.
+// Each sketch of the docs, the README and the gallery that is not marked "p5 2", and the playground's default sketch, draws the same
+// picture on p5 1.11 as on p5 2, with light.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'

@@ -16,7 +16,7 @@ after(async () => {
   await server.close()
 })
 
-test('p5 1.11 draws warps: moved, lit by their normals, with uniforms', async () => {
+test('p5 1.11 draws warps that move, are lit by their normals, and read uniforms', async () => {
   const scripts = [p5Versions['1.11'], '/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']
   const { moved, slope } = await drawScenes(browser, server, scripts, {
     setup: `

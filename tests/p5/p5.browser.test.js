@@ -51,8 +51,8 @@ for (const [version, p5] of p5InThisRun) {
   const draw = (options) => drawScenes(browser, server, [p5, addon], { size, ...options })
 
   describe(`createWarp on p5 ${version}`, () => {
-    test('shows the exact normal as colour, for an offset in each space', async () => {
-      // The same scene twice: as p5 calls, and as matrices.
+    test('has exact normals, shown as colours, for an offset in each space', async () => {
+      // Describes the same scene twice: as calls of p5, and as matrices.
       const scene = `
         perspective(PI / 3, 1, 10, 2000)
         camera(60, -90, 300, 10, 5, 0, 0, 1, 0)
@@ -178,7 +178,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.deepEqual(colorAt(red, size / 2, size / 2), [255, 0, 0])
     })
 
-    test('lets p5 pick one of several expressions, with and without friendly errors', async () => {
+    test("supports p5's random() over expressions, with and without friendly errors", async () => {
       // Like p5.warp's own stress test; each branch moves by 40 to the right.
       const setup = `
         distort = createWarp(({ glsl, position }) => {
@@ -192,7 +192,7 @@ for (const [version, p5] of p5InThisRun) {
       }
     })
 
-    test('keeps the normals in view space under lights and textures', async () => {
+    test('passes view-space normals to lights and textures', async () => {
       const setup = `
         distort = createWarp(${waves(1).code}, { type: 'normal' })
         stripes = createImage(8, 8)`
@@ -207,7 +207,7 @@ for (const [version, p5] of p5InThisRun) {
       for (const [name, image] of Object.entries(others)) assert.deepEqual(image, alone, name)
     })
 
-    test('moves by each input and by the uniforms of defs', async () => {
+    test('reads each input and the uniforms of defs', async () => {
       // Each of these moves by 40 to the right; the mouse is at 30, 10.
       const shifts = {
         position: ({ position }) => position.x().mult(0).add(40),

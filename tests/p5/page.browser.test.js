@@ -65,7 +65,7 @@ for (const [version, p5] of p5InThisRun) {
       assertRedAt(image, 40, 0)
     })
 
-    test('works with its script before that of p5, and twice on a page', async () => {
+    test('works if its script precedes that of p5, and if it is included twice', async () => {
       const { image } = await drawScenes(browser, server, [addon, p5, addon], {
         size,
         setup: `distort = createWarp(${toTheRight})`,
@@ -74,7 +74,7 @@ for (const [version, p5] of p5InThisRun) {
       assertRedAt(image, 40, 0)
     })
 
-    test('reports mistakes by a WarpError, and draws on', async () => {
+    test('reports mistakes by a WarpError, and continues to draw', async () => {
       const cases = {
         'createWarp(3)': /expected a function, got the number 3/,
         'createWarp(() => 3)': /must return a vec3/,
@@ -151,7 +151,7 @@ for (const [version, p5] of p5InThisRun) {
 }
 
 describe('the modules', () => {
-  test('register with an imported p5', async () => {
+  test('register their functions with an imported p5', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -183,7 +183,7 @@ describe('the modules', () => {
     assertRedAt(image, 40, 30)
   })
 
-  test('load without a browser', async () => {
+  test('can be loaded without a browser', async () => {
     const { default: warpjet, createWarp, setupWarp } = await import('../../dist/p5.js')
     assert.equal(setupWarp, warpjet)
     class Sketch {}

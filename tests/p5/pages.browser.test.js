@@ -29,7 +29,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           `target.begin(); clear(); ${move}; fill('red'); sphere(30); target.end(); resetShader(); image(target, -100, -100)`,
         'built by buildGeometry': (move) => `lights(); ${move}; fill('red'); model(built)`,
         'made by createModel': (move) => `lights(); ${move}; fill('red'); scale(30); model(made)`,
-        ...(isRun('rare pages of p5') && {
+        ...(isRun('unusual p5 pages') && {
           'under an imageLight': (move) =>
             `imageLight(sky); ${move}; specularMaterial(200); shininess(90); sphere(30)`,
           // p5 draws this shape with a separate shader.
@@ -92,7 +92,7 @@ const redsOf = (name) => `(() => {
   return [50, 70].map((x) => context.getImageData(x, 50, 1, 1).data[0])
 })()`
 
-test('several canvases, remove() and a new sketch, a resized canvas', async () => {
+test('works on several canvases, after remove() and a new sketch, and on a resized canvas', async () => {
   const { page, messages } = await runSketch(
     browser,
     server,
@@ -116,8 +116,8 @@ test('several canvases, remove() and a new sketch, a resized canvas', async () =
   assert.deepEqual(messages, [])
 })
 
-if (isRun('rare pages of p5'))
-  test('two versions of p5 on one page, each followed by the script', async () => {
+if (isRun('unusual p5 pages'))
+  test('works with two versions of p5 on one page, each followed by the script', async () => {
     const script = (src) => `<script src="${src}"></script>`
     const { page, messages } = await openPage(
       browser,
@@ -140,8 +140,8 @@ if (isRun('rare pages of p5'))
     assert.deepEqual(messages, [])
   })
 
-if (isRun('rare pages of p5'))
-  test('a new warp in each frame, as in live coding, leaks nothing', async () => {
+if (isRun('unusual p5 pages'))
+  test('leaks no memory if each frame makes a new warp, as in live coding', async () => {
     const { page } = await runSketch(
       browser,
       server,

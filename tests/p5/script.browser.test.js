@@ -1,4 +1,4 @@
-// The single script on real pages: its origin, other scripts and their order, and the page's policy.
+// Tests the single script on real pages: from another origin, with other scripts in any order, and under a content security policy.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -115,7 +115,7 @@ test('a copy under another name loads the companion of its version', async () =>
   assert.deepEqual([...new Set(asked)], [ownMesh])
 })
 
-describe('one script with everything, one without the CPU', () => {
+describe('the scripts with and without CPU evaluation', () => {
   /** Draws with createWarp, and returns the result of evaluateAt for the same offset. */
   async function evaluateWith(src) {
     const { page, messages } = await runSketch(
@@ -143,7 +143,7 @@ describe('one script with everything, one without the CPU', () => {
     return result
   }
 
-  test('the script runs a warp on the CPU', async () => {
+  test('warpjet.min.js evaluates a warp on the CPU', async () => {
     assert.deepEqual(await evaluateWith(script), [3, 2, 3])
   })
 })
@@ -163,14 +163,14 @@ describe('the order of scripts', () => {
 
   for (const [name, p5] of p5InThisRun)
     for (const file of [p5, p5.replace('.js', '.min.js')]) {
-      test(`p5 ${name} may come after it: ${file}`, async () => {
+      test(`p5 ${name} may be included after ${file}`, async () => {
         const { page, messages } = await runSketch(browser, server, [script, file], setup)
         assert.equal(await page.evaluate('window.kind'), 'function')
         await leavePage(page)
         assert.deepEqual(messages, [])
       })
 
-      test(`p5 ${name} may come after the page has loaded: ${file}`, async () => {
+      test(`p5 ${name} may be added after the page has loaded with ${file}`, async () => {
         const { page, messages } = await runSketch(browser, server, [script], later(file))
         assert.equal(await page.evaluate('window.kind'), 'function')
         await leavePage(page)
@@ -193,7 +193,7 @@ describe('the order of scripts', () => {
     assert.match(messages[0], /^warpjet: there is no p5 on this page, which createWarp needs;/)
   })
 
-  test('a second script keeps the first one, with additions such as deformers', async () => {
+  test('a second script preserves the first one and its additions, such as deformers', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,

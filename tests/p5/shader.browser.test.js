@@ -66,7 +66,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
   const hook = hooks[version === '1.11' ? version : renderer === 'WEBGPU' ? 'wgsl' : 'glsl300']
 
   describe(`createWarp with the option shader, p5 ${version}, ${renderer}`, () => {
-    test("moves the results of the sketch's hooks, or lets them move its own, with their colours", async () => {
+    test("runs before or after the sketch's hooks, and keeps their colours", async () => {
       const spaces = { local: bend, world: bendPixels, camera: bendPixels }
       const orders = { first: spaces, last: isOrdered ? { local: bend } : {} }
       const shape = (warp, model) =>

@@ -1,4 +1,4 @@
-// exactNormals on p5.strands in all its ways of writing: compares each with the same warp by createWarp.
+// Compares exactNormals of p5.strands shaders, in every style in which they can be written, with the same warp made with createWarp.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
@@ -19,7 +19,7 @@ const scene = (shading, shape = 'sphere(60, 48, 32)') =>
 
 /** Each case as a strands sketch and as a warp. */
 const sketches = {
-  'begin and end, in world space, by the clock, as the reference has it': {
+  "begin and end, in world space, with millis(), as in p5's reference": {
     strands: `buildMaterialShader(() => {
       const t = millis()
       worldInputs.begin()
@@ -29,7 +29,7 @@ const sketches = {
     byHand: `createWarp(({ glsl, position, millis }) =>
       glsl.vec3(0, millis.mult(0.001).add(position.x.mult(0.05)).sin().mult(20), 0), { space: 'world' })`,
   },
-  'noise() and random() for colours alone': {
+  'noise() and random() that only change colours': {
     strands: `baseMaterialShader().modify(() => {
       getObjectInputs((inputs) => {
         inputs.position.y += sin(inputs.position.x * 4) * 0.25
@@ -117,7 +117,7 @@ const sketches = {
     })`,
     byHand: `createWarp(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(4).sin().mult(0.25), 0))`,
   },
-  'a uniform by its name and one that a function of the sketch reads': {
+  'a uniform with a name, and one whose value a function returns': {
     strands: `baseMaterialShader().modify(() => {
       const amount = uniformFloat('amount', 0.25)
       const way = uniformVector3(() => [0, 1, 0.5])
@@ -129,7 +129,7 @@ const sketches = {
     byHand: `createWarp(({ glsl, position }) =>
       glsl.vec3(0, 1, 0.5).mult(position.x.mult(4).sin().mult(0.25)))`,
   },
-  'a hook in WGSL with an if of its own, written closely': {
+  'a handwritten WGSL hook with an if, in compact style': {
     isWGSL: true,
     strands: `baseMaterialShader().modify({
       'Vertex getObjectInputs': \`(v: Vertex){
@@ -141,7 +141,7 @@ const sketches = {
     byHand: `createWarp(({ glsl, position: { x } }) =>
       glsl.vec3(0, x.gt(0).ifElse(x.mult(4).sin().mult(0.25), 0), 0))`,
   },
-  'hooks in GLSL, with uniforms that are called as inputs of a warp are': {
+  'GLSL hooks with uniforms that have the names of warp inputs': {
     isGLSL: true,
     strands: `baseMaterialShader().modify({
       uniforms: { 'float millis': () => 0.25, 'vec2 size': () => [4, 0.5], 'float instance': () => 0.125 },
@@ -153,7 +153,7 @@ const sketches = {
     byHand: `createWarp(({ glsl, position: { y, z } }) =>
       glsl.vec3(y.mult(4).sin().mult(0.25).add(z.mult(z).mult(0.125)), 0, 0))`,
   },
-  'instances, each moved and waved by its number': {
+  'instances, each placed and deformed according to its number': {
     strands: `buildMaterialShader(() => {
       worldInputs.begin()
       worldInputs.position.x += (instanceID() - 1) * 60
@@ -169,7 +169,7 @@ const sketches = {
 }
 
 for (const [renderer, scripts] of hosts)
-  test(`each way of writing p5.strands, ${renderer}: looks like the same warp by createWarp, and unlike the sketch without exactNormals`, async () => {
+  test(`${renderer}: exactNormals makes each style of p5.strands look like the same warp made with createWarp, unlike the original shader`, async () => {
     const entries = Object.entries(sketches).filter(
       ([, { isGLSL, isWGSL }]) => !(renderer === 'WEBGL' ? isWGSL : isGLSL),
     )
@@ -203,7 +203,7 @@ for (const [renderer, scripts] of hosts)
     assert.deepEqual(problems, [])
   })
 
-test('noise() of p5.strands: looks like the same sketch with normals by differences', async () => {
+test('exactNormals of noise() in p5.strands agrees with normals from finite differences', async () => {
   // For p + e f(p) with the gradient g of f, normals become (1 + g·e) n - g (e·n).
   const sketch = (normal) => `baseMaterialShader().modify(() => {
     getObjectInputs((inputs) => {
@@ -233,7 +233,7 @@ test('noise() of p5.strands: looks like the same sketch with normals by differen
   assert.ok(litPixels(images.own).length > 4000)
   const plain = differingPixels(images.plain, images.byDifferences, 8)
   assert.ok(plain > 5000, `${plain} pixels of the plain ones differ`)
-  // Differences of four octaves are slightly inaccurate at their sharpest bends.
+  // Finite differences of four octaves are slightly inaccurate where the noise bends most.
   const differing = differingPixels(images.own, images.byDifferences, 8)
   assert.ok(differing < plain / 100, `${differing} pixels differ, ${plain} of the plain ones`)
 })
@@ -250,7 +250,7 @@ if (gpu) {
         })
       })
       warps.own = exactNormals(warps.plain)
-      if (warps.own === warps.plain) throw new Error('it is not another')`,
+      if (warps.own === warps.plain) throw new Error('exactNormals returned the same shader')`,
       scenes: Object.fromEntries(
         ['plain', 'own'].map((name) => [
           name,
@@ -287,7 +287,7 @@ if (gpu) {
             objectInputs.position.y += ${motion}
             objectInputs.end()
           })
-          if (exactNormals(given) !== given) throw new Error('it is another')
+          if (exactNormals(given) !== given) throw new Error('exactNormals returned another shader')
         }`,
           )
           .join('\n')}

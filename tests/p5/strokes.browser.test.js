@@ -38,7 +38,7 @@ async function contoursOf(text) {
   return contours
 }
 
-/** The same rotation twice: by p5, and as an offset. */
+/** The same rotation twice: through p5, and as an offset. */
 const turn = 'rotateZ(0.6); rotateX(0.5)'
 const turned = `({ glsl, position }) =>
   glsl.rotateZ(0.6).mult(glsl.rotateX(0.5)).mult(position).sub(position)`
@@ -106,7 +106,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
   const draw = (options) =>
     drawScenes(browsers[renderer], server, [...scripts, addon], { renderer, ...options })
 
-  describe(`strokes on p5 ${version} by ${renderer}`, () => {
+  describe(`strokes on p5 ${version}, ${renderer},`, () => {
     test("follow a warp in the same way as p5's transforms, in each space", async () => {
       const setup = `
         word = ${JSON.stringify(word)}
@@ -175,15 +175,15 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
       const lines = `stroke(0, 0, 255); strokeWeight(10);`
       const scenes = {
         // p5's default is thin black lines.
-        'a sketch that never asked': 'warps.left(); plane(100)',
+        'a sketch that never sets a stroke': 'warps.left(); plane(100)',
         'the option': `strokeWeight(10); warps.on(); plane(100)`,
-        'a sketch that asked': `${lines} warps.left(); plane(100)`,
-        'one that asks afterwards': `warps.left(); ${lines} plane(100)`,
+        'a sketch that sets a stroke before': `${lines} warps.left(); plane(100)`,
+        'a sketch that sets a stroke afterwards': `warps.left(); ${lines} plane(100)`,
         'noStroke() before': `${lines} noStroke(); warps.on(); plane(100)`,
         'noStroke() after': `${lines} warps.on(); noStroke(); plane(100)`,
         'turned off': `${lines} warps.off(); plane(100)`,
-        'an offset by normal': `${lines} warps.normal(); plane(100)`,
-        'an offset by uv': `${lines} warps.uv(); plane(100)`,
+        'an offset that depends on the normal': `${lines} warps.normal(); plane(100)`,
+        'an offset that depends on uv': `${lines} warps.uv(); plane(100)`,
         'another shader': `${lines} warps.away(); shader(baseMaterialShader()); plane(100)`,
         resetShader: `${lines} warps.away(); resetShader(); plane(100)`,
         'after pop()': `${lines} push(); warps.away(); plane(100); pop(); plane(100)`,
@@ -191,13 +191,13 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
           if (/lines have no normal, uv or fill/.test(message)) { noStroke(); fill(0, 255, 0); plane(100) } }`,
       }
       const expected = {
-        'a sketch that never asked': 'red',
+        'a sketch that never sets a stroke': 'red',
         'the option': 'black',
         'noStroke() before': 'red',
         'noStroke() after': 'red',
         'turned off': 'red',
-        'an offset by normal': 'red',
-        'an offset by uv': 'red',
+        'an offset that depends on the normal': 'red',
+        'an offset that depends on uv': 'red',
         refused: 'green',
       }
       const colors = { red: [255, 0, 0], blue: [0, 0, 255], black: [0, 0, 0], green: [0, 255, 0] }

@@ -32,7 +32,7 @@ const bumps = (u) => ({
   },
 })
 
-/** Bumps by the texture coordinates of `sphereMesh`, which start at the back. */
+/** Bumps that depend on the texture coordinates of `sphereMesh`, which start at the back. */
 const uvBumps = {
   code: `({ normal, uv }) => normal.mult(
     uv.x().mult(${12 * Math.PI}).sin().mult(uv.y().mult(${Math.PI}).sin()).mult(0.1))`,
@@ -68,7 +68,7 @@ const spaces = {
   uv: { ...uvBumps, before: identity, after: m.product(view, model) },
 }
 
-/** Returns the warped position of a point of the unit sphere, and the normal there by differences, in view space. */
+/** Returns the warped position of a point of the unit sphere, and the normal there from finite differences, in view space. */
 function seenAt(p, { offset, before, after }) {
   const moved = (q) => {
     const position = m.movePoint(before, q)

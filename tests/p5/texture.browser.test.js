@@ -197,7 +197,7 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(pictures.flat, pictures.even, 3) < 40)
     })
 
-    test('an image sampled at a warped position, in the fragment stage', async () => {
+    test('a fragment shader can sample an image at a warped position', async () => {
       const { code, declarations, uniforms } = compile((glsl) => {
         const uv = glsl.vec2Param('vTexCoord')
         const moved = uv.add(uv.yx().mult(5).sin().mult(0.1))

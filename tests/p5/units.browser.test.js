@@ -105,7 +105,7 @@ test('the table has numbers for eleven functions', () =>
   assert.equal([...table.values()].filter(Boolean).length, 11))
 
 for (const [version, p5] of Object.entries(p5Versions))
-  test(`the meaning of position in p5 ${version}`, async () => {
+  test(`position has the documented range in p5 ${version}`, async () => {
     const scripts = [p5.replace(/js$/, 'min.js'), '/dist/p5.warpjet.min.js']
     const code = `${watching}
 function setup() { createCanvas(640, 480, WEBGL); noStroke(); noLoop() }
@@ -141,7 +141,7 @@ function draw() {
         assert.ok(Math.abs(x - [150, -50, z][i]) < 1e-3, `${ranges}`)
   })
 
-test('the pictures show these shapes, each with a number', () => {
+test('the pictures of the docs show these shapes with their numbers', () => {
   const pictures = ['units-1.svg', 'units-2.svg', 'units-spaces.svg']
   const text = pictures.map((file) => readFileSync(path(`web/docs/${file}`), 'utf8')).join('')
   for (const { call, title = call } of shapes) assert.ok(text.includes(`>${title}</text>`), title)

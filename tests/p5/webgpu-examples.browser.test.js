@@ -1,5 +1,4 @@
-// Each example of the gallery on a WEBGPU canvas, changed only by `await createCanvas(…, WEBGPU)`: draws the same picture as in
-// WEBGL.
+// Each example of the gallery draws the same picture with `await createCanvas(…, WEBGPU)` as in WEBGL, without any other change.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -8,7 +7,7 @@ import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
 import { pngOf } from '../support/png.js'
 import { path } from '../support/browser/bench.js'
-import { replaceResponses, ask, coarseShapes, cookie } from '../support/browser/examples.js'
+import { replaceResponses, addCookie, coarseShapes, cookie } from '../support/browser/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
 
@@ -18,7 +17,7 @@ const examples = sections
   .flatMap((section) => section.examples.map(({ name }) => name))
   .filter((name) => !name.startsWith('three-'))
 
-/** Opens one page per renderer, which compiles p5 once for all examples. */
+/** Each has one page, which compiles p5 once for all examples. */
 const hosts = ['p5-2', 'p5-webgpu']
 
 let browser, server, url
@@ -37,11 +36,11 @@ after(async () => {
 
 async function openFor(host) {
   const context = await browser.newContext({ viewport: { width: 640, height: 480 } })
-  await ask(context, url, 'host', host)
+  await addCookie(context, url, 'host', host)
   return openPage(context, `${url}recorder.js`)
 }
 
-/** p5's WEBGPU build. */
+/** Converts a sketch for the host that the request's cookie names, and appends p5's WebGPU renderer to p5 if it needs that. */
 function forHost(request, path, content) {
   const host = cookie(request, 'host')
   if (/^\/examples\/[\w-]+\/sketch\.js$/.test(path))

@@ -112,7 +112,7 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
             : 'float lifted(float x) { return 10.0 * x; }') })`,
       scenes: {
         'uniforms of defs': `warps.declared({ a: 5, unread: 3, v: createVector(0, 10), m: [0, 1, 0, -10, 0, 0, 0, 0, 1] }); fill('red'); plane(60)`,
-        'one of them kept': `warps.declared({ a: -20 }); fill('red'); plane(60)`,
+        'one of the uniforms of defs unchanged': `warps.declared({ a: -20 }); fill('red'); plane(60)`,
         'an image of defs': `lights(); rotateX(0.6); warps.relief({ map: heights }); fill('white'); plane(120, 120, 60, 60)`,
         'a function of defs': `warps.called({ a: 12 }); fill('red'); plane(60)`,
         uniforms: `warps.all(); fill('red'); plane(60)`,
@@ -123,7 +123,7 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
     })
   })
 
-  test('each deformer and composition', async () => {
+  test('with each deformer and composition', async () => {
     const composing = ['add', 'blend', 'chain', 'inSpace', 'mask']
     const names = Object.keys(deformers).filter((name) => !composing.includes(name))
     assert.equal(names.length, 13)
@@ -144,15 +144,15 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
     })
   })
 
-  test('compositions of each kind of warp, also nested', async () => {
+  test('with compositions of each kind of warp, also nested', async () => {
     const made = {
-      'add of a deformer and a sketch’s own': 'add(turn, own)',
-      'blend by a number': 'blend(turn, own, 0.4)',
-      'blend by the place': 'blend(turn, own, above)',
-      'mask by the place': 'mask(turn, above)',
-      'inSpace beside': 'inSpace(aside, turn)',
+      'add of a deformer and an own offset function': 'add(turn, own)',
+      'blend with a number': 'blend(turn, own, 0.4)',
+      'blend with a weight that depends on the position': 'blend(turn, own, above)',
+      'mask with a weight that depends on the position': 'mask(turn, above)',
+      'inSpace with a translation': 'inSpace(aside, turn)',
       'inSpace of a uniform': 'inSpace(({ uniforms }) => uniforms.aside, turn)',
-      'inSpace turned': 'inSpace(({ glsl }) => glsl.rotateZ(0.5), swing)',
+      'inSpace with a rotation': 'inSpace(({ glsl }) => glsl.rotateZ(0.5), swing)',
       'add of a mask and a space': 'add(mask(turn, above), inSpace(aside, swing))',
       'blend of chains': 'blend(chain(turn, swing), chain(swing, turn), above)',
       'mask in a chain': 'chain(mask(turn, above), inSpace(aside, swing), own)',
@@ -184,7 +184,7 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
     assert.equal(different.size, Object.keys(made).length)
   })
 
-  test('the examples in the documentation of p5.warp', async () => {
+  test('with the examples in the documentation of p5.warp', async () => {
     const shown = Object.keys(listings).filter((name) => /of p5\.warp/.test(name))
     assert.equal(shown.length, 3)
     await compare({
@@ -227,7 +227,7 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
     })
   })
 
-  test("p5.warp's stress test", async () => {
+  test("with p5.warp's stress test", async () => {
     await compare({
       setup: `
         const { stress } = await import('/tests/warps/stress.js')
@@ -329,7 +329,7 @@ const differs = (images, name) =>
   beyondEdges(images.WEBGPU[name], images.WEBGL[name], 12) >
   0.05 * litPixels(images.WEBGL[name]).length
 
-test('drawings that p5 itself does not support on WEBGPU, or draws differently, without a warp', async () => {
+test('p5 itself, without a warp, still draws these differently on WEBGPU, or not at all', async () => {
   const wide = 'ortho(-100, 100, -100, 100, -1000, 1000)'
   const ball = 'noStroke(); fill(200); sphere(60)'
   const scenes = {
@@ -346,7 +346,7 @@ test('drawings that p5 itself does not support on WEBGPU, or draws differently, 
   assert.deepEqual(differing, ['ortho()', 'two lights', 'highlights'])
 })
 
-test('GLSL and models of text fail in p5 itself', async () => {
+test('p5 itself still fails with GLSL and models of text on WEBGPU', async () => {
   const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
   const { page, messages } = await runSketch(
     browser,

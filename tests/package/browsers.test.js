@@ -32,13 +32,13 @@ const pageOf = (script) =>
   pages.page(`<!doctype html><body><script type="module" src="/${folder}/${script}"></script>`)
 const common = { configFile: false, logLevel: 'error', root: project }
 
-test('Vite', async () => {
+test('a build by Vite draws', async () => {
   const outDir = 'out/vite'
   await vite.build({ ...common, base: './', build: { outDir, emptyOutDir: true } })
   await draws(`${pages.url}/${folder}/${outDir}/index.html`)
 })
 
-test('Vite, a worker', async () => {
+test('a worker built by Vite warps a mesh', async () => {
   const rolldownOptions = {
     input: `${project}/with-worker.js`,
     output: { entryFileNames: 'main.js' },
@@ -52,7 +52,7 @@ test('Vite, a worker', async () => {
   await draws(pageOf('out/vite-worker/main.js'))
 })
 
-test("Vite's development server", async () => {
+test("a page of Vite's development server draws", async () => {
   const server = await vite.createServer({ ...common, server: { port: 0, host: '127.0.0.1' } })
   try {
     await server.listen()
@@ -73,7 +73,7 @@ test("Vite's development server", async () => {
 })
 
 for (const entry of ['sketch', 'with-worker'])
-  test(`webpack, ${entry}`, async () => {
+  test(`a build by webpack draws, ${entry}`, async () => {
     const { default: webpack } = await load('webpack')
     const path = `${project}/out/webpack-${entry}`
     const stats = await new Promise((resolve, reject) =>
@@ -97,7 +97,7 @@ for (const entry of ['sketch', 'with-worker'])
     await draws(pageOf(`out/webpack-${entry}/main.js`))
   })
 
-test('esbuild', async () => {
+test('a build by esbuild draws', async () => {
   const { build } = await load('esbuild')
   const { warnings } = await build({
     absWorkingDir: project,
@@ -130,16 +130,16 @@ const p5InOneFile = {
 }
 
 for (const browser of [false, true])
-  test(`Rollup, ${browser ? 'for browsers' : 'by default'}`, async () => {
+  test(`a build by Rollup draws, ${browser ? 'for browsers' : 'with default settings'}`, async () => {
     const { rollup } = await load('rollup')
     const { default: nodeResolve } = await load('@rollup/plugin-node-resolve')
     await roll(rollup, `out/rollup-${browser}`, [p5InOneFile, nodeResolve({ browser })])
   })
 
-test('rolldown', () => roll(rolldown, 'out/rolldown', [p5InOneFile]))
+test('a build by rolldown draws', () => roll(rolldown, 'out/rolldown', [p5InOneFile]))
 
 // package.json makes Parcel read `exports`, which it ignores by default, and p5's single-file build, as it would drop part of others.
-test('Parcel', async () => {
+test('a build by Parcel draws', async () => {
   const { output, status } = runIn(process.execPath, [
     'node_modules/parcel/lib/bin.js',
     'build',
@@ -154,7 +154,7 @@ test('Parcel', async () => {
   await draws(`${pages.url}/${folder}/out/parcel/index.html`)
 })
 
-test('Next: rendered on the server, drawn in the browser', async () => {
+test('a Next page is rendered on the server and draws in the browser', async () => {
   const { output, status } = runIn(process.execPath, ['node_modules/next/dist/bin/next', 'build'], {
     NEXT_TELEMETRY_DISABLED: '1',
   })
@@ -181,16 +181,16 @@ const modules = importMap([
 ])
 const start = `<script type="module" src="/${folder}/sketch.js"></script>`
 
-test('an import map, without a bundler', () => draws(pages.page(`<body>${modules}${start}`)))
+test('an import map works without a bundler', () => draws(pages.page(`<body>${modules}${start}`)))
 
-test('the same under a Content-Security-Policy', () =>
+test('an import map works under a Content-Security-Policy', () =>
   draws(
     pages.page(
       `<meta http-equiv="Content-Security-Policy" content="default-src 'self'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src * data:; connect-src data:"><body>${modules}${start}`,
     ),
   ))
 
-test('a module worker, without a bundler', () =>
+test('a module worker works without a bundler', () =>
   draws(
     pages.page(`<script type="module">
       const worker = new Worker('/${folder}/unbundled-worker.js', { type: 'module' })
@@ -199,7 +199,7 @@ test('a module worker, without a bundler', () =>
     </script>`),
   ))
 
-test('two script tags', () =>
+test('two script tags draw', () =>
   draws(
     pages.page(`<body>
       <script src="/${folder}/node_modules/p5/lib/p5.min.js"></script>

@@ -1,16 +1,16 @@
-// Checks the tarball by other tools, and its types by TypeScript.
+// Checks the tarball with other tools, and its types with TypeScript.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { load, project, runIn, tarball } from './support/project.js'
 
-test('publint', async () => {
+test('publint accepts the tarball', async () => {
   const { publint } = await load('publint')
   const { messages } = await publint({ pkgDir: `${project}/node_modules/warpjet`, strict: true })
   assert.deepEqual(messages, [])
 })
 
-test('attw --profile esm-only', () => {
+test('attw accepts the types of the tarball', () => {
   const { output, status } = runIn(process.execPath, [
     'node_modules/@arethetypeswrong/cli/dist/index.js',
     tarball(),
@@ -28,7 +28,7 @@ for (const [module, moduleResolution] of [
   ['node16', 'node16'],
   ['nodenext', 'nodenext'],
 ])
-  test(`TypeScript, moduleResolution ${moduleResolution}`, () => {
+  test(`TypeScript resolves the types with moduleResolution ${moduleResolution}`, () => {
     const { output, status } = runIn(process.execPath, [
       tsc,
       '--noEmit',

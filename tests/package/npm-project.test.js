@@ -10,9 +10,9 @@ import {
   ball,
   canvasPixels,
   openPlayground,
-  saved,
-  settled,
-  still,
+  downloadFromMenu,
+  waitUntilSettled,
+  stillSketch,
   write,
 } from '../support/browser/playground.js'
 import { project, tarball } from './support/project.js'
@@ -63,7 +63,7 @@ async function npm(args, isDone = () => undefined) {
 
 /** Exports the current sketch, and installs it with the tarball instead of the package from npm. */
 async function install() {
-  unpack(await bytesOf(await saved(page, 'npm project')))
+  unpack(await bytesOf(await downloadFromMenu(page, 'npm project')))
   const file = `${folder}/package.json`
   const name = tarball()
   const manifest = JSON.parse(readFileSync(file))
@@ -85,7 +85,7 @@ async function drawsAsInPlayground(url) {
 }
 
 test('with p5 it starts, and draws as in the playground', async () => {
-  await write(page, still('#ff8040', 'glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0)'))
+  await write(page, stillSketch('#ff8040', 'glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0)'))
   await install()
   const { found, stop } = await npm(
     ['start', '--', '--port', '5256', '--host', '127.0.0.1'],
@@ -100,7 +100,7 @@ test('with p5 it starts, and draws as in the playground', async () => {
 
 test('with three.js it builds, and draws as in the playground', async () => {
   await page.getByLabel('Runs in').selectOption('three')
-  await settled(page)
+  await waitUntilSettled(page)
   await write(page, ball)
   await install()
   await npm(['run', 'build'])

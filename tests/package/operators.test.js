@@ -22,7 +22,7 @@ test('without a build, a message says what to add', () => {
   assert.equal(status, 1)
 })
 
-test('Vite', async () => {
+test('Vite translates operators', async () => {
   const outDir = 'out/operators-vite'
   await vite.build({
     configFile: false,
@@ -51,15 +51,15 @@ async function roll(bundler, dir, ...plugins) {
   works(`${dir}/with-operators.mjs`)
 }
 
-test('Rollup', async () => {
+test('Rollup translates operators', async () => {
   const { rollup } = await load('rollup')
   const forRollup = ({ platform: _, ...options }) => rollup(options)
   await roll(forRollup, 'out/operators-rollup', operators(), await nodeModules())
 })
 
-test('rolldown', () => roll(rolldown, 'out/operators-rolldown', operators()))
+test('rolldown translates operators', () => roll(rolldown, 'out/operators-rolldown', operators()))
 
-test('webpack, by the loader', async () => {
+test('webpack translates operators with the loader', async () => {
   const { default: webpack } = await load('webpack')
   const stats = await new Promise((resolve, reject) =>
     webpack(

@@ -1,4 +1,5 @@
-// Programs in Node: the minimum version of package.json and this one, as modules and by require, unbundled and bundled.
+// Runs Node programs that use the package: on the minimum version of package.json and on this one, with import and with require, bundled
+// and unbundled.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { load, project, runIn } from './support/project.js'
@@ -17,9 +18,9 @@ if (process.platform === 'linux' && process.arch === 'x64')
       `${project}/node_modules/node-${version}-linux-x64/bin/node`
 
 for (const [name, node] of Object.entries(binaries)) {
-  test(`${name}: import`, () => works(node, ['main.mjs']))
-  test(`${name}: require`, () => works(node, ['main.cjs']))
-  test(`${name}: the command line`, () => {
+  test(`${name} imports every entry`, () => works(node, ['main.mjs']))
+  test(`${name} requires every entry`, () => works(node, ['main.cjs']))
+  test(`${name} runs the command line tool`, () => {
     const { output, status } = runIn(node, [
       'node_modules/warpjet/dist/cli.js',
       'info',
@@ -30,7 +31,7 @@ for (const [name, node] of Object.entries(binaries)) {
   })
 }
 
-test('webpack for Node', async () => {
+test('a bundle by webpack runs in Node', async () => {
   const { default: webpack } = await load('webpack')
   const stats = await new Promise((resolve, reject) =>
     webpack(
@@ -50,7 +51,7 @@ test('webpack for Node', async () => {
   works(process.execPath, ['out/webpack-node/main.cjs'])
 })
 
-test('esbuild for Node', async () => {
+test('a bundle by esbuild runs in Node', async () => {
   const { build } = await load('esbuild')
   const { warnings } = await build({
     absWorkingDir: project,
@@ -65,7 +66,7 @@ test('esbuild for Node', async () => {
   works(process.execPath, ['out/esbuild-node.mjs'])
 })
 
-test('Rollup for Node', async () => {
+test('a bundle by Rollup runs in Node', async () => {
   const { rollup } = await load('rollup')
   const { default: nodeResolve } = await load('@rollup/plugin-node-resolve')
   const warnings = []

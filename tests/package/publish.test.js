@@ -11,7 +11,7 @@ import { project, runIn, tarball } from './support/project.js'
 const root = fileURLToPath(new URL('../../', import.meta.url))
 const manifest = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
 const file = `${root}.github/workflows/publish.yml`
-/** Its commands, in order; each is one line. */
+/** The commands of the workflow, in order; each is one line. */
 const runs = [...readFileSync(file, 'utf8').matchAll(/^ *(?:- )?run: (.+)$/gm)].map(
   ([, run]) => run,
 )
@@ -42,7 +42,7 @@ after(() => {
 })
 
 /**
- * Runs a command of the workflow in a shell, with that registry → { output, status }. The test itself must answer npm meanwhile.
+ * Runs a command of the workflow in a shell, with that registry → { output, status }. Does not block the test, which must answer npm.
  */
 async function run(line, cwd, env = {}) {
   const own = Object.entries(process.env).filter(([name]) => !/^npm_/i.test(name))

@@ -44,7 +44,7 @@ export const components = inputs.flatMap((input) =>
   })),
 )
 
-/** Returns all nodes, the root first. */
+/** Returns all nodes, starting with the root. */
 export function* nodesOf(root) {
   yield root
   for (const argument of root.args) yield* nodesOf(argument)
@@ -107,8 +107,8 @@ export function callbackText(root, results) {
 export const valueResult = ({ shape }) => ({ name: 'value', text: 'value', shape })
 
 /**
- * Returns the derivatives of an expression → [{ name, text, shape, entries }]: its first derivatives by all components of numbers
- * and vectors, and by one entry of each matrix. `entries` maps each number of the result to a component of the value and of an
+ * Returns the derivatives of an expression → [{ name, text, shape, entries }]: its first derivatives with respect to all components of
+ * numbers and vectors, and to one entry of each matrix. `entries` maps each number of the result to a component of the value and of an
  * input.
  */
 export function derivativeResults(root, random) {
@@ -126,7 +126,7 @@ export function derivativeResults(root, random) {
 
 const places = (root) => Array.from({ length: root.size }, (_, i) => i)
 
-/** Returns the derivative by one component. */
+/** Returns the derivative with respect to one component. */
 export function singleResult(root, by) {
   return {
     name: `d_${by.name}${by.index}`,
@@ -149,7 +149,7 @@ function whole(root, name, by) {
   }
 }
 
-/** Returns the second derivative by two components. */
+/** Returns the second derivative with respect to two components. */
 export const secondResult = (root, first, second) => ({
   name: `d_${first.name}${first.index}_${second.name}${second.index}`,
   text: `glsl.derivative(glsl.derivative(value, ${first.text}), ${second.text})`,

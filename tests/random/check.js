@@ -1,4 +1,4 @@
-// Checks a compiled expression: its value against plain numbers, its derivatives against differences of these. Points near kinks
+// Checks a compiled expression: its value against plain numbers, its derivatives against finite differences of these. Points near kinks
 // and jumps, or with large rounding errors, are not compared, but counted.
 import {
   callbackText,
@@ -14,9 +14,9 @@ import { derivative, outermost } from './differences.js'
 import { randomOf } from './generate.js'
 import { isFirm, roundingSpread } from './noise.js'
 
-/** Relative to the size of a value, if that is above 1. */
+/** The tolerance, relative to the size of a value if that is above 1. */
 const derivativeTolerance = 1e-6
-/** Rounding errors of double precision, in addition to those of `noise.js`. */
+/** Rounding errors of double precision, which are added to those that `noise.js` estimates. */
 const doubleTolerance = 1e-12
 const doublePerFloat = 1e-8
 /** The max uncertain fraction of a value. */
@@ -34,7 +34,7 @@ export function resultsOf({ seed, root }) {
   return [valueResult(root), ...firsts, ...(seed % 3 ? [] : secondResults(root, random, 2))]
 }
 
-/** Returns `count` second derivatives, by any two components of existing inputs. */
+/** Returns `count` second derivatives, each with respect to two random components of existing inputs. */
 export function secondResults(root, random, count) {
   const used = inputsOf(root)
   const usable = components.filter(({ name }) => used.has(name))
@@ -45,7 +45,7 @@ export function secondResults(root, random, count) {
 }
 
 /**
- * Computes the derivatives in a result by differences → [{ value, error }]. The error is infinite if there is a kink at the point
+ * Computes the derivatives in a result from finite differences → [{ value, error }]. The error is infinite if there is a kink at the point
  * or nearby.
  */
 export function differentiate(root, { entries }, point, operations) {

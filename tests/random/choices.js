@@ -1,5 +1,5 @@
-// Finds the pieces of kinked operations that an expression takes at a point. If these stay the same on all sides, it is smooth;
-// at a kink itself, which differences may miss, the slope is a matter of convention.
+// Finds which pieces of piecewise operations an expression uses at a point. If they are the same on all sides, the expression is smooth
+// there; exactly at a kink, which differences may miss, the slope is a matter of convention.
 import { evaluate } from './ast.js'
 
 /** Compares each pair of operands. */

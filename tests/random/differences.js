@@ -1,5 +1,5 @@
-// Derivatives of a function of numbers by differences, with Richardson's extrapolation from three steps, and a check whether it
-// is smooth enough for that.
+// Computes derivatives of a function of numbers from finite differences, with Richardson extrapolation from three step sizes, and checks
+// whether the function is smooth enough for that.
 
 const stepOfFirst = 2 ** -12
 const stepOfSecond = 2 ** -8
@@ -63,17 +63,17 @@ function secondDerivative(f, point, first, second, middle) {
   return middle.map((_, i) => extrapolate(differences.map((difference) => difference[i])))
 }
 
-/** Returns the outermost points of the differences for the derivative by one or two components. */
+/** Returns the outermost points of the differences for the derivative with respect to one or two components. */
 export const outermost = (point, [first, second]) =>
   second ? corners(point, first, second, stepOfSecond) : corners(point, first, first, stepOfFirst)
 
-/** Returns the derivative by one or two components, for each component of f → [{ value, error }]. */
+/** Returns the derivative with respect to one or two components, for each component of f → [{ value, error }]. */
 export const derivative = (f, point, [first, second], middle) =>
   second
     ? secondDerivative(f, point, first, second, middle)
     : firstDerivative(f, point, first, middle)
 
-/** Estimates the derivative by one or two components from a single step, to a few digits. */
+/** Estimates the derivative with respect to one or two components from a single step, to a few digits. */
 export function slopeOf(f, point, [first, second]) {
   const slope = (g, by, step) => (at) => {
     const [after, before] = [g(movePoint(at, [by, step])), g(movePoint(at, [by, -step]))]

@@ -111,7 +111,7 @@ export const foldNumber = ({ fold, inputs }, point) =>
     (a, b) => a + b,
   )
 
-/** Returns outputs for `compile`: the sum of the outcomes and its derivatives by x, y and z, and the second one by x and y. */
+/** Returns outputs for `compile`: the sum of the outcomes and its derivatives with respect to x, y, z, and x and y. */
 export const foldCallback =
   ({ fold, inputs, seed }) =>
   (glsl) => {
@@ -142,7 +142,7 @@ export function slopes(test, point) {
   })
 }
 
-/** Returns the second derivative by x and y. */
+/** Returns the second derivative with respect to x and y. */
 export function secondSlope(test, [x, y, z]) {
   const at = (h, k) => foldNumber(test, [x + h, y + k, z])
   const [coarse, fine] = [2e-3, 1e-3].map(

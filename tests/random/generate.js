@@ -1,5 +1,5 @@
 // Generates random well-typed expressions, the same ones for the same seed. Each node is evaluated when it is made, at the points
-// of the test: values that leave the domain of the operation, or grow too large, are wrapped by something tamer.
+// of the test: values that leave the domain of the operation, or grow too large, are wrapped in an operation that limits them.
 import { seededRandom } from '../warps/random.js'
 import { depthOf, inputNode, inputs, node, number } from './ast.js'
 import { signaturesFor } from './operations.js'

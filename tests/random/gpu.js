@@ -15,7 +15,7 @@ import { isFirm, roundingSpread, sineSpread } from './noise.js'
 import { dimension, isMatrix, sizeOf } from './shapes.js'
 
 /**
- * Factors: of the errors in a few samples, of the accumulated errors of sines (slightly more than 1), and of the final rounding.
+ * Safety factors: for the errors in a few samples, for the accumulated errors of sines (slightly more than 1), and for the final rounding.
  */
 const safety = 8
 const nonlinear = 1.5

@@ -23,13 +23,13 @@ const sums = new Set([...Object.keys(structural), 'mult', 'mix', 'vecMix'])
 sums.delete('dist')
 sums.delete('distance')
 
-/** Errors that do not shrink with the result: those of differences of exponentials, and of logarithms. */
+/** Operations whose errors do not shrink with the result: differences of exponentials, and logarithms. */
 const absolute = 1e-6
 const withAbsolute = new Set(['sinh', 'tanh', 'asinh', 'atanh', 'acosh', 'log', 'log2'])
 
 /** Returns rounding errors for one evaluation, for `evaluate`; each sample has different ones. */
 function roundingErrors(sample) {
-  // Every second sample has the errors of the previous one with opposite sign; one of the two crosses the edge of a jump.
+  // Every second sample has the errors of the previous one with opposite sign, so that one of the two crosses a jump nearby.
   const random = randomOf(sample >> 1)
   const sign = sample % 2 ? -1 : 1
   const noise = () => sign * (random() < 0.5 ? -1 : 1) * (0.5 + random())

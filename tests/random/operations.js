@@ -63,7 +63,7 @@ const signature = (op, shapes, domains = '', weight = 1) => {
   return { op, weight, arguments: shapes.map((shape, i) => ({ shape, domain: each[i] || 'any' })) }
 }
 
-/** Arguments of one shape; if that is a vector, some of them may become numbers. */
+/** Returns arguments of one shape; if that is a vector, some of them may become numbers. */
 function componentSignature(op, shape, domains, weight) {
   const { length } = domains.split(' ')
   const row = signature(op, Array(length).fill(shape), domains, weight)

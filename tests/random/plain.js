@@ -1,4 +1,4 @@
-// Each operation in plain numbers of double precision: written from chapter 8 of the GLSL ES 3.00 specification and from the
+// Computes each operation in double precision: written from chapter 8 of the GLSL ES 3.00 specification and from the
 // conventions in the README, independently of our own table.
 import { dimension, isMatrix } from './shapes.js'
 

@@ -21,7 +21,7 @@ const steepest = 12
 const step = 1e-4
 
 export function createTamer({ points, random, make, allowed }) {
-  // Each point, and one nearby.
+  // Evaluates at each point, and at one nearby.
   const near = seededRandom(Math.floor(1e9 * random()) + 1)
   const nearby = points.map((point) =>
     Object.fromEntries(
@@ -100,7 +100,7 @@ export function createTamer({ points, random, make, allowed }) {
     if (!isFinite(size) || !(factor.value > 0)) return withoutNaN(node)
     return call('mult', node, factor)
   }
-  /** Only a gap in the domains above could lead here: a branch that is not taken where it has no value. */
+  /** Needed only if the domains above have a gap: replaces an expression that has no value with constants. */
   const withoutNaN = (node) => {
     if (node.shape === 'float') return constant(-1, 1)
     const parts = Array.from({ length: node.size }, () => constant(-1, 1))

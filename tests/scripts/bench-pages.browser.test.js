@@ -1,4 +1,4 @@
-// The benchmark by hand as a visitor sees it, and both of its pages as they are built.
+// The interactive page of the benchmark as a visitor sees it, and both of its pages as built.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { methods } from '../../web/bench/methods.js'
@@ -7,7 +7,7 @@ import {
   choose,
   desktop,
   difference,
-  measured,
+  waitUntilMeasured,
   patience,
   phone,
   pixels,
@@ -17,7 +17,7 @@ import { launchBrowser, openPage } from '../support/browser/browser.js'
 import { serveSite, serveSources } from '../support/browser/site.js'
 
 const names = methods.map(({ name }) => name)
-/** Time stands still at first, so that all methods show the same moment. */
+/** The animation is paused at first, so that all methods show the same moment. */
 const still = { ...desktop, reducedMotion: 'reduce' }
 
 let browser, server, url
@@ -43,11 +43,11 @@ describe('the benchmark by hand', () => {
     let page, messages
     before(async () => {
       ;({ page, messages } = await openByHand(still))
-      await measured(page)
+      await waitUntilMeasured(page)
     })
     after(() => page.context().close())
 
-    test('draws, and stands still when the visitor wants no motion', async () => {
+    test('draws, and does not move if the visitor prefers reduced motion', async () => {
       const first = await pixels(page)
       const empty = Buffer.alloc(first.length)
       for (let i = 0; i < empty.length; i += 4) empty.set([0x15, 0x18, 0x23, 0xff], i)
@@ -56,7 +56,7 @@ describe('the benchmark by hand', () => {
       assert.equal(difference(first, await pixels(page)), 0)
     })
 
-    test('says what the row is', async () => {
+    test('shows the size of the row', async () => {
       assert.deepEqual(await readOuts(page, ['vertices', 'triangles', 'nodes']), [14363, 27360, 15])
     })
 
@@ -77,11 +77,11 @@ describe('the benchmark by hand', () => {
           'forward differences': [1e-3, 0.5],
           'positions only': [50, 100],
         }
-        const [least, most] = range[name] ?? [1e-4, 180]
-        assert.ok(error > least && error < most, `off by ${error}°`)
+        const [min, max] = range[name] ?? [1e-4, 180]
+        assert.ok(error > min && error < max, `off by ${error}°`)
       })
 
-    test('shows that positions alone are lit wrongly', async () => {
+    test('shows wrong lighting for moved positions with unchanged normals', async () => {
       const shots = {}
       for (const name of ['warpjet', 'by hand', 'positions only']) {
         await choose(page, name)
@@ -91,7 +91,7 @@ describe('the benchmark by hand', () => {
       assert.ok(difference(shots.warpjet, shots['positions only']) > 0.02)
     })
 
-    test('finds a step that is better than the one before', async () => {
+    test('finds a better step for finite differences', async () => {
       await choose(page, 'forward differences')
       const step = page.getByText(/^h = /)
       assert.equal(await step.textContent(), 'h = 0.1')
@@ -107,7 +107,7 @@ describe('the benchmark by hand', () => {
       assert.ok(after < before, `${after}° is not less than ${before}°`)
     })
 
-    test('moves when time passes', async () => {
+    test('moves over time if motion is switched on', async () => {
       const before = await pixels(page)
       await page.getByRole('checkbox').check()
       const end = Date.now() + 30_000
@@ -118,23 +118,23 @@ describe('the benchmark by hand', () => {
       await page.getByRole('checkbox').uncheck()
     })
 
-    test('turns when it is dragged', async () => {
+    test('rotates the mesh by dragging', async () => {
       const before = await pixels(page)
       const { x, y, width, height } = await page.locator('canvas').boundingBox()
       await page.mouse.move(x + width / 2, y + height / 2)
       await page.mouse.down()
       await page.mouse.move(x + width / 2 + 80, y + height / 2, { steps: 4 })
       await page.mouse.up()
-      // On a busy machine the next frame takes its time.
-      let turned = 0
-      for (let i = 0; i < 100 && !(turned > 0.01); i++) {
+      // On a busy machine the next frame can be late.
+      let changed = 0
+      for (let i = 0; i < 100 && !(changed > 0.01); i++) {
         await page.waitForTimeout(100)
-        turned = difference(before, await pixels(page))
+        changed = difference(before, await pixels(page))
       }
-      assert.ok(turned > 0.01)
+      assert.ok(changed > 0.01)
     })
 
-    test('measures the row, and stops when asked to', async () => {
+    test('measures the row, and stops on request', async () => {
       await page.getByRole('button', { name: 'Measure this row' }).click()
       await page.getByText(/^Measuring: round/).waitFor(patience)
       await page.getByRole('button', { name: 'Stop measuring' }).click()
@@ -148,7 +148,7 @@ describe('the benchmark by hand', () => {
         lines.map(([name]) => name),
         names,
       )
-      // Median, quarter and three quarters of the frames; relative to positions, to warpjet; compile + first draw, relative.
+      // The columns: median and quartiles of the frame times; relative to positions and to warpjet; compile + first draw, and its ratio.
       for (const [name, ...figures] of lines)
         for (const figure of figures.slice(0, 7))
           assert.ok(Number(figure) > 0, `${name}: ${figure}`)
@@ -156,18 +156,18 @@ describe('the benchmark by hand', () => {
       assert.equal(ofWarpjet[3], '1.00')
     })
 
-    test('has printed nothing, nor complained', async () => {
+    test('logs nothing, and shows no error', async () => {
       assert.deepEqual(messages, [])
       assert.equal(await page.getByRole('alert').textContent(), '')
     })
   })
 
-  test('draws another row when it is chosen', async () => {
+  test('draws the row that is selected', async () => {
     const { page, messages } = await openByHand(still)
-    await measured(page)
+    await waitUntilMeasured(page)
     await page.locator('.panel select').first().selectOption('14,000 × 3,000')
     await page.locator('dd.nodes').getByText('3,000').waitFor(patience)
-    await measured(page)
+    await waitUntilMeasured(page)
     const [error] = await readOuts(page, ['error'])
     assert.ok(error < 0.001, `off by ${error}°`)
     await page.context().close()
@@ -176,13 +176,13 @@ describe('the benchmark by hand', () => {
 
   test('fits a phone', async () => {
     const { page, messages } = await openByHand(phone)
-    await measured(page)
+    await waitUntilMeasured(page)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
     await page.context().close()
     assert.deepEqual(messages, [])
   })
 
-  test('says so where there is no WebGL 2, and shows a picture', async () => {
+  test('shows a message and a picture if there is no WebGL 2', async () => {
     const { page, messages } = await openByHand(desktop, (context) =>
       context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null)),
     )
@@ -193,7 +193,7 @@ describe('the benchmark by hand', () => {
     assert.deepEqual(messages, [])
   })
 
-  test('says so when a shader does not compile, and goes on with another', async () => {
+  test('shows a message if a shader does not compile, and continues with another one', async () => {
     const { page } = await openByHand(still, (context) =>
       context.addInitScript(() => {
         const prototype = WebGL2RenderingContext.prototype
@@ -203,7 +203,7 @@ describe('the benchmark by hand', () => {
         }
       }),
     )
-    await measured(page)
+    await waitUntilMeasured(page)
     await page.locator('.panel select').nth(1).selectOption('central differences')
     const alert = page.getByRole('alert')
     await alert.getByText('The shader of central differences does not compile').waitFor(patience)
@@ -213,7 +213,7 @@ describe('the benchmark by hand', () => {
   })
 })
 
-test('both built pages work from any folder, and the gallery links them', async () => {
+test('both built pages work in any folder, and the gallery links to them', async () => {
   const base = '/any/folder/'
   const built = await serveSite(5310, base)
   try {
@@ -225,7 +225,7 @@ test('both built pages work from any folder, and the gallery links them', async 
     await page.getByRole('heading', { name: 'What right normals cost' }).waitFor(patience)
     await page.locator('.plot svg, .nothing:not([hidden])').first().waitFor(patience)
     await page.getByRole('link', { name: 'The benchmark by hand' }).click()
-    await measured(page)
+    await waitUntilMeasured(page)
     await page.getByRole('link', { name: 'gallery' }).click()
     await page.getByRole('heading', { name: 'warpjet', exact: true }).waitFor(patience)
     await page.context().close()

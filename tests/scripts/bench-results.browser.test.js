@@ -1,4 +1,4 @@
-// The page of the benchmark's results: its plots and its table, from lines that are known.
+// The page of the benchmark's results: its plots and its table, for known records.
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -29,7 +29,7 @@ const rowsOfRun = [
   '"14,000 × 3,000",14042,3000',
   '"500,000 × 150",499849,150',
 ]
-/** Close to each other, as they are: method, h, frame, quartiles, relative to positions and to warpjet, …, errors. */
+/** Figures of each method, as close to each other as measured ones: method, h, frame, quartiles, ratios to positions and to warpjet, …, errors. */
 const figures = [
   'no warp,,7,6,8,0.7,0.5,143,60,20,0.5,,80,5',
   'positions only,,10,9,11,1,0.7,100,60,40,1,0.2,80,5',
@@ -44,14 +44,14 @@ const newer = [
   `${run},readback fence,"14,000 × 150",14042,150,"p5 1.11.13, no warp",,25,,,,,,,,,,,,,`,
   `${run},readback fence,"14,000 × 150",14042,150,"p5 1.11.13, warpjet",,30,,,,,,,,,,,,,`,
 ].map((line) =>
-  // One figure could not be measured.
+  // Removes a figure, as if it could not be measured.
   line.includes('500,000 × 150",499849,150,forward')
     ? line.replace(',18,17,19,1.8,', ',,,,,')
     : line,
 )
 
-describe('the records of results.csv', () => {
-  test('are numbers, texts with commas and quotes, and nothing where a field is empty', () => {
+describe('records of results.csv', () => {
+  test('contain numbers, strings with commas and quotes, and undefined for empty fields', () => {
     const csv = 'date,row,method,frame_ms,h\r\n2026,"14,000 × 150","so-called ""p5""",1.5e-3,\r\n'
     assert.deepEqual(parseRecords(csv), [
       {
@@ -64,12 +64,12 @@ describe('the records of results.csv', () => {
     ])
   })
 
-  test('are none without lines', () => {
+  test('are empty if the file has no lines', () => {
     assert.deepEqual(parseRecords(''), [])
     assert.deepEqual(parseRecords('date,row\n'), [])
   })
 
-  test('make runs, the newest first', () => {
+  test('are grouped into runs, the newest first', () => {
     const runs = runsOf([{ date: '2026-01' }, { date: '2026-03' }, { date: '2026-01' }])
     assert.deepEqual(
       runs.map(({ date, records }) => [date, records.length]),
@@ -89,13 +89,13 @@ describe('the records of results.csv', () => {
     ['ANGLE (Apple, ANGLE Metal Renderer: Apple M1, Unspecified Version)', 'Apple M1'],
     ['Mali-G78', 'Mali-G78'],
   ])
-    test(`know ${device}`, () => assert.equal(deviceOf(renderer), device))
+    test(`name the device ${device}`, () => assert.equal(deviceOf(renderer), device))
 })
 
-describe('the points of the plots', () => {
+describe('points of the plots', () => {
   const record = { row: '14,000 × 150', vertices: 14042, nodes: 150, method: 'warpjet', frameMs: 3 }
 
-  test('are sorted along the line, of the rows that belong to the plot, without what is missing', () => {
+  test('are sorted, and include only existing figures of the rows that belong to the plot', () => {
     const records = [
       { ...record, row: '14,000 × 3,000', nodes: 3000, frameMs: 9 },
       record,
@@ -115,7 +115,7 @@ describe('the points of the plots', () => {
     ])
   })
 
-  test('keep an error of nothing on the scale, and leave out one that is no number', () => {
+  test('include an error of 0 at the end of the scale, and omit NaN', () => {
     const records = [
       { ...record, method: 'by hand', toPositions: 1.1, errorDegrees: 0 },
       { ...record, method: 'warpjet', toPositions: 1.2, errorDegrees: 0.5 },
@@ -129,15 +129,15 @@ describe('the points of the plots', () => {
   })
 })
 
-describe('the names beside the plots', () => {
-  test('move apart as little as they must, and keep their order', () => {
+describe('labels of the plots', () => {
+  test('move apart no more than necessary, and keep their order', () => {
     assert.deepEqual(spread([10, 50, 52], 16, [0, 100]), [10, 43, 59])
     assert.deepEqual(spread([52, 10, 50], 16, [0, 100]), [59, 10, 43])
     assert.deepEqual(spread([98, 99], 16, [0, 100]), [84, 100])
     assert.deepEqual(spread([1, 2, 3], 16, [0, 100]), [0, 16, 32])
   })
 
-  test('find a place of their own beside dots that coincide', () => {
+  test('do not overlap if their dots coincide', () => {
     const size = { width: 60, height: 16 }
     const frame = { left: 0, right: 300, top: 0, bottom: 200 }
     const [first, second] = placeBeside(Array(2).fill({ x: 150, y: 100, ...size }), frame)
@@ -148,7 +148,7 @@ describe('the names beside the plots', () => {
   })
 })
 
-describe('the measured results', () => {
+describe('the results page', () => {
   let browser, server
   before(async () => {
     browser = await launchBrowser()
@@ -169,9 +169,9 @@ describe('the measured results', () => {
     )
     return openPage(context, `${server.resolvedUrls.local[0]}bench/results.html`)
   }
-  const dots = (page, plot) => page.locator(`.${plot} svg g[aria-label="dot"] > *`).count()
+  const countDots = (page, plot) => page.locator(`.${plot} svg g[aria-label="dot"] > *`).count()
 
-  describe('of two runs', () => {
+  describe('with two runs', () => {
     let page, messages
     before(async () => {
       const csv = [header, ...older, ...newer].join('\n')
@@ -180,7 +180,7 @@ describe('the measured results', () => {
     })
     after(() => page.context().close())
 
-    test('are the newest at first, with the machine and the clock', async () => {
+    test('shows the newest run first, with its device and clock', async () => {
       const text = await page.locator('.run p').textContent()
       assert.match(
         text,
@@ -196,16 +196,16 @@ describe('the measured results', () => {
       ])
     })
 
-    test('have a dot for every figure that exists', async () => {
-      // Seven methods on two rows each, of which one has no frame time.
-      assert.equal(await dots(page, 'nodes'), 14)
-      assert.equal(await dots(page, 'vertices'), 13)
-      assert.equal(await dots(page, 'error'), 7)
+    test('has a dot for every existing figure', async () => {
+      // Seven methods, each in two rows; one of these has no frame time.
+      assert.equal(await countDots(page, 'nodes'), 14)
+      assert.equal(await countDots(page, 'vertices'), 13)
+      assert.equal(await countDots(page, 'error'), 7)
       await page.getByRole('button', { name: '500,000 × 150' }).click()
-      assert.equal(await dots(page, 'error'), 6)
+      assert.equal(await countDots(page, 'error'), 6)
     })
 
-    test('have a line and a name for every method', async () => {
+    test('has a line and a label for every method', async () => {
       for (const plot of ['nodes', 'vertices']) {
         assert.equal(await page.locator(`.${plot} svg g[aria-label="line"] path`).count(), 7)
         const text = await page.locator(`.${plot} svg g[aria-label="text"] text`).allTextContents()
@@ -213,7 +213,7 @@ describe('the measured results', () => {
       }
     })
 
-    test('say that an error of nothing is less than the scale can show', async () => {
+    test('labels an error of 0 as at most the smallest value of the scale', async () => {
       await page.locator('.error svg').getByText('≤ 0.00001°').waitFor()
       const bottom = await page.locator('.error svg').getByText('≤ 0.00001°').boundingBox()
       const dot = await page.locator('.error svg circle[fill="#ffdc7a"]').boundingBox()
@@ -221,7 +221,7 @@ describe('the measured results', () => {
       assert.ok(Math.abs(middle(bottom) - middle(dot)) < 3)
     })
 
-    test('are all in the table, with dashes for what was not measured', async () => {
+    test('lists all figures in the table, with dashes for missing ones', async () => {
       const lines = await cells(page.locator('.wide table'))
       assert.equal(lines.length, newer.length)
       assert.equal(
@@ -231,7 +231,7 @@ describe('the measured results', () => {
       assert.equal(lines[8].join(' '), 'p5 1.11.13 warpjet 30.0 – – – – – – – – – – – –')
     })
 
-    test('tell what the warp is of a whole sketch', async () => {
+    test('states the frame time of a whole sketch with and without the warp', async () => {
       await page
         .getByText(
           'A whole p5 sketch takes 30.0 ms a frame with p5 1.11.13 (25.0 ms without the warp).',
@@ -239,22 +239,22 @@ describe('the measured results', () => {
         .waitFor()
     })
 
-    test('change with the run', async () => {
+    test('shows the figures of another run when it is selected', async () => {
       await page.getByLabel('Run').selectOption('2026-03-01T10:00:00Z')
       await page.locator('.run p').getByText('NVIDIA H200').waitFor()
-      assert.equal(await dots(page, 'nodes'), 1)
+      assert.equal(await countDots(page, 'nodes'), 1)
       await page.locator('.vertices').getByText('This run has no figures for this plot.').waitFor()
     })
 
-    test('have printed nothing', () => assert.deepEqual(messages, []))
+    test('logs nothing', () => assert.deepEqual(messages, []))
   })
 
-  test('fit a phone, and no name covers another', async () => {
+  test('fits a phone screen, and its labels do not overlap', async () => {
     const { page, messages } = await openResults(phone, [header, ...newer].join('\n'))
     await page.locator('.error svg').waitFor(patience)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
     for (const plot of ['nodes', 'vertices', 'error']) {
-      // Beside the lines they would leave too little of these.
+      // On a phone, names next to the lines would leave too little space for the plot, so there is a legend.
       const labels =
         plot === 'error' ? '.error svg g[aria-label="text"] text' : `.${plot} .legend li`
       const boxes = await page
@@ -262,12 +262,12 @@ describe('the measured results', () => {
         .evaluateAll((texts) => texts.map((text) => text.getBoundingClientRect().toJSON()))
       assert.equal(boxes.length, 7)
       for (const [i, a] of boxes.entries()) {
-        assert.ok(a.left >= 0 && a.right <= 360, `name ${i} of ${plot} leaves the page`)
+        assert.ok(a.left >= 0 && a.right <= 360, `label ${i} of ${plot} is outside the page`)
         for (const b of boxes.slice(i + 1)) {
-          // A line of text has some air above and below its letters.
+          // A line of text has some space above and below its letters.
           const across = Math.min(a.right, b.right) - Math.max(a.left, b.left)
           const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
-          assert.ok(across <= 0 || down <= 4, `names cover each other in ${plot}`)
+          assert.ok(across <= 0 || down <= 4, `labels overlap in ${plot}`)
         }
       }
     }
@@ -281,7 +281,7 @@ describe('the measured results', () => {
     assert.deepEqual(messages, [])
   })
 
-  test('say so when there are none', async () => {
+  test('says so if there are no results', async () => {
     const { page, messages } = await openResults(desktop, header)
     await page.getByText('Nothing has been measured yet').waitFor(patience)
     assert.equal(await page.locator('svg').count(), 0)

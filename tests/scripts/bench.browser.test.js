@@ -1,4 +1,4 @@
-// `npm run bench -- --quick` as a whole: that it runs, and that its figures can be true. How long anything takes is not judged.
+// `npm run bench -- --quick` as a whole: it runs, and its figures are plausible. Does not judge how long anything takes.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs'
@@ -12,7 +12,7 @@ const root = fileURLToPath(new URL('../../', import.meta.url))
 const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
 after(() => rmSync(folder, { recursive: true }))
 
-/** Runs it to its end → { code, text }, where `text` is all that it printed. */
+/** Runs the benchmark → { code, text }: its exit code and its output. */
 function bench(...args) {
   const child = spawn(process.execPath, ['.scripts/bench.mjs', ...args], {
     cwd: root,
@@ -30,7 +30,7 @@ const unwarped = ['no warp', 'by hand']
 const methods = ['no warp', 'positions only', 'warpjet', ...differences, 'dFdx', 'by hand']
 const sketches = ['p5 1.11.13', 'p5 2.3.4'].flatMap((p5) => [`${p5}, no warp`, `${p5}, warpjet`])
 
-const everywhere = ['sizePx', 'rounds', 'vertices', 'nodes', 'frameMs', 'frameLowMs', 'frameHighMs']
+const common = ['sizePx', 'rounds', 'vertices', 'nodes', 'frameMs', 'frameLowMs', 'frameHighMs']
 const rates = ['uncappedFps', 'cappedFps']
 const ofMethods = [
   ...['toPositions', 'toWarpjet', 'firstMs', 'firstToPositions', 'firstToByHand'],
@@ -38,11 +38,11 @@ const ofMethods = [
   ...['errorDegrees', 'errorMedianDegrees', 'jsHeapMb', 'wasmHeapMb'],
 ]
 
-/** The names of the figures that a record is to have. */
+/** Returns the names of the figures that a record should have. */
 function expectedFigures({ method }) {
-  if (sketches.includes(method)) return [...everywhere, ...rates]
+  if (sketches.includes(method)) return [...common, ...rates]
   return [
-    ...everywhere,
+    ...common,
     ...rates,
     ...ofMethods,
     ...(unwarped.includes(method) ? [] : ['generationMs']),
@@ -58,7 +58,7 @@ describe('npm run bench -- --quick', () => {
     records = existsSync(file) ? parseRecords(readFileSync(file, 'utf8')) : []
   })
 
-  test('ends well', () => assert.equal(code, 0, text))
+  test('exits with 0', () => assert.equal(code, 0, text))
 
   test('measures every method in every row, and the sketches on p5', () => {
     const expected = rows.flatMap((row) => methods.map((method) => `${row}: ${method}`))
@@ -69,7 +69,7 @@ describe('npm run bench -- --quick', () => {
     )
   })
 
-  test('has every figure that there can be, and no other', () => {
+  test('has exactly the figures that each method can have', () => {
     for (const record of records) {
       const found = Object.entries(record).filter(([, value]) => typeof value === 'number')
       const names = found.map(([name]) => name)
@@ -80,19 +80,19 @@ describe('npm run bench -- --quick', () => {
     }
   })
 
-  test('puts the median of the frames in the middle half', () => {
+  test('has medians between the quartiles', () => {
     for (const { row, method, frameLowMs, frameMs, frameHighMs } of records)
       assert.ok(frameLowMs <= frameMs && frameMs <= frameHighMs, `${row}, ${method}`)
   })
 
-  test('compares each row with itself', () => {
+  test('has the ratio 1 where a method is compared with itself', () => {
     for (const { method, toPositions, toWarpjet, firstToPositions } of records) {
       if (method === 'positions only') assert.deepEqual([toPositions, firstToPositions], [1, 1])
       if (method === 'warpjet') assert.equal(toWarpjet, 1)
     }
   })
 
-  test('finds the normals of warpjet right, and those that nobody turned wrong', () => {
+  test('finds the normals of warpjet right, and unchanged normals wrong', () => {
     for (const row of rows) {
       const errorOf = (name) =>
         records.find((record) => record.row === row && record.method === name).errorDegrees
@@ -101,7 +101,7 @@ describe('npm run bench -- --quick', () => {
     }
   })
 
-  test('says of all lines where they come from', () => {
+  test('records the date, commit, browser and device in all lines', () => {
     const sources = new Set(
       records.map(({ date, commit, chromium, renderer }) =>
         JSON.stringify([date, commit, chromium, renderer]),
@@ -116,7 +116,7 @@ describe('npm run bench -- --quick', () => {
     for (const { clock } of records) assert.match(clock, /^(timer query|readback fence)$/)
   })
 
-  test('prints a table for each row, and the aims', () => {
+  test('prints a table for each row, and one of the goals', () => {
     for (const name of [...rows, 'p5', 'What we aim at'])
       assert.match(text, new RegExp(`^▸ ${name}`, 'm'), text)
     for (const method of [...methods, ...sketches])
@@ -125,14 +125,14 @@ describe('npm run bench -- --quick', () => {
   })
 })
 
-test('says what it does, and which rows there are', async () => {
+test('prints its usage and the rows with --help', async () => {
   const { code, text } = await bench('--help')
   assert.equal(code, 0)
   assert.match(text, /^Usage: npm run bench -- \[options\]/)
   for (const row of [...rows, '2,000,000 × 150', 'p5']) assert.ok(text.includes(row), row)
 })
 
-test('stops at once, in one sentence, at what it does not know', async () => {
+test('rejects unknown options and rows with one message', async () => {
   const unknown = await bench('--fast')
   assert.deepEqual(unknown, {
     code: 1,

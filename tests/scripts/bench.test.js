@@ -1,4 +1,4 @@
-// What the benchmark makes of its measurements: the command line, figures, tables and lines of results.csv.
+// The benchmark without a browser: its command line, statistics, tables and lines of results.csv.
 import assert from 'node:assert/strict'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -15,24 +15,24 @@ import { alike, table } from '../../.scripts/bench/table.mjs'
 import { middle, ratio, shuffled, summary } from '../../web/bench/statistics.js'
 
 describe('statistics', () => {
-  test('half of the values lie from low to high, around the median', () => {
+  test('summary returns the median and the quartiles', () => {
     assert.deepEqual(summary([9, 1, 5, 3, 7]), { median: 5, low: 3, high: 7 })
     assert.deepEqual(summary([4]), { median: 4, low: 4, high: 4 })
   })
 
-  test('what could not be measured counts for nothing', () => {
+  test('middle ignores values that could not be measured', () => {
     assert.equal(middle([NaN, 3, Infinity, 1, 2]), 2)
     assert.equal(middle([1, 2, 4, 8]), 3)
     assert.equal(middle([1, 2, 4, 8], 0.25), 1.75)
     assert.equal(middle([NaN]), NaN)
   })
 
-  test('a round that was slow for all changes no ratio', () => {
+  test('ratio is not affected by a round that was slow for all methods', () => {
     assert.equal(ratio([2, 20, 2.2], [1, 10, 1]), 2)
     assert.equal(ratio([1, 2], undefined), NaN)
   })
 
-  test('a shuffled list is another list of the same things', () => {
+  test('shuffled returns a new list with the same elements', () => {
     const list = [1, 2, 3, 4]
     assert.deepEqual(shuffled(list).sort(), list)
     assert.notEqual(shuffled(list), list)
@@ -43,29 +43,29 @@ describe('the command line', () => {
   const rows = ['14,000 × 150', '14,000 × 1,500', 'airplane twist', 'wobble']
   const read = (...args) => readOptions(args, rows)
 
-  test('without options asks for every row, p5 last', () => {
+  test('selects every row by default, p5 last', () => {
     assert.deepEqual(read().rows, [...rows, 'p5'])
     assert.deepEqual(read().rounds, undefined)
   })
 
-  test('knows a row by its name, by the name as typed, and by a part that only it has', () => {
+  test('finds a row by its name, by its name with x for ×, or by a unique part of its name', () => {
     assert.deepEqual(read('--row', '14,000 × 150').rows, ['14,000 × 150'])
     assert.deepEqual(read('--row', '14000x150').rows, ['14,000 × 150'])
     assert.deepEqual(read('--row', 'p5', '--row', 'Twist').rows, ['airplane twist', 'p5'])
   })
 
-  test('--quick takes a few rows, unless others are named', () => {
+  test('selects a few rows with --quick, unless others are named', () => {
     assert.deepEqual(read('--quick').rows, ['14,000 × 150', 'airplane twist', 'wobble', 'p5'])
     assert.deepEqual(read('--quick', '--row', 'wobble').rows, ['wobble'])
   })
 
-  const refused = {
+  const rejected = {
     'an unknown option': [['--fast'], "Unknown option '--fast'; --help lists the options."],
     'an option without its value': [
       ['--rounds'],
       "Option '--rounds <value>' argument missing; --help lists the options.",
     ],
-    'an argument that is no option': [
+    'an argument that is not an option': [
       ['wobble'],
       "Unexpected argument 'wobble'; --help lists the options.",
     ],
@@ -73,15 +73,18 @@ describe('the command line', () => {
       ['--row', 'cube'],
       "No row is named 'cube': choose from 14,000 × 150; 14,000 × 1,500; airplane twist; wobble; p5.",
     ],
-    'a part that several rows have': [
+    'a name that matches several rows': [
       ['--row', '14000'],
       "Several rows are named '14000': choose from 14,000 × 150; 14,000 × 1,500.",
     ],
-    'no rounds': [['--rounds', '0'], '--rounds takes a whole number from 1, not 0.'],
-    'half rounds': [['--rounds', '2.5'], '--rounds takes a whole number from 1, not 2.5.'],
+    'zero rounds': [['--rounds', '0'], '--rounds takes a whole number from 1, not 0.'],
+    'a fractional number of rounds': [
+      ['--rounds', '2.5'],
+      '--rounds takes a whole number from 1, not 2.5.',
+    ],
   }
-  for (const [name, [args, message]] of Object.entries(refused))
-    test(`refuses ${name} in one sentence`, () =>
+  for (const [name, [args, message]] of Object.entries(rejected))
+    test(`rejects ${name} with one message`, () =>
       assert.throws(
         () => read(...args),
         (error) => error instanceof Stop && error.message === message,
@@ -95,7 +98,7 @@ describe('a table', () => {
   ]
   const records = [{ name: 'no warp', ms: 9.96 }, { name: 'by hand' }, { name: 'dFdx', ms: 123 }]
 
-  test('has words to the left, figures to the right, and dashes for what there is not', () => {
+  test('aligns words to the left and figures to the right, and has dashes for missing figures', () => {
     assert.deepEqual(table(columns, records).map(stripVTControlCharacters), [
       '         frame',
       'method      ms',
@@ -105,7 +108,7 @@ describe('a table', () => {
     ])
   })
 
-  test('gives the times of a column the same places', () => {
+  test('shows the times of a column with the same number of decimals', () => {
     assert.deepEqual([0.5, 9.994].map(alike([0.5, 9.994, NaN])), ['0.50', '9.99'])
     assert.deepEqual([9.994, 40.25].map(alike([9.994, 40.25])), ['10.0', '40.3'])
     assert.deepEqual([9.6, 400].map(alike([9.6, 400])), ['10', '400'])
@@ -156,26 +159,26 @@ describe('results.csv', () => {
   before(() => appendLines(file, ['a', 'b'], [['1', undefined]]))
   after(() => rmSync(folder, { recursive: true }))
 
-  test('quotes what has commas, quotes or line ends, and nothing else', () => {
+  test('quotes only fields with commas, quotes or line breaks', () => {
     assert.equal(
       csvLine(['a b', 'x, y', 'a "b"', 'c\nd', 1.5, null, undefined, '']),
       'a b,"x, y","a ""b""","c\nd",1.5,,,',
     )
   })
 
-  test('begins with its header and grows by lines', () => {
+  test('begins with a header, and new lines are appended', () => {
     appendLines(file, ['a', 'b'], [['2', '3, 4'], ['5']])
     assert.equal(readFileSync(file, 'utf8'), 'a,b\n1,\n2,"3, 4"\n5\n')
   })
 
-  test('keeps its last line whole where that has no end', () => {
+  test('gets a missing line break at its end before lines are appended', () => {
     const other = join(folder, 'other.csv')
     writeFileSync(other, 'a\n1')
     appendLines(other, ['a'], [[2]])
     assert.equal(readFileSync(other, 'utf8'), 'a\n1\n2\n')
   })
 
-  test('is refused where it is another table', () => {
+  test('is rejected if it has other columns', () => {
     assert.throws(() => checkColumns(file, ['a', 'c']), {
       message: `${file} has other columns than the benchmark: name another file with --out.`,
     })
@@ -183,7 +186,7 @@ describe('results.csv', () => {
     checkColumns(join(folder, 'none.csv'), ['a'])
   })
 
-  test('is refused where nothing can be written', () => {
+  test('is rejected if it cannot be written', () => {
     assert.throws(() => checkColumns(folder, ['a']), {
       message: `${folder} cannot be written: name another file with --out.`,
     })
@@ -202,7 +205,7 @@ describe('results.csv', () => {
     )
   })
 
-  test('has a line for each sketch on p5, with what there is of it', () => {
+  test('has a line for each p5 sketch, with the figures that exist', () => {
     const results = [{ method: 'p5 2.3.4, no warp', frame: { median: 100, low: 90, high: 110 } }]
     const p5 = { clock: 'readback fence', vertices: 14042, results }
     assert.deepEqual(p5Records(run, many, p5, rates).map(fieldsOf).map(csvLine), [
@@ -211,8 +214,8 @@ describe('results.csv', () => {
   })
 })
 
-describe('the aims', () => {
-  const met = (row, results = measured.results) => {
+describe('the goals', () => {
+  const evaluateGoals = (row, results = measured.results) => {
     const records = rowRecords(run, row, { ...measured, results }, rates)
     return aims.map(({ ratio, isMet }) => {
       const value = ratio(records)
@@ -220,8 +223,8 @@ describe('the aims', () => {
     })
   }
 
-  test('are ratios of warpjet to the others', () => {
-    assert.deepEqual(met(many), [
+  test('are ratios of warpjet to the other methods', () => {
+    assert.deepEqual(evaluateGoals(many), [
       [1, true],
       [1.25, false],
       [1.02, true],
@@ -231,12 +234,15 @@ describe('the aims', () => {
     ])
   })
 
-  test('apply where there is something to compare with', () => {
-    const [byHand, , positions] = met({ name: 'nested', nodes: 216 }, measured.results.slice(0, 2))
+  test('are undefined if there is nothing to compare with', () => {
+    const [byHand, , positions] = evaluateGoals(
+      { name: 'nested', nodes: 216 },
+      measured.results.slice(0, 2),
+    )
     assert.deepEqual([byHand, positions], [undefined, undefined])
   })
 
-  test('are shown row by row, and not at all where only p5 was measured', () => {
+  test('are shown row by row, or not at all if only p5 was measured', () => {
     const [, , line] = aimsText(rowRecords(run, many, measured, rates)).split('\n')
     assert.match(
       stripVTControlCharacters(line),

@@ -31,14 +31,14 @@ before(() => {
 })
 after(() => rmSync(folder, { recursive: true }))
 
-/** Makes the program of that checkout say its name. */
+/** Changes the program of that checkout to print the checkout's name. */
 function say(name) {
   const text = `#include <cstdio>\nint main() { std::puts("${name}"); }\n`
   writeFileSync(join(folder, name, 'say.cpp'), text)
 }
 
 /** Builds the checkout as its scripts do, and returns its program's output. */
-function built(name) {
+function buildAndRun(name) {
   const code = "import { cmakeBuild } from './.scripts/lib/cmake.mjs'; await cmakeBuild('native')"
   const cwd = join(folder, name)
   execFileSync(process.execPath, ['--input-type=module', '--eval', code], { cwd, stdio: 'pipe' })
@@ -46,15 +46,15 @@ function built(name) {
 }
 
 test('a checkout that was copied together with its .build builds its own sources', () => {
-  assert.equal(built('first'), 'first')
+  assert.equal(buildAndRun('first'), 'first')
   cpSync(join(folder, 'first'), join(folder, 'copied'), { recursive: true })
   say('copied')
-  assert.equal(built('copied'), 'copied')
-  assert.equal(built('first'), 'first')
+  assert.equal(buildAndRun('copied'), 'copied')
+  assert.equal(buildAndRun('first'), 'first')
 })
 
 test('a moved checkout also builds its own sources', () => {
   renameSync(join(folder, 'first'), join(folder, 'moved'))
   say('moved')
-  assert.equal(built('moved'), 'moved')
+  assert.equal(buildAndRun('moved'), 'moved')
 })

@@ -1,4 +1,4 @@
-// The README's two commands install what they need themselves, so what they load before that may import no package.
+// The README's two commands install what they need, so the modules that they load before that must not import packages.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { test } from 'node:test'

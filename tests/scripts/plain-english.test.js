@@ -39,7 +39,7 @@ test('reports the line of a find', () => {
   assert.deepEqual(findWording('a.js', 'x()\n/**\n * Fine.\n */\n// Of p5.\n')[0].line, 5)
 })
 
-test('a find that moved to another file or line is not new, a second one is', () => {
+test('a find that only moved to another file or line is not new, but a second occurrence is', () => {
   const before = findWording('a.js', '// Of p5.\n')
   const after = findWording('b.js', 'x()\n// Of p5.\n')
   assert.deepEqual(addedWording(before, after), [])

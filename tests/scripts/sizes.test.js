@@ -1,4 +1,4 @@
-// A file that grows is warned of, and never fails the build.
+// A file that grows causes a warning, but never fails the build.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { growthWarnings } from '../../.scripts/lib/sizes.mjs'

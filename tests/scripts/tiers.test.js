@@ -4,7 +4,7 @@ import { checks } from '../../.scripts/lib/checks.mjs'
 import { walk } from '../../.scripts/lib/files.mjs'
 import { isRun, rareFiles, rareSteps } from '../../.scripts/lib/tiers.mjs'
 
-test('steps and files that the everyday run leaves out exist', () => {
+test('all steps and files that the default run skips exist', () => {
   const titles = checks.map(({ title }) => title)
   for (const title of Object.keys(rareSteps)) assert.ok(titles.includes(title), title)
   const files = ['tests', 'web/tests'].flatMap((folder) => walk(folder, /\.js$/))

@@ -1,6 +1,6 @@
-// The coarsest meshes that still have the shape: what a warp cannot bend until they are subdivided.
+// The coarsest meshes of some shapes, which a warp can bend only after subdivision.
 
-/** A box with one edge a side, from -x to x, -y to y and -z to z: 12 triangles. */
+/** A box with one edge per side, from -x to x, -y to y and -z to z: 12 triangles. */
 export function box([x, y, z]) {
   const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [
     i & 1 ? x : -x,

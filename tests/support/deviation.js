@@ -1,4 +1,4 @@
-// Measures the distance of warped triangles from the warped surface, by dense samples, independently of `subdivide`.
+// Measures the distance of warped triangles from the warped surface at dense samples, independently of `subdivide`.
 
 /** The count of numbers that are warped at once. */
 const batchSize = 6e5

@@ -1,4 +1,4 @@
-// Reads a GLB file by the specification (glTF 2.0, sections 3.6 and 4.4), and writes one, without any of the library.
+// Reads and writes GLB files according to the specification (glTF 2.0, sections 3.6 and 4.4), without using the library.
 
 const componentTypes = {
   5120: Int8Array,

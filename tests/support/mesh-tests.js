@@ -20,7 +20,7 @@ export const twist = compileWarp(({ glsl, position }) => {
 })
 export const rise = compileWarp(({ glsl, millis }) => glsl.vec3(0, millis, 0))
 
-/** Asserts after each test that the wasm module holds nothing, and that the next call works. */
+/** Asserts after each test that the wasm module has freed its memory, and that the next call works. */
 export function checkMemoryAfterEach() {
   const memory = meshMemoryInUse()
   afterEach(() => {

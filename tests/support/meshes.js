@@ -1,6 +1,6 @@
 // Meshes for the tests, each made from its formula.
 
-/** A sphere of radius 1 with seams as models have them, all attributes, and 16-bit tangents' signs of both kinds. */
+/** A sphere of radius 1 with the seams of a model and all attributes, including tangents with both signs. */
 export function sphere(columns = 12, rows = 8) {
   const mesh = { positions: [], normals: [], uvs: [], colors: [], tangents: [], indices: [] }
   for (let j = 0; j <= rows; j++)
@@ -20,7 +20,7 @@ export function sphere(columns = 12, rows = 8) {
       if (j > 0) mesh.indices.push(at(i, j), at(i + 1, j), at(i + 1, j + 1))
       if (j < rows - 1) mesh.indices.push(at(i, j), at(i + 1, j + 1), at(i, j + 1))
     }
-  return typed(mesh)
+  return toTypedArrays(mesh)
 }
 
 /** A flat grid of `columns` by `rows` vertices in the plane z = 0. */
@@ -34,14 +34,14 @@ export function grid(columns, rows) {
       const [a, b] = [j * columns + i, (j - 1) * columns + i]
       mesh.indices.push(b - 1, b, a, b - 1, a, a - 1)
     }
-  return typed(mesh)
+  return toTypedArrays(mesh)
 }
 
 /** One triangle in the plane z = 0. */
 export const triangle = () =>
-  typed({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] })
+  toTypedArrays({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] })
 
-export function typed({ indices, ...floats }) {
+export function toTypedArrays({ indices, ...floats }) {
   const mesh = Object.fromEntries(
     Object.entries(floats).map(([name, numbers]) => [name, Float32Array.from(numbers)]),
   )

@@ -24,7 +24,7 @@ const hashOfSeed = (seed) => hash(0, seed)
 
 const factors = { 1: [1], 2: [1, 2531], 3: [1, 3091, 2333] }
 
-/** `count` numbers in [0, 1). */
+/** Returns `count` numbers in [0, 1). */
 const randoms = (h, count) => factors[count].map((factor) => ((h * factor) % 4096) / 4096)
 
 const known = new Map()

@@ -22,8 +22,8 @@ export const p5Functions = {
 // Bound functions have no source code, like p5's own.
 for (const [name, known] of Object.entries(p5Functions)) globalThis[name] = known.bind(null)
 
-/** Runs a module translated by the plugin. */
-export function built(code, names = {}) {
+/** Translates a module with the plugin, and runs it. */
+export function runTranslated(code, names = {}) {
   const translated = translateModule(code) ?? code
   const [last, all, one] =
     /\nimport \{ (?:operators as (\w+), )?withOperators as (\w+) \} from .*\n$/.exec(translated)
@@ -42,8 +42,8 @@ export function built(code, names = {}) {
 
 export const uniforms = { amount: 0.5 }
 
-/** Compiles a function as translated in a page and by the plugin. */
-export function bothOf(written) {
+/** Compiles a function twice: translated in a page, and by the plugin. */
+export function compileBoth(written) {
   const offset = (0, eval)(`(${written})`)
   const options = written.includes('uniforms') ? { uniforms } : {}
   const inPage = compileWarp(operators(offset), options).code

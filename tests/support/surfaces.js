@@ -1,4 +1,5 @@
-// Surfaces by formula, and the expected results of warps: an oracle in double precision that does not use derivatives of the warp.
+// Surfaces defined by formulas, and the expected results of warps on them: an oracle in double precision that does not use derivatives of
+// the warp.
 import { cross, dot, normalize } from './browser/matrix.js'
 
 const { sin, cos, PI } = Math
@@ -43,7 +44,7 @@ const shapeOf = (...parts) =>
     [0, 1, 2].map((k) => parts.reduce((sum, [t, curvature]) => sum + curvature * t[i] * t[k], 0)),
   )
 
-/** Makes a mesh of a surface, with the exact derivatives by formula in `exact`. */
+/** Makes a mesh of a surface; `exact` has its exact derivatives, from the formula. */
 export function surfaceMesh(surface, columns, rows) {
   const mesh = { positions: [], normals: [], uvs: [], indices: [] }
   const names = [
@@ -70,7 +71,7 @@ export function surfaceMesh(surface, columns, rows) {
   return { mesh, exact }
 }
 
-/** Returns the normal of the surface moved by `offset(position, normal, uv)`, by differences of fourth order; `null` at a pole. */
+/** Returns the normal of the surface moved by `offset(position, normal, uv)`, from finite differences of fourth order; `null` at a pole. */
 export function movedNormal(surface, offset, u, v) {
   const at = (u, v) => {
     const { position, normal } = surface(u, v)

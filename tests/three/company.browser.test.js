@@ -1,5 +1,5 @@
-// 'warpjet/three' beside other code: what users, three's own passes and examples do with objects, materials and shaders. Each row
-// is compared with vertices that were moved on the CPU: at most 5 pixels of 25,600 may differ by more than 12 of 255 in a channel.
+// Tests 'warpjet/three' together with other code: what users, three's own passes and examples do with objects, materials and shaders.
+// Each row is compared with vertices that were moved on the CPU: at most 5 pixels of 25,600 may differ by more than 12 of 255 in a channel.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
@@ -21,7 +21,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     after(() => leavePage(page))
 
     for (const topic of topics)
-      test(topic, async (t) => {
+      test(`${topic}: a warp looks like vertices moved on the CPU`, async (t) => {
         const names = await page.evaluate((topic) => company.names[topic], topic)
         for (const name of names)
           await t.test(name, async (t) => {

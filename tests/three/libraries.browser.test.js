@@ -1,4 +1,4 @@
-// 'warpjet/three' with packages that draw, deform or instance by themselves: each row as in company.browser.test.js.
+// 'warpjet/three' with packages that have their own rendering, deformation or instancing; each row works like those of company.browser.test.js.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
@@ -43,7 +43,7 @@ after(async () => {
   await pages.close()
 })
 
-test('each package', async (t) => {
+test('each package draws a warp like vertices moved on the CPU', async (t) => {
   for (const name of await page.evaluate(() => company.names.libraries))
     await t.test(name, async (t) => {
       messages.length = 0
@@ -52,7 +52,7 @@ test('each package', async (t) => {
         name,
       )
       t.diagnostic(`${differing} pixels differ, by at most ${worst}; ${moved} are moved`)
-      // The font reader of troika-three-text says this.
+      // Ignores a message of the font reader of troika-three-text.
       const others = messages.filter((message) => !message.startsWith('unsupported GPOS'))
       assert.deepEqual(others, [])
       assert.ok(moved > 400, `${moved} pixels are moved`)
@@ -60,7 +60,7 @@ test('each package', async (t) => {
     })
 })
 
-test('rays meet instances of @three.ez/instanced-mesh where they are drawn', async () => {
+test('rays hit warped instances of @three.ez/instanced-mesh where they are drawn', async () => {
   const heights = await page.evaluate(() => company.heights())
   for (const space of ['local', 'world'])
     for (const [i, expected] of [3, 5].entries())

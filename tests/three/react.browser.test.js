@@ -1,5 +1,5 @@
-// `<Warp>` of 'warpjet/react' in a page with @react-three/fiber: around and in a mesh, with new values and new offsets, and
-// nothing of it left when it is gone.
+// `<Warp>` of 'warpjet/react' in a page with @react-three/fiber: around a mesh and inside one, with changing values and offsets, and
+// without leaks after it is unmounted.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -34,7 +34,7 @@ await root.configure({
 })
 
 let state
-/** Keeps the program of what is not warped, too, with a mesh that nobody sees: each time it came back it would be compiled. */
+/** An invisible mesh that keeps the program for unwarped meshes alive, which would otherwise be recompiled each time. */
 const Spy = () => {
   useFrame((now) => (state = now))
   return e('mesh', { scale: 0, frustumCulled: false }, e('sphereGeometry'), e('meshBasicMaterial'))
@@ -68,7 +68,7 @@ const Late = () => {
 pages.suspended = ({ amount = 0 }) =>
   e(Suspense, { fallback: null }, e(Warp, { offset: offsets.right, uniforms: { amount } }, ball(), e(Late)))
 
-/** Draws and gives the middle of what is white, from -1 to 1, and how much there is. */
+/** Draws → the centre of the white pixels, from -1 to 1, and their number. */
 window.show = async (name, props = {}) => {
   await act(async () => root.render(e(StrictMode, null, e(Spy), name && e(pages[name], props))))
   const { advance } = await import('@react-three/fiber')
@@ -85,7 +85,7 @@ window.show = async (name, props = {}) => {
     }
   return { x: x / count, y: y / count, count }
 }
-/** Mounts and unmounts → what three.js counts and the heap. Every tenth time it is drawn, which compiles what it is drawn with. */
+/** Mounts and unmounts → the counts of three.js and the size of the heap. Draws every tenth time, which compiles the shaders. */
 window.cycle = async (times) => {
   for (let i = 0; i < times; i++) {
     if (i % 10 === 0) await show('around', { amount: i / times })
@@ -137,22 +137,22 @@ after(async () => {
 
 const show = (name, props) => page.evaluate(([name, props]) => show(name, props), [name, props])
 
-/** Half of what the camera sees at the distance of the ball. */
+/** Half the extent of the camera's view at the distance of the ball. */
 const half = 3 * Math.tan((75 / 2) * (Math.PI / 180))
 
 for (const name of ['in', 'around', 'given', 'suspended'])
-  test(`${name}: the offset, a new value of a uniform, and another offset`, async () => {
+  test(`${name}: the ball follows the offset, a new uniform value, and another offset`, async () => {
     const isAt = async (props, x, y) => {
-      const at = await show(name, props)
-      // Suspended, it comes when what is waited for is there.
-      const there = Number.isNaN(at.x)
+      const first = await show(name, props)
+      // A suspended component appears only after its promise has resolved.
+      const shown = Number.isNaN(first.x)
         ? (await page.waitForTimeout(200), await show(name, props))
-        : at
+        : first
       assert.ok(
-        Math.abs(there.x - x / half) < 0.02 && Math.abs(there.y - y / half) < 0.02,
-        JSON.stringify(there),
+        Math.abs(shown.x - x / half) < 0.02 && Math.abs(shown.y - y / half) < 0.02,
+        JSON.stringify(shown),
       )
-      assert.ok(there.count > 50)
+      assert.ok(shown.count > 50)
     }
     await isAt({ amount: 0 }, 0, 0)
     await isAt({ amount: 1 }, 1, 0)
@@ -161,13 +161,13 @@ for (const name of ['in', 'around', 'given', 'suspended'])
     await show(null)
   })
 
-test('mounted and unmounted a thousand times, nothing is left', async (t) => {
+test('mounting and unmounting a thousand times leaks nothing', async (t) => {
   const cycle = (times) => page.evaluate((times) => window.cycle(times), times)
-  // Until all code is compiled: until then the heap grows by a megabyte without a <Warp>, too.
+  // The first cycles compile all code, so that the heap grows by a megabyte even without a <Warp>.
   const { heap: before, ...counts } = await cycle(400)
   const { heap, ...countsAfter } = await cycle(1000)
   t.diagnostic(`heap ${before} before, ${heap} after; ${JSON.stringify(counts)}`)
   assert.deepEqual(countsAfter, counts)
-  // A warp that stayed would be some ten kilobytes, and React mounts each twice.
+  // A leaked warp would have about ten kilobytes, and React's StrictMode mounts each twice.
   assert.ok(heap < before + 2e6, `the heap grew from ${before} to ${heap}`)
 })

@@ -1,5 +1,5 @@
-// 'warpjet/three' with WebGLRenderer: a motion that matrices can do, done by a warp and by three.js itself, is the same picture,
-// shadows and all, on the three.js of today and on the oldest that is supported.
+// Tests 'warpjet/three' with WebGLRenderer: a warp with a linear offset draws the same picture as the same motion through three's matrices,
+// including shadows, on the current three.js and on the oldest supported one.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -7,8 +7,8 @@ import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { leavePage } from '../support/browser/browser.js'
 import { threePages, versions } from '../support/browser/three/open.js'
 
-/** A fifth of what the smallest of the shapes covers. */
-const seen = 300
+/** A fifth of the pixels that the smallest shape covers. */
+const minMoved = 300
 
 let pages
 before(async () => {
@@ -29,14 +29,14 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       messages.length = 0
       const { differing, moved, afterwards } = await compare(name, settings)
       assert.deepEqual(messages, [])
-      // A line is as thin as what rounding decides.
-      const most = name.endsWith('line') ? 2 : 0
-      assert.ok(differing <= most, `${differing} pixels differ from the motion by three.js`)
-      assert.ok(moved > seen, `${moved} pixels differ from no motion`)
-      assert.equal(afterwards, 0, 'pixels that dispose() leaves otherwise than they were')
+      // Rounding can move pixels of a thin line.
+      const tolerance = name.endsWith('line') ? 2 : 0
+      assert.ok(differing <= tolerance, `${differing} pixels differ from the motion by three.js`)
+      assert.ok(moved > minMoved, `${moved} pixels differ from no motion`)
+      assert.equal(afterwards, 0, 'pixels that differ from the original after dispose()')
     }
 
-    test('every shape and every material, in the space of the object', async () => {
+    test('every shape and every material looks the same in local space', async () => {
       const all = await page.evaluate(() => three.names)
       assert.ok(all.length > 25)
       const names = isRun('every material of three')
@@ -50,12 +50,12 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         })
     })
 
-    test('materials of shadows that the object has already', async () => {
+    test('an object with its own shadow materials looks the same', async () => {
       for (const light of ['directional', 'point'])
-        await isSame('materials of shadows of its own', { light })
+        await isSame('its own shadow materials', { light })
     })
 
-    test('in the world', async () => {
+    test('a warp in world space looks the same', async () => {
       for (const name of [
         'plain',
         'vertex tangents',
@@ -68,12 +68,12 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         await isSame(name, { space: 'world', light: name === 'skin' ? 'point' : 'spot' })
     })
 
-    test('at rest, before morph targets and bones', async () => {
+    test('a warp at rest, before morph targets and bones, looks the same', async () => {
       for (const name of ['plain', 'vertex tangents', 'morphs', 'skin'])
         await isSame(name, { space: 'rest', light: 'spot' })
     })
 
-    test('a motion that mirrors, of both sides', async () => {
+    test('a mirroring motion looks the same on both sides', async () => {
       const names = ['plain', 'normal map', 'bump map', 'vertex tangents', 'skin', 'instances']
       const more = ['batch', 'group', 'morphs', 'flat shading', 'MeshPhysicalMaterial', 'clipping']
       for (const name of [...names, ...more, 'MeshNormalMaterial', 'MeshMatcapMaterial'])
@@ -90,11 +90,11 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
           const what = `${name}, ${space}${isKnown ? '' : ', by uniforms'}`
           assert.deepEqual(messages, [], what)
           assert.equal(differing, 0, what)
-          assert.ok(moved > seen, `${what}: ${moved}`)
+          assert.ok(moved > minMoved, `${what}: ${moved}`)
         }
     })
 
-    test('soft, hard and variance shadows', async () => {
+    test('soft, hard and variance shadows look the same', async () => {
       for (const map of ['Basic', 'PCF', 'VSM'])
         for (const light of map === 'VSM'
           ? ['directional', 'spot']
@@ -102,12 +102,12 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
           await isSame('plain', { light, map })
     })
 
-    test('logarithmic and reversed depth', async () => {
+    test('logarithmic and reversed depth buffers work', async () => {
       await isSame('plain', { options: { logarithmicDepthBuffer: true } })
       if (version === 'three') await isSame('plain', { options: { reversedDepthBuffer: true } })
     })
 
-    test('MeshNormalMaterial shows the normals of a wave, also after a week', async () => {
+    test('MeshNormalMaterial shows the exact normals of a wave, also after a week', async () => {
       const { worst, unwarped } = await page.evaluate(() => three.normals())
       assert.ok(
         Math.max(...worst) <= 3 && unwarped > 30,
@@ -115,14 +115,14 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       )
     })
 
-    test('an image among the uniforms', async () => {
+    test('a uniform can be an image', async () => {
       messages.length = 0
       const { differing, moved } = await page.evaluate(() => three.image())
       assert.deepEqual([messages, differing], [[], 0])
-      assert.ok(moved > seen)
+      assert.ok(moved > minMoved)
     })
 
-    test('a texture is sampled as it is set, by glsl.texture and by texture() in GLSL', async () => {
+    test("glsl.texture and texture() in GLSL use the texture's own settings", async () => {
       for (const name of await page.evaluate(() => three.samplings))
         for (const kind of ['builder', 'glsl']) {
           messages.length = 0
@@ -131,25 +131,25 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
             [name, kind, {}],
           )
           assert.deepEqual(messages, [])
-          // Vertices are moved in float32 and in double: an edge may fall into the next pixel.
+          // The reference is computed in double precision, so an edge may be in an adjacent pixel.
           assert.ok(differing <= 4, `${name}, ${kind}: ${differing} pixels differ`)
-          assert.ok(moved > seen, `${name}, ${kind}: only ${moved} pixels are moved`)
+          assert.ok(moved > minMoved, `${name}, ${kind}: only ${moved} pixels are moved`)
         }
     })
 
-    test('three-custom-shader-material takes the text as it is', async () => {
+    test('three-custom-shader-material accepts the code of compileWarp unchanged', async () => {
       messages.length = 0
       const { differing, moved } = await page.evaluate(() => three.custom())
       assert.deepEqual([messages, differing], [[], 0])
-      assert.ok(moved > seen)
+      assert.ok(moved > minMoved)
     })
 
     const manyTimes = isRun('every material of three') && version === versions[0] ? 1000 : 100
     for (const [title, times, settings] of [
-      ['thirty times', 30, {}],
-      [`${manyTimes} times beside another`, manyTimes, { isBeside: true }],
+      ['30 times', 30, {}],
+      [`${manyTimes} times beside another warped mesh`, manyTimes, { isBeside: true }],
     ])
-      test(`warped and disposed ${title}, nothing is left`, async () => {
+      test(`warping and disposing ${title} leaks nothing`, async () => {
         const { before, after } = await page.evaluate(
           ([times, settings]) => three.churn(times, settings),
           [times, settings],
@@ -157,11 +157,11 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         const { heap: heapBefore, ...countsBefore } = before
         const { heap, ...counts } = after
         assert.deepEqual(counts, countsBefore)
-        const most = Math.min(2e6, 20_000 * times)
-        assert.ok(heap < heapBefore + most, `the heap grew from ${heapBefore} to ${heap}`)
+        const maxGrowth = Math.min(2e6, 20_000 * times)
+        assert.ok(heap < heapBefore + maxGrowth, `the heap grew from ${heapBefore} to ${heap}`)
       })
 
-    test('without normals, or without the materials of shadows, hundreds of pixels would differ', async () => {
+    test('these tests would detect missing normals or shadow materials', async () => {
       for (const [sabotage, name, light] of [
         ['normals', 'plain', 'directional'],
         ['depth', 'plain', 'directional'],
@@ -180,17 +180,17 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
   })
 
 for (const file of ['web/docs/how-to-three.md', 'web/docs/three.md'])
-  test(`the first listing of ${file} runs as it stands`, async () => {
+  test(`the first listing of ${file} runs unchanged`, async () => {
     const text = readFileSync(new URL(`../../${file}`, import.meta.url), 'utf8')
     const [, code] = /^# ?.*three\.js\n[^]*?```js\n([^]*?)```/m.exec(
       text.replaceAll('\n## ', '\n# '),
     )
     const { page, messages } = await pages.listing(code)
-    const counted = () =>
+    const countBrightPixels = () =>
       page.evaluate(async () => {
         const canvas = await new Promise(function look(found) {
-          const there = document.querySelector('canvas')
-          if (there) found(there)
+          const canvas = document.querySelector('canvas')
+          if (canvas) found(canvas)
           else requestAnimationFrame(() => look(found))
         })
         await new Promise(requestAnimationFrame)
@@ -200,9 +200,9 @@ for (const file of ['web/docs/how-to-three.md', 'web/docs/three.md'])
         gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
         return pixels.filter((byte, i) => i % 4 === 2 && byte > 64).length
       })
-    const first = await counted()
+    const first = await countBrightPixels()
     await page.waitForTimeout(300)
-    const second = await counted()
+    const second = await countBrightPixels()
     assert.deepEqual(messages, [])
     assert.ok(first > 5000 && second !== first, `${first} pixels, then ${second}`)
     await leavePage(page)

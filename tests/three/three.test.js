@@ -1,4 +1,5 @@
-// 'warpjet/three' where no pixel is needed: rays, bounds, uniforms, what is refused, and that dispose() leaves nothing.
+// Tests the parts of 'warpjet/three' that need no rendering: rays, bounds, uniforms, error messages, and that dispose() restores
+// everything.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
@@ -22,8 +23,8 @@ const wave = ({ glsl, position, uniforms, millis }) =>
 const plane = (more = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })) =>
   new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 40, 40), more)
 
-/** Numbers from 0 to 1, the same in each run. */
-function numbers(seed = 1) {
+/** Makes a generator of numbers from 0 to 1, the same in each run. */
+function randomNumbers(seed = 1) {
   let state = seed
   return () => (state = (state * 16807) % 2147483647) / 2147483647
 }
@@ -38,8 +39,8 @@ const rayFrom = (random, target, spread) => {
   return new THREE.Raycaster(from, to.sub(from).normalize())
 }
 
-/** Makes a plain mesh whose vertices are where the warp must put them, moved in double precision. */
-function reference(mesh, place, instance = new THREE.Matrix4()) {
+/** Makes a plain mesh whose vertices have the expected warped positions, computed in double precision. */
+function makeReference(mesh, place, instance = new THREE.Matrix4()) {
   const geometry = mesh.geometry.toNonIndexed()
   const { position } = geometry.attributes
   for (let i = 0; i < position.count; i++) {
@@ -52,7 +53,7 @@ function reference(mesh, place, instance = new THREE.Matrix4()) {
   return made
 }
 
-function placed(mesh) {
+function transform(mesh) {
   mesh.position.set(0.3, -0.2, 0.1)
   mesh.rotation.set(0.4, 0.8, -0.3)
   mesh.scale.set(1.2, 0.8, 1)
@@ -60,8 +61,8 @@ function placed(mesh) {
   return mesh
 }
 
-/** Both rays hit at the same places, or neither does; how many did. */
-function sameHits(mesh, others, { rays = 200, spread = 1.5, random = numbers() } = {}) {
+/** Asserts that rays hit a mesh at the same points as the other objects, or hit neither. */
+function assertSameHits(mesh, others, { rays = 200, spread = 1.5, random = randomNumbers() } = {}) {
   let hits = 0
   for (let i = 0; i < rays; i++) {
     const ray = rayFrom(random, new THREE.Vector3(0.3, -0.2, 0.1), spread)
@@ -81,27 +82,27 @@ function sameHits(mesh, others, { rays = 200, spread = 1.5, random = numbers() }
   assert.ok(hits > rays / 5, `${hits} hits`)
 }
 
-describe('rays meet the warped surface', () => {
+describe('rays hit the warped surface', () => {
   const height = 0.3
   const at = (millis) => (x, y, z) => [x, y, z + height * Math.sin(3 * x + millis / 500)]
 
-  test('of a mesh, also when the uniforms change', () => {
-    const mesh = placed(plane())
+  test('of a mesh, also after uniforms change', () => {
+    const mesh = transform(plane())
     const warped = warp(mesh, wave, { uniforms: { height } })
-    // The last one after a week.
+    // The last time is after a week.
     for (const millis of [0, 700, 6e8 + 700]) {
       warped.update(millis)
-      sameHits(mesh, [reference(mesh, at(millis))])
+      assertSameHits(mesh, [makeReference(mesh, at(millis))])
     }
     warped.uniforms.height.value = 0
-    sameHits(mesh, [reference(mesh, (...place) => place)])
+    assertSameHits(mesh, [makeReference(mesh, (...place) => place)])
     warped.dispose()
-    sameHits(mesh, [reference(mesh, (...place) => place)])
+    assertSameHits(mesh, [makeReference(mesh, (...place) => place)])
   })
 
-  test('of instances, with their number', () => {
+  test('of instances, and report the instanceId', () => {
     const { geometry, material } = plane()
-    const mesh = placed(new THREE.InstancedMesh(geometry, material, 3))
+    const mesh = transform(new THREE.InstancedMesh(geometry, material, 3))
     const matrices = [0, 1, 2].map((i) =>
       new THREE.Matrix4().compose(
         new THREE.Vector3(i - 1, 0.3 * i, 0),
@@ -111,30 +112,30 @@ describe('rays meet the warped surface', () => {
     )
     matrices.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
     const warped = warp(mesh, wave, { uniforms: { height } })
-    sameHits(
+    assertSameHits(
       mesh,
-      matrices.map((matrix) => reference(mesh, at(0), matrix)),
+      matrices.map((matrix) => makeReference(mesh, at(0), matrix)),
     )
     const ray = new THREE.Raycaster(new THREE.Vector3(0, 0, 9), new THREE.Vector3(0, 0, -1))
     for (const hit of ray.intersectObject(mesh)) assert.ok(hit.instanceId in matrices)
     warped.dispose()
   })
 
-  test('in the world, of a mesh and of instances', () => {
+  test('in world space, of a mesh and of instances', () => {
     const offset = ({ glsl, position }) => glsl.vec3(0, position.x().mult(3).sin().mult(0.3), 0)
     const inWorld = (mesh, instance = new THREE.Matrix4()) => {
       const all = new THREE.Matrix4().multiplyMatrices(mesh.matrixWorld, instance)
-      const made = reference(mesh, (x, y, z) => {
+      const made = makeReference(mesh, (x, y, z) => {
         const place = new THREE.Vector3(x, y, z).applyMatrix4(all)
         return [place.x, place.y + 0.3 * Math.sin(3 * place.x), place.z]
       })
       made.matrixWorld.identity()
       return made
     }
-    const mesh = placed(plane())
+    const mesh = transform(plane())
     warp(mesh, offset, { space: 'world' })
-    sameHits(mesh, [inWorld(mesh)])
-    const many = placed(new THREE.InstancedMesh(mesh.geometry, mesh.material, 2))
+    assertSameHits(mesh, [inWorld(mesh)])
+    const many = transform(new THREE.InstancedMesh(mesh.geometry, mesh.material, 2))
     const matrices = [
       new THREE.Matrix4().makeTranslation(1, 0, 0),
       new THREE.Matrix4().makeScale(0.5, 1, 1),
@@ -142,7 +143,7 @@ describe('rays meet the warped surface', () => {
     matrices.forEach((matrix, i) => many.setMatrixAt(i, matrix))
     many.material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
     warp(many, offset, { space: 'world' })
-    sameHits(
+    assertSameHits(
       many,
       matrices.map((matrix) => inWorld(many, matrix)),
     )
@@ -164,7 +165,7 @@ describe('rays meet the warped surface', () => {
     }
   })
 
-  test('by three-mesh-bvh, assigned before the warp and after it, also of a batch', () => {
+  test('with three-mesh-bvh, assigned before the warp or after it, also of a batch', () => {
     const up = ({ glsl }) => glsl.vec3(0, 0, 2)
     const down = new THREE.Raycaster(new THREE.Vector3(0.2, 0.1, 9), new THREE.Vector3(0, 0, -1))
     const height = (object) => down.intersectObject(object)[0].point.z
@@ -190,7 +191,7 @@ describe('rays meet the warped surface', () => {
     }
   })
 
-  test('of one that only the GPU can run they miss, and say so once', (t) => {
+  test('never of a warp that only the GPU can evaluate, which causes one warning', (t) => {
     const said = t.mock.method(console, 'warn', () => {})
     const mesh = plane()
     const map = new THREE.DataTexture(new Uint8Array(4), 1, 1)
@@ -207,7 +208,7 @@ describe('rays meet the warped surface', () => {
   })
 })
 
-function skinned() {
+function makeSkinnedMesh() {
   const geometry = new THREE.CylinderGeometry(0.2, 0.2, 2, 8, 10)
   const { position } = geometry.attributes
   const weights = []
@@ -234,7 +235,7 @@ function skinned() {
   return mesh
 }
 
-function morphing() {
+function makeMorphingMesh() {
   const mesh = plane()
   const to = mesh.geometry.attributes.position.clone()
   for (let i = 0; i < to.count; i++) to.setXYZ(i, 2 * to.getX(i), to.getY(i), 1)
@@ -243,8 +244,8 @@ function morphing() {
   return mesh
 }
 
-test('nothing that is visible is culled, in ten thousand settings, and little else is drawn', (t) => {
-  const random = numbers(7)
+test('culling never hides anything visible in ten thousand settings, and draws few invisible objects', (t) => {
+  const random = randomNumbers(7)
   const { geometry, material } = plane()
   const kinds = [
     () => plane(),
@@ -255,9 +256,9 @@ test('nothing that is visible is culled, in ten thousand settings, and little el
       mesh.setMatrixAt(1, new THREE.Matrix4().makeScale(0.5, 0.2, 1))
       return mesh
     },
-    batched,
-    skinned,
-    morphing,
+    makeBatch,
+    makeSkinnedMesh,
+    makeMorphingMesh,
   ]
   const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 30)
   const frustum = new THREE.Frustum()
@@ -297,9 +298,11 @@ test('nothing that is visible is culled, in ten thousand settings, and little el
             visible += seen.includes(true)
             continue
           }
-          const those = isDrawn ? drawnOf(mesh, camera) : []
-          seen.forEach((is, i) => assert.ok(!is || those.includes(i), `${space}: ${i} culled`))
-          drawnInBatch += those.length
+          const drawnHere = isDrawn ? drawnInstances(mesh, camera) : []
+          seen.forEach((isSeen, i) =>
+            assert.ok(!isSeen || drawnHere.includes(i), `${space}: ${i} culled`),
+          )
+          drawnInBatch += drawnHere.length
           visibleInBatch += seen.filter(Boolean).length
         }
       }
@@ -311,8 +314,8 @@ test('nothing that is visible is culled, in ten thousand settings, and little el
   assert.ok(visibleInBatch > 100 && drawnInBatch <= 2 * visibleInBatch)
 })
 
-/** A batch of a ball and a ring, each at two places. */
-function batched() {
+/** Makes a batch of a ball and a ring, each at two positions. */
+function makeBatch() {
   const geometries = [
     new THREE.SphereGeometry(1.2, 24, 16),
     new THREE.TorusGeometry(1, 0.4, 12, 32),
@@ -334,12 +337,12 @@ function batched() {
 }
 
 /** Lists the instances of a batch that three.js draws for a camera. */
-function drawnOf(mesh, camera) {
+function drawnInstances(mesh, camera) {
   mesh.onBeforeRender({}, undefined, camera, mesh.geometry, mesh.material)
   return [...mesh._indirectTexture.image.data.slice(0, mesh._multiDrawCount)]
 }
 
-/** The vertices of each instance in the world, each computed by itself in double. */
+/** Returns the vertices of each instance in world space, computed in double precision. */
 function placesOf(mesh, space, { uniforms }) {
   const height = uniforms.height.value
   const { millis } = mesh.userData
@@ -363,7 +366,7 @@ function placesOf(mesh, space, { uniforms }) {
   })
 }
 
-/** The mesh, the vertices of its geometry moved before anything else is. */
+/** Returns a view of the mesh whose geometry is lifted, before morph targets and bones apply. */
 function withLifted(mesh, lift) {
   const position = mesh.geometry.attributes.position.clone()
   for (let i = 0; i < position.count; i++) {
@@ -375,7 +378,7 @@ function withLifted(mesh, lift) {
   return Object.create(mesh, { geometry: { value: geometry } })
 }
 
-test('uniforms are those of three.js, and say what is wrong with them', () => {
+test('uniforms have the form of those of three.js, and reject invalid values with a message', () => {
   const { uniforms, dispose } = warp(
     plane(),
     ({ uniforms }) =>
@@ -408,7 +411,7 @@ test('uniforms are those of three.js, and say what is wrong with them', () => {
   dispose()
 })
 
-describe('what cannot be warped is refused by a sentence, and nothing is changed', () => {
+describe('warp throws a message, and changes nothing, for', () => {
   const none = ({ position }) => position
   const mesh = plane()
   const { material } = mesh
@@ -428,41 +431,44 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(new THREE.Group(), none),
       /^warp: there is nothing to draw in this Group/,
     ],
-    'an offset that is none': [() => warp(mesh, 5), /^warp: expected a function, got the number 5/],
-    'an offset that gives a number': [
+    'a value that is not an offset function': [
+      () => warp(mesh, 5),
+      /^warp: expected a function, got the number 5/,
+    ],
+    'an offset function that returns a number': [
       () => warp(mesh, () => 5),
       /^warp: the offset function must return a vec3/,
     ],
-    'a space that is none': [
+    'an unknown space': [
       () => warp(mesh, none, { space: 'view' }),
       /^warp: expected 'local', 'rest' or 'world' for the option "space", got the text "view"\.$/,
     ],
     'a geometry': [() => warp(mesh.geometry, none), /got a PlaneGeometry\.$/],
-    'along a normal that is missing': [
+    'an offset along a missing normal': [
       () => warp(new THREE.Mesh(bare, material), ({ normal }) => normal),
       /^warp: the offset reads normal, but the geometry of this Mesh has no attribute "normal"; call geometry\.computeVertexNormals\(\) first\.$/,
     ],
-    'by texture coordinates that are missing': [
+    'an offset that reads missing texture coordinates': [
       () => warp(new THREE.Points(bare), ({ glsl, uv }) => glsl.vec3(uv, 0)),
       /^warp: the offset reads uv, but the geometry of this Points has no attribute "uv"/,
     ],
-    'instances by number': [
+    'an offset that reads the number of an instance': [
       () => warp(mesh, ({ glsl, instance }) => glsl.vec3(instance, 0, 0)),
       /^warp: the offset reads instance, which three\.js does not have; place instances by their matrices/,
     ],
-    'an option that is none': [
+    'an unknown option': [
       () => warp(mesh, none, { colour: 1 }),
       /^warp: there is no option "colour"/,
     ],
-    'the mouse': [
+    'an offset that reads the mouse': [
       () => warp(mesh, ({ glsl, mouse }) => glsl.vec3(mouse, 0)),
       /^warp: the offset reads mouse, which three\.js does not have/,
     ],
-    'a parameter': [
+    'an offset with an undeclared parameter': [
       () => warp(mesh, ({ glsl }) => glsl.vec3(glsl.param('wind'), 0, 0)),
       /^warp: the offset reads "wind" by glsl\.param/,
     ],
-    'a shader that makes its vertices from nothing': [
+    'a shader that does not read positions': [
       () =>
         warpMaterial(
           new THREE.ShaderMaterial({ vertexShader: 'void main() { gl_Position = vec4( 1.0 ); }' }),
@@ -478,7 +484,7 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
         ),
       /the MeshNode cannot be warped: only WebGPURenderer draws it; import 'warpjet\/three\/webgpu'\.$/,
     ],
-    'no material': [
+    'a mesh instead of a material': [
       () => warpMaterial(mesh, none),
       /^warpMaterial: expected a material of three\.js, got a Mesh\.$/,
     ],
@@ -494,7 +500,7 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       assert.equal(Object.hasOwn(mesh, 'raycast'), false)
     })
 
-  test('in a group, which warps the others and names it once', async (t) => {
+  test('an unsupported object alone; in a group, it warns once and warps the others', async (t) => {
     const said = t.mock.method(console, 'warn', () => {})
     const { LineMaterial } = await import('three/addons/lines/LineMaterial.js')
     const { LineSegments2 } = await import('three/addons/lines/LineSegments2.js')
@@ -521,7 +527,7 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
     )
   })
 
-  test('a mesh that is warped already', () => {
+  test('a mesh that is already warped', () => {
     const warped = warp(mesh, none)
     assert.throws(() => warp(mesh, none), /^WarpError: warp: this Mesh is warped already/)
     warped.dispose()
@@ -529,27 +535,27 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
   })
 })
 
-describe('two warps of one object are refused, since they would be drawn as one', () => {
+describe('a second warp of the same object throws', () => {
   const none = ({ position }) => position
   const cases = {
-    'on a clone of a warped mesh, which is warped itself'(mesh) {
+    'on a clone of a warped mesh, which is warped, too'(mesh) {
       warp(mesh, none)
       return [
         [() => warp(mesh.clone(), none), /this Mesh is warped already, or a clone of a warped/],
         [() => warp(new THREE.Group().add(mesh.clone()), none), /is warped already/],
       ]
     },
-    'by warpMaterial'(mesh) {
+    'after warpMaterial'(mesh) {
       const { material } = warpMaterial(mesh.material, none)
       mesh.material = material
-      const refusal =
+      const message =
         /the MeshBasicMaterial( of this Mesh)? cannot be warped: a call of warpMaterial/
       return [
-        [() => warp(mesh, none), refusal],
-        [() => warpMaterial(material, none), refusal],
+        [() => warp(mesh, none), message],
+        [() => warpMaterial(material, none), message],
       ]
     },
-    'by warpMaterial, in the material itself'(mesh) {
+    'after warpMaterial with the option share'(mesh) {
       warpMaterial(mesh.material, none, { share: true })
       return [[() => warp(mesh, none), /a call of warpMaterial/]]
     },
@@ -564,7 +570,7 @@ describe('two warps of one object are refused, since they would be drawn as one'
         })
     })
 
-  test('and warped again when it no longer is', () => {
+  test('unless the first one was disposed of', () => {
     const mesh = plane()
     warp(mesh, none, { share: true }).dispose()
     warp(mesh, none, { share: true }).dispose()
@@ -574,14 +580,14 @@ describe('two warps of one object are refused, since they would be drawn as one'
     warp(clone, none)
   })
 
-  test('but one material is drawn with as many warps as objects have it', () => {
+  test('unless the objects only share their material', () => {
     const mesh = plane()
     warp(mesh, none)
     warp(new THREE.Mesh(mesh.geometry, mesh.material), none)
   })
 })
 
-describe('rays meet normals in the world as those of a geometry that is there already', () => {
+describe('in world space rays hit a warp along the normal, with the same normals as for a geometry in world coordinates:', () => {
   const offsets = {
     'along the normal': ({ glsl, normal, position }) =>
       normal.mult(position.x().mult(3).sin().mult(0.2)).add(glsl.vec3(0, 0, 0.1)),
@@ -593,16 +599,16 @@ describe('rays meet normals in the world as those of a geometry that is there al
     .multiply(new THREE.Matrix4().makeScale(1.5, 0.8, 2))
     .setPosition(1, 2, -1)
 
-  function compare(placed, there, offset) {
-    placed.updateMatrixWorld(true)
-    warp(placed, offset, { space: 'world' })
-    warp(there, offset)
-    const toWorld = new THREE.Matrix3().getNormalMatrix(placed.matrixWorld)
-    const random = numbers(7)
+  function compare(transformed, inWorld, offset) {
+    transformed.updateMatrixWorld(true)
+    warp(transformed, offset, { space: 'world' })
+    warp(inWorld, offset)
+    const toWorld = new THREE.Matrix3().getNormalMatrix(transformed.matrixWorld)
+    const random = randomNumbers(7)
     let count = 0
     for (let i = 0; i < 60; i++) {
-      const ray = rayFrom(random, placed.position, 1)
-      const [[a], [b]] = [ray.intersectObject(placed), ray.intersectObject(there)]
+      const ray = rayFrom(random, transformed.position, 1)
+      const [[a], [b]] = [ray.intersectObject(transformed), ray.intersectObject(inWorld)]
       assert.equal(a === undefined, b === undefined)
       if (!a) continue
       count++
@@ -614,37 +620,37 @@ describe('rays meet normals in the world as those of a geometry that is there al
   }
 
   for (const [name, offset] of Object.entries(offsets))
-    test(`${name}, turned and larger`, async () => {
+    test(`${name}, rotated and scaled`, async () => {
       const matrix = turned
         .clone()
         .scale(new THREE.Vector3(2, 2, 2))
         .setPosition(1, 2, -1)
       const geometry = new THREE.TorusKnotGeometry(1, 0.4, 120, 24)
-      const there = await addSurfaceVariation(geometry.clone().applyMatrix4(matrix))
-      const placed = new THREE.Mesh(await addSurfaceVariation(geometry))
-      placed.applyMatrix4(matrix)
-      compare(placed, new THREE.Mesh(there), offset)
+      const inWorld = await addSurfaceVariation(geometry.clone().applyMatrix4(matrix))
+      const transformed = new THREE.Mesh(await addSurfaceVariation(geometry))
+      transformed.applyMatrix4(matrix)
+      compare(transformed, new THREE.Mesh(inWorld), offset)
     })
 
-  test('along the normal of an ellipsoid, of which all is known', () => {
+  test('along the normal of an ellipsoid, whose normals and gradients have formulas', () => {
     const geometry = new THREE.SphereGeometry(1, 80, 60)
-    const there = geometry.clone().applyMatrix4(stretched)
+    const inWorld = geometry.clone().applyMatrix4(stretched)
     const back = new THREE.Matrix3().setFromMatrix4(stretched).invert()
     // The ellipsoid is q · S q = 1 with S = B^T B; its normal is S q / |S q|.
     const shape = back.clone().transpose().multiply(back)
     const center = new THREE.Vector3().setFromMatrixPosition(stretched)
-    vary(geometry, new THREE.Matrix3(), new THREE.Vector3())
-    vary(there, shape, center)
-    const placed = new THREE.Mesh(geometry)
-    placed.matrixAutoUpdate = false
-    placed.matrix.copy(stretched)
-    placed.position.copy(center)
-    compare(placed, new THREE.Mesh(there), offsets['along the normal'])
+    addGradients(geometry, new THREE.Matrix3(), new THREE.Vector3())
+    addGradients(inWorld, shape, center)
+    const transformed = new THREE.Mesh(geometry)
+    transformed.matrixAutoUpdate = false
+    transformed.matrix.copy(stretched)
+    transformed.position.copy(center)
+    compare(transformed, new THREE.Mesh(inWorld), offsets['along the normal'])
   })
 })
 
-/** Says how the normals of q · S q = 1 vary along the surface, by hand. */
-function vary(geometry, shape, center) {
+/** Adds the gradients of the normal of the surface q · S q = 1, derived by hand. */
+function addGradients(geometry, shape, center) {
   const { position } = geometry.attributes
   const gradients = [0, 1, 2].map(() => new Float32Array(3 * position.count))
   for (let i = 0; i < position.count; i++) {
@@ -652,11 +658,11 @@ function vary(geometry, shape, center) {
     const normal = q.applyMatrix3(shape)
     const length = normal.length()
     normal.divideScalar(length)
-    const along = (v) => v.addScaledVector(normal, -normal.dot(v))
+    const project = (v) => v.addScaledVector(normal, -normal.dot(v))
     // The k-th row of (1 - n n^T) S (1 - n n^T) / |S q|.
     for (let k = 0; k < 3; k++) {
-      const axis = along(new THREE.Vector3().setComponent(k, 1)).applyMatrix3(shape)
-      along(axis)
+      const axis = project(new THREE.Vector3().setComponent(k, 1)).applyMatrix3(shape)
+      project(axis)
         .divideScalar(length)
         .toArray(gradients[k], 3 * i)
     }
@@ -669,8 +675,8 @@ function vary(geometry, shape, center) {
   )
 }
 
-test('dispose() leaves everything as it was, and a second one does nothing', () => {
-  for (const mesh of [plane(), skinned(), new THREE.Points(plane().geometry)])
+test('dispose() restores everything, and a second call does nothing', () => {
+  for (const mesh of [plane(), makeSkinnedMesh(), new THREE.Points(plane().geometry)])
     for (const share of [false, true]) {
       // Three.js keeps an empty list of listeners.
       const own = (object) =>
@@ -692,7 +698,7 @@ test('dispose() leaves everything as it was, and a second one does nothing', () 
 
 describe('a renderer draws', () => {
   const none = ({ position }) => position
-  const rendererOf = () => {
+  const mockRenderer = () => {
     const drawn = []
     const renderer = {
       drawn,
@@ -705,10 +711,10 @@ describe('a renderer draws', () => {
   const draw = (renderer, object, material = object.material) =>
     renderer.renderBufferDirect(null, null, object.geometry, material, object, null)
 
-  test('a warped object with a live view of whichever material, and no other object', () => {
+  test('a warped object with a live view of its current material, and other objects unchanged', () => {
     const mesh = plane()
     const warped = warp(mesh, none)
-    const renderer = rendererOf()
+    const renderer = mockRenderer()
     mesh.onBeforeShadow(renderer)
     mesh.onBeforeRender(renderer)
     const override = new THREE.MeshNormalMaterial()
@@ -735,12 +741,12 @@ describe('a renderer draws', () => {
     assert.equal(renderer.drawn.at(-1), mesh.material)
   })
 
-  test('a material that cannot be warped as it is, and says so once', (t) => {
+  test('a material that cannot be warped unchanged, and logs one error', (t) => {
     const said = t.mock.method(console, 'error', () => {})
     const mesh = plane()
     mesh.name = 'flag'
     const warped = warp(mesh, none)
-    const renderer = rendererOf()
+    const renderer = mockRenderer()
     mesh.onBeforeRender(renderer)
     mesh.material = new THREE.SpriteMaterial()
     draw(renderer, mesh)
@@ -754,7 +760,7 @@ describe('a renderer draws', () => {
     warped.dispose()
   })
 
-  test('an object that is not warped in less than 0.2 microseconds more', (t) => {
+  test('an unwarped object with at most 0.2 microseconds of overhead', (t) => {
     const mesh = plane()
     const warped = warp(mesh, none)
     const renderer = { renderBufferDirect() {}, compile() {} }
@@ -764,19 +770,19 @@ describe('a renderer draws', () => {
       return performance.now() - start
     }
     const other = plane()
-    const bare = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    const plainTime = Math.min(...Array.from({ length: 5 }, () => times(other)))
     mesh.onBeforeRender(renderer)
-    const wrapped = Math.min(...Array.from({ length: 5 }, () => times(other)))
-    const more = (1000 * (wrapped - bare)) / 200_000
+    const wrappedTime = Math.min(...Array.from({ length: 5 }, () => times(other)))
+    const overhead = (1000 * (wrappedTime - plainTime)) / 200_000
     t.diagnostic(
-      `${more.toFixed(3)} microseconds more than ${((1000 * bare) / 200_000).toFixed(3)}`,
+      `${overhead.toFixed(3)} microseconds more than ${((1000 * plainTime) / 200_000).toFixed(3)}`,
     )
-    assert.ok(more < 0.2)
+    assert.ok(overhead < 0.2)
     warped.dispose()
   })
 })
 
-test('a method that is assigned while an object is warped stays, and may call the one before', () => {
+test('a callback assigned while an object is warped is preserved, and may call the previous one', () => {
   const mesh = plane()
   const calls = []
   mesh.onBeforeRender = () => calls.push('first')
@@ -798,7 +804,7 @@ test('a method that is assigned while an object is warped stays, and may call th
   assert.equal(mesh.material, material)
 })
 
-test('bounds() is around what is drawn, of a group around all of it', () => {
+test('bounds() contains the drawn object, and all parts of a group', () => {
   const [left, right] = [plane(), plane()]
   left.position.x = -3
   right.position.x = 3
@@ -813,7 +819,7 @@ test('bounds() is around what is drawn, of a group around all of it', () => {
   warped.dispose()
 })
 
-test('a geometry becomes a mesh, is baked, and comes back with what only three.js knows', () => {
+test('toBufferGeometry restores what a baked mesh cannot hold, such as groups and further attributes', () => {
   const { geometry } = plane()
   geometry.setAttribute('uv1', geometry.attributes.uv.clone())
   geometry.setAttribute(
@@ -840,7 +846,7 @@ test('a geometry becomes a mesh, is baked, and comes back with what only three.j
   assert.throws(() => fromBufferGeometry(3), WarpError)
 })
 
-test('a geometry can say how its normals vary', async () => {
+test('addSurfaceVariation adds the gradients of the normals to a geometry', async () => {
   const geometry = await addSurfaceVariation(new THREE.SphereGeometry(2, 40, 30))
   const { position, aWarpjet_normalXGradient: gradient } = geometry.attributes
   // The normal of a sphere is position / radius: its gradients are the axes, projected, over the radius.
@@ -865,37 +871,37 @@ const tenWarps = [
   ({ normal }) => normal.mult(0.3),
 ]
 
-/** For each of the ten warps. */
+/** The number of rays for each of the ten warps. */
 const rays = isRun('a thousand rays') ? 1000 : 100
 
-test('a thousand rays meet ten warps where they meet the baked meshes', () => {
+test('a thousand rays hit ten warps where they hit the baked meshes', () => {
   const { min, max } = Math
   const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, 64, 12)
-  const random = numbers(3)
+  const random = randomNumbers(3)
   for (const [i, offset] of tenWarps.entries()) {
-    const mesh = placed(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial()))
+    const mesh = transform(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial()))
     const warped = warp(mesh, offset, { surfaceVariation: false })
     const compiled = compileWarp(offset, { surfaceVariation: false })
     const other = new THREE.Mesh(bakeWarp(geometry, compiled), mesh.material)
     other.matrixWorld.copy(mesh.matrixWorld)
     const { array } = other.geometry.attributes.position
     assert.ok(max(...array) - min(...array) < 20, `warp ${i}`)
-    sameHits(mesh, [other], { rays, random })
+    assertSameHits(mesh, [other], { rays, random })
     warped.dispose()
   }
 })
 
-test('a thousand rays meet ten warps within 1e-4 of the mesh of where a denser one of triangles has them', (t) => {
-  const random = numbers(5)
+test('a thousand rays hit ten warps within 1e-4 of the size of the mesh from the hits of a denser baked mesh', (t) => {
+  const random = randomNumbers(5)
   const both = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
   const patch = (along, down) => new THREE.SphereGeometry(1, along, down, 0, 2, 0.5, 1.4)
-  const [fine, four] = [patch(170, 120), patch(340, 240)]
+  const [fine, finer] = [patch(170, 120), patch(340, 240)]
   const spread = () => new THREE.Vector3(random(), random(), random()).subScalar(0.5)
   let worst = 0
   for (const offset of tenWarps) {
-    const mesh = placed(new THREE.Mesh(fine, both))
+    const mesh = transform(new THREE.Mesh(fine, both))
     const warped = warp(mesh, offset, { surfaceVariation: false })
-    const baked = bakeWarp(four, compileWarp(offset, { surfaceVariation: false }))
+    const baked = bakeWarp(finer, compileWarp(offset, { surfaceVariation: false }))
     baked.boundsTree = new MeshBVH(baked)
     const dense = new THREE.Mesh(baked, both)
     dense.raycast = acceleratedRaycast
@@ -903,7 +909,7 @@ test('a thousand rays meet ten warps within 1e-4 of the mesh of where a denser o
     const size = warped.bounds().getSize(new THREE.Vector3()).length()
     const { position, normal } = baked.attributes
     for (let i = 0; i < rays / 10; i++) {
-      // To a place away from the edge, from somewhere above it.
+      // From somewhere above the surface to a point away from the edge.
       const [u, v] = [0.1 + 0.8 * random(), 0.1 + 0.8 * random()]
       const vertex = Math.round(340 * u) + 341 * Math.round(240 * v)
       const to = new THREE.Vector3()
@@ -926,24 +932,24 @@ test('a thousand rays meet ten warps within 1e-4 of the mesh of where a denser o
   assert.ok(worst < 1e-4, `${worst} of the size of the mesh`)
 })
 
-test('an instance of a batch that is shown again, and more of a geometry, count for bounds and rays', () => {
+test('bounds and rays follow the visibility of batch instances and the draw range of a geometry', () => {
   const batch = new THREE.BatchedMesh(2, 8, 12, new THREE.MeshStandardMaterial())
   const geometry = batch.addGeometry(new THREE.PlaneGeometry(1, 1))
-  const [here, there] = [0, 5].map((x) => {
+  const [near, far] = [0, 5].map((x) => {
     const id = batch.addInstance(geometry)
     batch.setMatrixAt(id, new THREE.Matrix4().makeTranslation(x, 0, 0))
     return id
   })
-  batch.setVisibleAt(there, false)
+  batch.setVisibleAt(far, false)
   const up = ({ glsl }) => glsl.vec3(0, 0, 2)
   const warped = warp(batch, up)
   const ray = new THREE.Raycaster(new THREE.Vector3(5, 0, 9), new THREE.Vector3(0, 0, -1))
   assert.ok(warped.bounds().max.x < 1)
   assert.equal(ray.intersectObject(batch).length, 0)
-  batch.setVisibleAt(there, true)
+  batch.setVisibleAt(far, true)
   assert.ok(warped.bounds().max.x >= 5.5)
-  assert.equal(ray.intersectObject(batch)[0].batchId, there)
-  batch.setVisibleAt(here, false)
+  assert.equal(ray.intersectObject(batch)[0].batchId, far)
+  batch.setVisibleAt(near, false)
   assert.ok(warped.bounds().min.x > 4)
   warped.dispose()
 
@@ -953,13 +959,13 @@ test('an instance of a batch that is shown again, and more of a geometry, count 
   const partly = warp(mesh, up)
   const down = new THREE.Raycaster(new THREE.Vector3(), new THREE.Vector3(0, 0, -1))
   const hits = () => {
-    let met = 0
+    let count = 0
     for (const x of [-0.9, 0.9])
       for (const y of [-0.9, 0.9]) {
         down.ray.origin.set(x, y, 9)
-        met += down.intersectObject(mesh).length
+        count += down.intersectObject(mesh).length
       }
-    return met
+    return count
   }
   const before = hits()
   mesh.geometry.setDrawRange(0, index.count)
@@ -967,19 +973,19 @@ test('an instance of a batch that is shown again, and more of a geometry, count 
   partly.dispose()
 })
 
-test('what three.js calls uniforms is told how it goes here', () => {
+test("messages explain the difference from three.js's own notation of uniforms", () => {
   const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.a, 0, 0)
-  const refused = (work, message) => assert.throws(work, { name: 'WarpError', message })
-  refused(
+  const expectError = (work, message) => assert.throws(work, { name: 'WarpError', message })
+  expectError(
     () => warp(plane(), offset, { uniforms: { a: { value: 1 } } }),
     /; pass its value itself\.$/,
   )
   const warped = warp(plane(), offset, { uniforms: { a: 1 } })
-  refused(() => (warped.uniforms.a = 2), /set its value, as in uniforms\.a\.value = 0\.5/)
+  expectError(() => (warped.uniforms.a = 2), /set its value, as in uniforms\.a\.value = 0\.5/)
   warped.dispose()
 })
 
-test('shader text is an offset too', () => {
+test('GLSL source can be an offset, too', () => {
   const mesh = plane()
   const warped = warp(
     mesh,

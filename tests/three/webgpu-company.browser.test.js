@@ -1,4 +1,4 @@
-// WebGPURenderer, on both its backends: a warp beside the code of others is the same picture as the motion without a warp.
+// Tests WebGPURenderer on both its backends: a warp combined with other people's code draws the same picture as the motion without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { webgpuFlags } from '../support/browser/browser.js'
@@ -6,7 +6,7 @@ import { threePages } from '../support/browser/three/open.js'
 
 /** Pixels that may differ by more than 12 of 255 in a channel. */
 const allowed = 5
-const seen = 200
+const minMoved = 200
 
 let pages, page, messages
 before(async () => {
@@ -17,45 +17,51 @@ after(() => pages.close())
 
 for (const backend of ['webgl', 'webgpu'])
   describe(`the backend ${backend}`, () => {
-    const ask = (work, ...given) => {
+    const evaluate = (work, ...args) => {
       messages.length = 0
-      return page.evaluate(work, [...given, backend])
+      return page.evaluate(work, [...args, backend])
     }
 
-    test('beside the code of others', async (t) => {
-      for (const name of await ask(() => company.names))
+    test('a warp combined with other code draws the same picture as the motion without a warp', async (t) => {
+      for (const name of await evaluate(() => company.names))
         await t.test(name, async () => {
-          const { differing, moved } = await ask(([name, on]) => company.compare(name, on), name)
+          const { differing, moved } = await evaluate(
+            ([name, on]) => company.compare(name, on),
+            name,
+          )
           assert.deepEqual(messages, [])
           assert.ok(differing <= allowed, `${differing} pixels differ from the motion by three.js`)
-          assert.ok(moved > seen, `${moved} pixels are moved`)
+          assert.ok(moved > minMoved, `${moved} pixels are moved`)
         })
     })
 
-    test('velocities', async (t) => {
-      for (const name of await ask(() => company.velocities))
+    test('velocities are right', async (t) => {
+      for (const name of await evaluate(() => company.velocities))
         await t.test(name, async () => {
-          const { wrong, drawn, moving } = await ask(
+          const { wrong, drawn, moving } = await evaluate(
             ([name, on]) => company.velocity(name, on),
             name,
           )
           assert.deepEqual(messages, [])
           assert.ok(wrong <= allowed, `${wrong} velocities are wrong`)
-          assert.ok(drawn > seen, `${drawn} pixels are drawn`)
-          if (name.includes('moves')) assert.ok(moving > seen, `${moving} pixels move`)
+          assert.ok(drawn > minMoved, `${drawn} pixels are drawn`)
+          if (name.includes('moves')) assert.ok(moving > minMoved, `${moving} pixels move`)
         })
     })
 
-    test('along the normals of a torus, by a wave of uv', async (t) => {
+    test('a wave of uv along the normals of a torus has exact normals', async (t) => {
       for (const hasTangents of [false, true])
         await t.test(hasTangents ? 'with tangents and a second uv' : 'plain', async () => {
-          const { differing, moved } = await ask(([settings, on]) => company.torus(on, settings), {
-            hasTangents,
-          })
+          const { differing, moved } = await evaluate(
+            ([settings, on]) => company.torus(on, settings),
+            {
+              hasTangents,
+            },
+          )
           assert.deepEqual(messages, [])
           assert.ok(differing <= allowed, `${differing} pixels differ`)
-          assert.ok(moved > seen, `${moved} pixels are moved`)
-          const rough = await ask(([settings, on]) => company.torus(on, settings), {
+          assert.ok(moved > minMoved, `${moved} pixels are moved`)
+          const rough = await evaluate(([settings, on]) => company.torus(on, settings), {
             hasTangents,
             exact: false,
           })
@@ -64,8 +70,8 @@ for (const backend of ['webgl', 'webgpu'])
     })
   })
 
-test('what cannot be warped is refused by name, with what to write instead', async () => {
-  const errors = await page.evaluate(() => company.refusals())
+test('errors for unsupported objects name them, and say what to write instead', async () => {
+  const errors = await page.evaluate(() => company.errors())
   const expected = [
     /^WarpError: warp: the vertexNode of the MeshStandardNodeMaterial "screen" of the Mesh "boat" .*positionNode\.$/,
     /^WarpError: warp: the PointsNodeMaterial of the Mesh "dust" .*put it on Points with the geometry\.$/,

@@ -1,11 +1,11 @@
-// 'warpjet/three/webgpu': what three.test.js shows for WebGLRenderer, for WebGPURenderer on both its backends.
+// 'warpjet/three/webgpu': the tests of three.browser.test.js for WebGPURenderer, on both its backends.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { webgpuFlags } from '../support/browser/browser.js'
 import { threePages } from '../support/browser/three/open.js'
 
-const seen = 200
+const minMoved = 200
 
 let pages, page, messages
 before(async () => {
@@ -18,9 +18,9 @@ before(async () => {
 })
 after(() => pages.close())
 
-/** Those that WebGPURenderer draws otherwise, or not at all. */
-const others = new Set([
-  'a shader that is changed already',
+/** Shapes that WebGPURenderer draws differently, or not at all. */
+const unsupported = new Set([
+  'a shader that the user has changed',
   "a ShaderMaterial of three's chunks",
   'clipping',
   'environment map',
@@ -37,31 +37,31 @@ for (const backend of ['webgl', 'webgpu'])
         [name, { backend, ...settings }],
       )
       assert.deepEqual(messages, [], name)
-      // A line is as thin as what rounding decides.
-      const most = name.endsWith('line') ? 2 : 0
+      // Rounding can move pixels of a thin line.
+      const tolerance = name.endsWith('line') ? 2 : 0
       assert.ok(
-        differing <= most,
+        differing <= tolerance,
         `${name}: ${differing} pixels differ from the motion by three.js`,
       )
-      assert.ok(moved > seen, `${name}: ${moved} pixels differ from no motion`)
-      assert.equal(afterwards, 0, `${name}: pixels that dispose() leaves otherwise than they were`)
+      assert.ok(moved > minMoved, `${name}: ${moved} pixels differ from no motion`)
+      assert.equal(afterwards, 0, `${name}: pixels that differ from the original after dispose()`)
     }
 
-    test('shapes and materials, in the space of the object', async () => {
+    test('shapes and materials look the same in local space', async () => {
       const all = await page.evaluate(() => three.names)
       const names = isRun('every material of three')
-        ? all.filter((name) => !others.has(name))
+        ? all.filter((name) => !unsupported.has(name))
         : ['vertex tangents', 'skin', 'instances', 'batch']
       const lights = ['directional', 'spot', 'point']
       for (const [i, name] of names.entries()) await isSame(name, { light: lights[i % 3] })
     })
 
-    test('in the world', async () => {
+    test('a warp in world space looks the same', async () => {
       for (const name of ['vertex tangents', 'instances', 'skin'])
         await isSame(name, { space: 'world' })
     })
 
-    test('a motion that mirrors, of both sides', async () => {
+    test('a mirroring motion looks the same on both sides', async () => {
       for (const name of ['plain', 'normal map', 'bump map', 'skin', 'instances'])
         for (const isKnown of [true, false]) {
           messages.length = 0
@@ -70,20 +70,20 @@ for (const backend of ['webgl', 'webgpu'])
             [name, { backend, isKnown }],
           )
           assert.deepEqual([messages, differing], [[], 0], name)
-          assert.ok(moved > seen, `${name}: ${moved}`)
+          assert.ok(moved > minMoved, `${name}: ${moved}`)
         }
     })
 
-    test('a normal in the world has length 1, however large the object', async () => {
+    test('a normal in world space has length 1, whatever the scale of the object', async () => {
       messages.length = 0
       const { differing, moved } = await page.evaluate((given) => three.alongNormal(given), {
         backend,
       })
       assert.deepEqual([messages, differing], [[], 0])
-      assert.ok(moved > seen)
+      assert.ok(moved > minMoved)
     })
 
-    test('MeshNormalMaterial shows the normals of a wave, also after a week, and so does a node', async () => {
+    test('MeshNormalMaterial shows the exact normals of a wave, also after a week, and so does a node material', async () => {
       for (const asNode of [false, true]) {
         const { worst, unwarped } = await page.evaluate((settings) => three.normals(settings), {
           backend,
@@ -96,26 +96,26 @@ for (const backend of ['webgl', 'webgpu'])
       }
     })
 
-    test('an image among the uniforms', async () => {
+    test('a uniform can be an image', async () => {
       messages.length = 0
       const { differing, moved } = await page.evaluate((settings) => three.image(settings), {
         backend,
       })
       assert.deepEqual([messages, differing], [[], 0])
-      assert.ok(moved > seen)
+      assert.ok(moved > minMoved)
     })
 
-    test('each of several warps with one code has its own uniforms', async () => {
+    test('warps that share their code have their own uniforms', async () => {
       const [small, large, again] = await page.evaluate(
         ([all, settings]) => three.amounts(all, settings),
         [[0, 0.3, 0], { backend }],
       )
-      // A sphere's outline is a circle, in perspective nearly as much larger as its radius.
+      // In perspective the radius of the outline of a sphere grows almost as much as the radius of the sphere.
       assert.ok(large > 1.5 * small, `${large} pixels beside ${small}`)
       assert.equal(again, small)
     })
 
-    test('a texture is sampled as it is set, by glsl.texture and by texture() in GLSL', async () => {
+    test("glsl.texture and texture() in GLSL use the texture's own settings", async () => {
       for (const name of await page.evaluate(() => three.samplings))
         for (const kind of ['builder', 'glsl']) {
           messages.length = 0
@@ -124,13 +124,13 @@ for (const backend of ['webgl', 'webgpu'])
             [name, kind, { backend }],
           )
           assert.deepEqual(messages, [])
-          // Vertices are moved in float32 and in double: an edge may fall into the next pixel.
+          // The reference is computed in double precision, so an edge may be in an adjacent pixel.
           assert.ok(differing <= 4, `${name}, ${kind}: ${differing} pixels differ`)
-          assert.ok(moved > seen, `${name}, ${kind}: only ${moved} pixels are moved`)
+          assert.ok(moved > minMoved, `${name}, ${kind}: only ${moved} pixels are moved`)
         }
     })
 
-    test('soft, hard and variance shadows', async () => {
+    test('soft, hard and variance shadows look the same', async () => {
       for (const map of ['Basic', 'PCF', 'VSM'])
         for (const light of map === 'VSM'
           ? ['directional', 'spot']
@@ -138,18 +138,18 @@ for (const backend of ['webgl', 'webgpu'])
           await isSame('plain', { light, map })
     })
 
-    test('one warp is drawn by WebGLRenderer too, whichever comes', async () => {
+    test('WebGLRenderer and WebGPURenderer can draw the same warp', async () => {
       messages.length = 0
       const found = await page.evaluate((given) => three.both(given), { backend })
       for (const [name, { differing, moved }] of Object.entries(found)) {
         assert.equal(differing, 0, name)
-        assert.ok(moved > seen, name)
+        assert.ok(moved > minMoved, name)
       }
       assert.deepEqual(messages, [])
     })
 
-    // A thousand times it is the same, by hand: six minutes.
-    test('warped and disposed many times, nothing is left', async () => {
+    // A manual run of a thousand cycles, which takes six minutes, gave the same result.
+    test('warping and disposing many times leaks nothing', async () => {
       const { before, after } = await page.evaluate((given) => three.churn(given), {
         backend,
         times: 30,
@@ -160,7 +160,7 @@ for (const backend of ['webgl', 'webgpu'])
       assert.ok(heap < heapBefore + 9e5, `the heap grew from ${heapBefore} to ${heap}`)
     })
 
-    test('without normals hundreds of pixels would differ', async () => {
+    test('these tests would detect missing normals', async () => {
       const { differing } = await page.evaluate((settings) => three.compare('plain', settings), {
         backend,
         sabotage: 'normals',

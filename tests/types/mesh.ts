@@ -5,6 +5,8 @@ import {
   type DracoDecoderModule,
   type Mesh,
   type Resolve,
+  type NormalMapOptions,
+  bakeNormalMap,
   bakeWarp,
   exportGLB,
   loadMesh,
@@ -32,6 +34,15 @@ export async function use(file: File) {
     bakeWarp(mesh, warp, { uniforms: { millis: 1200, wind: [1, 0] } }),
   )
   const fine: Mesh = subdivide(mesh, { warp, tolerance: 0.01, uniforms: { millis: 0 }, angle: 0.1 })
+  const mapped: Mesh = bakeNormalMap(mesh, warp)
+  const options: NormalMapOptions = {
+    size: 512,
+    frames: 'mikktspace',
+    uniforms: { millis: 1200 },
+  }
+  const map: Uint8Array | undefined = bakeNormalMap(mesh, warp, options).material?.normalTexture
+    ?.bytes
+  exportGLB({ ...mapped, material: { normalTexture: { bytes: map ?? new Uint8Array(1) } } })
   const finer: Mesh = subdivide(fine, { levels: 2, maxTriangles: 1e6 })
   exportGLB({ positions: [0, 0, 0], indices: new Uint16Array(3) })
   warp.evaluate(mesh)
@@ -49,6 +60,12 @@ export async function use(file: File) {
   bakeWarp(mesh, { millis: 1200 })
   // @ts-expect-error a uniform is numbers
   bakeWarp(mesh, warp, { uniforms: { millis: '1200' } })
+  // @ts-expect-error no warp
+  bakeNormalMap(mesh, { size: 512 })
+  // @ts-expect-error the size is a number
+  bakeNormalMap(mesh, warp, { size: '512' })
+  // @ts-expect-error no such option
+  bakeNormalMap(mesh, warp, { width: 512 })
   // @ts-expect-error neither a tolerance nor levels
   subdivide(mesh, { warp })
   // @ts-expect-error a mesh has positions

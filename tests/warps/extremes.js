@@ -1,5 +1,5 @@
-// Offsets that are finite although an intermediate value of their derivative is not: with points, normals, and the normals by the
-// exact derivative.
+// Offsets that are finite although an intermediate value of their derivative is not, with points, normals, and the expected normals
+// from the exact derivative.
 const heightOverX = (name, height, slope, at) => ({
   name,
   offset: ({ glsl, position }) => glsl.vec3(0, height(position.x(), glsl), 0),

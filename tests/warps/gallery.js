@@ -9,7 +9,7 @@ const { sin, cos, exp, sqrt, hypot, fround } = Math
 const minus = (a, b) => a.map((value, i) => value - b[i])
 
 /** Rotates about the y axis. */
-const turnedAboutY = ([x, y, z], angle) => [
+const rotateAboutY = ([x, y, z], angle) => [
   x * cos(angle) - z * sin(angle),
   y,
   x * sin(angle) + z * cos(angle),
@@ -20,7 +20,7 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
-/** Both warps of the sketch, which differ only in the gradients of the normal. */
+/** Both warps of this sketch: they differ only in whether they use the gradients of the normal. */
 const bumpsAlongTheNormal = {
   size: 100,
   offset: ([x, y, z], { normal, millis }) => {
@@ -33,7 +33,7 @@ const add = (p, shift) => p.map((x, i) => x + shift[i])
 
 /**
  * The relief of domain-warping-3d. Its slope changes so fast that differences need small steps, and that at the third level
- * rounding the shifted points to float32, 1e-6 fine from 8 to 16, alone turns the normal by up to 0.02°.
+ * rounding the shifted points to float32, whose spacing is 1e-6 from 8 to 16, alone rotates the normal by up to 0.02°.
  */
 const relief = (level) => ({
   deep: level > 0,
@@ -52,7 +52,7 @@ const relief = (level) => ({
   },
 })
 
-/** For a box of size 1, like p5's. */
+/** A warp for a box of size 1, like p5's own. */
 const swaying = {
   size: 0.5,
   offset([, y], { millis }) {
@@ -78,7 +78,7 @@ export const gallery = {
 
   'bunny-twist': {
     size: 100,
-    offset: (p, { millis }) => minus(turnedAboutY(p, 0.015 * p[1] * sin(millis / 900)), p),
+    offset: (p, { millis }) => minus(rotateAboutY(p, 0.015 * p[1] * sin(millis / 900)), p),
   },
 
   'bunny-flatten': {
@@ -98,7 +98,7 @@ export const gallery = {
 
   'coarse-and-fine': {
     size: 90,
-    offset: (p, { millis }) => minus(turnedAboutY(p, 0.014 * p[1] * sin(millis / 1000)), p),
+    offset: (p, { millis }) => minus(rotateAboutY(p, 0.014 * p[1] * sin(millis / 1000)), p),
   },
 
   'displaced-plane': {

@@ -7,7 +7,7 @@ export const goldenFolder = new URL('../golden/', import.meta.url)
 const warpTexts = () =>
   Object.fromEntries(
     warps
-      .filter(({ kept }) => kept)
+      .filter(({ isGolden }) => isGolden)
       .map(({ name, text, compile }) => [
         `${name.replaceAll(' ', '-')}.glsl`,
         text ?? compile('glsl300').code,
@@ -21,7 +21,7 @@ const warpTexts = () =>
 export const goldenTexts = () => ({ ...warpTexts(), ...languageTexts() })
 
 /** Reads the golden files. */
-export const keptTexts = () =>
+export const readGoldenTexts = () =>
   Object.fromEntries(
     readdirSync(goldenFolder).map((file) => [
       file,

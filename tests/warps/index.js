@@ -26,7 +26,7 @@ function asInSketch({ name, warp, options, text }) {
   const oracle = gallery[name]
   if (text) return { text, compile: () => asWarp(text), ...oracle }
   const { surfaceVariation = true } = options
-  // The oracle asks several times about a vertex.
+  // The oracle evaluates each vertex several times.
   let vertex, moved
   const sampledOffset = (p, inputs) => {
     if (inputs !== vertex) moved = { ...(vertex = inputs) }
@@ -42,10 +42,10 @@ function asInSketch({ name, warp, options, text }) {
 
 const sketches = (await sketchWarps())
   .filter((sketch) => !readsImage(sketch))
-  .map((sketch) => ({ name: sketch.name, kept: true, ...asInSketch(sketch) }))
+  .map((sketch) => ({ name: sketch.name, isGolden: true, ...asInSketch(sketch) }))
 
 /**
- * All warps, [{ name, compile, offset, size, step, degrees, every, reach, params, collapses, kept }].
+ * All warps, [{ name, compile, offset, size, step, degrees, every, reach, params, collapses, isGolden }].
  * - `compile(target)` returns the compiled warp;
  * - `offset([x, y, z], inputs)` is the same offset in plain numbers;
  * - `size` is the distance of the mesh's faces from its middle;
@@ -55,9 +55,9 @@ const sketches = (await sketchWarps())
  * - `reach` is the max size of numbers in the formulas, to which rounding errors are proportional;
  * - `mirrors` returns, from the inputs, whether the warp mirrors all of space;
  * - `params` are values of the warp's own parameters;
- * - `collapses`: where the moved surface has no normal, its derivatives are exactly zero in float32 too;
- * - `kept`: its code is one of tests/golden;
- * - `deep`: its code takes long to compile.
+ * - `collapses` is true if its derivatives are exactly zero, in float32 too, wherever the moved surface has no normal;
+ * - `isGolden` is true if its code is stored in tests/golden;
+ * - `deep` is true if its code takes long to compile.
  */
 export const warps = [...stress, ...sketches, ...operations, ...pieces, ...inputs].map((warp) => ({
   compile: (target, more) => compileWarp(warp.warp, { target, ...more }),
@@ -69,10 +69,10 @@ export const warps = [...stress, ...sketches, ...operations, ...pieces, ...input
   ...warp,
 }))
 
-/** The targets of this run. */
+/** The languages that this run tests. */
 export const warpsInThisRun = warps.filter(({ deep }) => !deep || isRun('deep domain warping'))
 
-/** Oracles whose sketch no longer exists. */
+/** The names of oracles whose sketch no longer exists. */
 export const orphans = Object.keys(gallery).filter(
   (name) => !sketches.some((sketch) => sketch.name === name),
 )

@@ -32,7 +32,7 @@ export const inputs = onSmallMesh({
     mirrors: () => true,
   },
 
-  'a mirror by a parameter': {
+  'a mirror that a parameter controls': {
     warp({ glsl, position }) {
       const width = glsl.param('flip')
       const wave = position.x().mult(3).sin().mult(0.2).mult(width)
@@ -43,7 +43,7 @@ export const inputs = onSmallMesh({
     mirrors: ({ flip }) => flip < 0,
   },
 
-  'a mirror by the mouse, twisted': {
+  'a twisted mirror that the mouse controls': {
     warp({ glsl, position, mouse }) {
       const width = mouse.x().div(-100)
       const [x, y, z] = [position.x().mult(width), position.y(), position.z()]

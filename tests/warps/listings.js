@@ -5,7 +5,7 @@ import { clamp } from './plain.js'
 const { sin, cos, hypot, max, PI } = Math
 
 /** Rotates about the x axis. */
-const turnedInSketch = (glsl, point, angle) => {
+const rotateInSketch = (glsl, point, angle) => {
   const [y, z] = [point.y(), point.z()]
   const [c, s] = [angle.cos(), angle.sin()]
   return glsl.vec3(point.x(), c.mult(y).sub(s.mult(z)), s.mult(y).add(c.mult(z)))
@@ -16,7 +16,7 @@ const rotate = ([x, y, z], angle) => [
   y * sin(angle) + z * cos(angle),
 ]
 
-/** A warp as an offset function, and as a plain function of numbers, by the listing. */
+/** Each warp as an offset function, and as a plain function of numbers, as in the listing. */
 export const warps = {
   'the paper: its example of an offset': {
     size: 1,
@@ -29,7 +29,7 @@ export const warps = {
     size: 100,
     warp({ glsl, position, millis }) {
       const angle = position.x().mult(0.02).mult(millis.div(1000).sin())
-      return turnedInSketch(glsl, position, angle).sub(position)
+      return rotateInSketch(glsl, position, angle).sub(position)
     },
     offset: (p, { millis }) => subtract(rotate(p, 0.02 * p[0] * sin(millis / 1000)), p),
   },
@@ -53,7 +53,7 @@ export const warps = {
     size: 100,
     warp({ glsl, position, millis }) {
       const angle = position.x().mult(0.03).add(millis.div(1000))
-      return turnedInSketch(glsl, position, angle).sub(position)
+      return rotateInSketch(glsl, position, angle).sub(position)
     },
     offset: (p, { millis }) => subtract(rotate(p, 0.03 * p[0] + millis / 1000), p),
   },
@@ -74,9 +74,9 @@ export const warps = {
       )
       const swing = beat.add(millis.mult(0.00025).sin()).mult(0.5)
       const flip = beat.clamp(0, 1).mult(PI).mult(millis.mult(0.001).sin())
-      const swung = turnedInSketch(glsl, third, swing).sub(third)
-      const flipped = turnedInSketch(glsl, fromCenter, flip).sub(fromCenter)
-      return glsl.vecSum(waves, swung, flipped)
+      const rotated = rotateInSketch(glsl, third, swing).sub(third)
+      const flipped = rotateInSketch(glsl, fromCenter, flip).sub(fromCenter)
+      return glsl.vecSum(waves, rotated, flipped)
     },
     offset(p, { millis }) {
       const fromCenter = add(p, [0, 0, 500])
@@ -93,8 +93,8 @@ export const warps = {
       ]
       const swing = 0.5 * (beat + sin(0.00025 * millis))
       const flip = clamp(beat, 0, 1) * PI * sin(0.001 * millis)
-      const swung = subtract(rotate(third, swing), third)
-      return add(waves, add(swung, subtract(rotate(fromCenter, flip), fromCenter)))
+      const rotated = subtract(rotate(third, swing), third)
+      return add(waves, add(rotated, subtract(rotate(fromCenter, flip), fromCenter)))
     },
   },
 

@@ -1,5 +1,5 @@
-// How the normals of the tests' vertices vary over the surface: as on a sphere of the mesh's size, in every direction. So each
-// vertex represents a separate surface, near which the normal is a linear function.
+// Defines how the normals of the tests' vertices vary over the surface: as on a sphere of the mesh's size, in every direction. Each vertex
+// thus represents a separate surface, near which the normal is a linear function.
 import { add, dot, normalize, subtract } from '../support/browser/matrix.js'
 
 const axes = [

@@ -45,9 +45,9 @@ async function warpsOf(folder) {
       return readFileSync(new URL(`${folder}/${file}`, examples), 'utf8').split('\n')
     },
     createWarp(warp, options = {}) {
-      // Source that the sketch loads has no oracle here; tests/glsl tests that of packages.
+      // Source that the sketch loads has no oracle here; the tests in tests/glsl cover source of packages.
       if (loads) return pretended
-      // On another shader it is the same warp.
+      // The warp does not depend on the shader that it is added to.
       const { shader, ...others } = options
       const isKnown = shader && found.some((each) => each.warp === warp)
       if (!isKnown) found.push({ name: name(), warp, options: others })

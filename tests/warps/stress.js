@@ -49,7 +49,7 @@ const rotate = ([x, y, z], angle) => [
   y * sin(angle) + (z + 500) * cos(angle) - 500,
 ]
 
-function turnedInSketch(glsl, point, angle) {
+function rotateInSketch(glsl, point, angle) {
   const [c, s] = [angle.cos(), angle.sin()]
   const [y, z] = [point.y(), point.z().add(500)]
   return glsl.vec3(point.x(), y.mult(c).sub(z.mult(s)), y.mult(s).add(z.mult(c)).sub(500))
@@ -61,7 +61,7 @@ const twist = {
   reach: 600,
   warp({ glsl, position, millis }) {
     const angle = position.x().mult(0.02).add(millis.div(1000))
-    return turnedInSketch(glsl, position, angle).sub(position)
+    return rotateInSketch(glsl, position, angle).sub(position)
   },
   offset(p, { millis }) {
     const moved = rotate(p, 0.02 * p[0] + millis / 1000)
@@ -88,9 +88,9 @@ const wobble = {
     )
     const strength = glsl.mix(0.004, 0.008, t.sin().mult(0.5).add(0.5))
     const wavy = position.add(waves)
-    const once = turnedInSketch(glsl, wavy, wavy.x().mult(strength).clamp(-0.5, 0.6))
+    const once = rotateInSketch(glsl, wavy, wavy.x().mult(strength).clamp(-0.5, 0.6))
     const second = y.mult(0.001).add(t.mult(0.7).sin().mult(0.3)).clamp(-0.3, 0.35)
-    return turnedInSketch(glsl, once, second).sub(position)
+    return rotateInSketch(glsl, once, second).sub(position)
   },
   offset(p, { millis }) {
     const t = millis / 1000
@@ -107,7 +107,7 @@ const wobble = {
   },
 }
 
-/** Moves to the corner (120, 150, 0); parts that have arrived there are a line or a point. */
+/** Moves points to the corner (120, 150, 0); parts that have arrived there collapse to a line or a point. */
 const genie = {
   name: 'genie into a corner',
   size: 100,
@@ -172,10 +172,10 @@ export function stackedSines(count) {
   }
 }
 
-const kept = [sinesInWorldSpace, sinesInLocalSpace, twist, wobble, genie, flatten]
+const golden = [sinesInWorldSpace, sinesInLocalSpace, twist, wobble, genie, flatten]
 
 export const stress = [
-  ...kept.map((warp) => ({ ...warp, kept: true })),
+  ...golden.map((warp) => ({ ...warp, isGolden: true })),
   stackedSines(30),
   stackedSines(300),
 ]

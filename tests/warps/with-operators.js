@@ -1,7 +1,7 @@
 // The warps of the gallery again, with operators, by their names in sketches.js. Each is self-contained, since p5 would also lose
 // the variables around it.
 
-const turnedAboutY = (rate, time) => `({ position, millis }) => {
+const rotateAboutY = (rate, time) => `({ position, millis }) => {
   const { x, y, z } = position
   const angle = y * ${rate} * Math.sin(millis / ${time})
   const [sin, cos] = [Math.sin(angle), Math.cos(angle)]
@@ -45,7 +45,7 @@ export const texts = {
   }`,
   'along-the-normal-rough': bumps,
   'along-the-normal-exact': bumps,
-  'bunny-twist': turnedAboutY(0.015, 900),
+  'bunny-twist': rotateAboutY(0.015, 900),
   'bunny-flatten': `({ position, millis }) => {
     const amount = (Math.sin(millis / 900) * 1.5 + 0.5).clamp(0, 0.97)
     return [-(position.x * amount), 0, 0]
@@ -58,7 +58,7 @@ export const texts = {
     const trail = down * down * -50
     return [trail, trail / 5, ripple]
   }`,
-  'coarse-and-fine': turnedAboutY(0.014, 1000),
+  'coarse-and-fine': rotateAboutY(0.014, 1000),
   'domain-warping-3d-plain': relief(0),
   'domain-warping-3d-warped': relief(1),
   'domain-warping-3d-twice': relief(2),

@@ -34,12 +34,12 @@ function many(start, count) {
   return sum
 }
 
-test('a warp that is too large', () => {
+test('rejects a warp that is too large', () => {
   const large = ({ glsl, millis }) => glsl.vec3(many(millis, 1e6), 0, 0)
   throwsWarpError(() => compileWarp(large), outOfMemory)
 })
 
-test('a warp that compiles, but is too large to evaluate', () => {
+test('rejects evaluating a warp that compiles, but is too large to evaluate', () => {
   const warp = compileWarp(({ glsl, position }) => glsl.vec3(many(position.x(), 10_000), 0, 0))
   const vertices = { positions: new Float32Array(30_000), normals: new Float32Array(30_000) }
   throwsWarpError(
@@ -48,7 +48,7 @@ test('a warp that compiles, but is too large to evaluate', () => {
   )
 })
 
-test('a hundred nested warps', () => {
+test('rejects too many nested warps', () => {
   let deepest = 0
   const nested = (depth) => () =>
     compileWarp(({ glsl, millis }) => {
@@ -61,11 +61,11 @@ test('a hundred nested warps', () => {
   assert.ok(deepest > 1 && deepest < 100, `${deepest}`)
 })
 
-test('a name longer than the memory', () => {
+test('rejects a name longer than the memory', () => {
   throwsWarpError(() => compile((glsl) => ({ y: glsl.param('x'.repeat(2 ** 23)) })), outOfMemory)
 })
 
-test('the warp around one that ran out of memory is lost too', () => {
+test('a warp fails, too, if a nested one runs out of memory', () => {
   throwsWarpError(
     () =>
       compileWarp(({ glsl, millis }) => {

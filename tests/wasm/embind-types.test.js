@@ -10,7 +10,7 @@ const file = (name) => fileURLToPath(new URL(`../../.build/wasm/${name}`, import
 const types = (name) =>
   embindTypes(readFileSync(file(`${name}.mjs`), 'utf8'), readFileSync(file(`${name}.wasm`)))
 
-test('classes, records, lists, enumerations and plain exports', () => {
+test('declares classes, records, lists, enumerations and plain exports', () => {
   const core = types('core')
   for (const line of [
     'export type Shape = readonly [number, number]',
@@ -27,11 +27,11 @@ test('classes, records, lists, enumerations and plain exports', () => {
     assert.ok(core.split('\n').includes(line), `${line} is not in\n${core}`)
 })
 
-test('vectors of SIMD, which JavaScript cannot hold', () => {
+test('declares SIMD vectors as never, since JavaScript cannot represent them', () => {
   assert.match(types('evaluation'), /^  _lanes_pow\(a: never, b: never\): never$/m)
 })
 
-test('signatures, also of imported functions', () => {
+test('reads signatures, also of imported functions', () => {
   // (module (import "a" "f" (func $f (param f64 i64) (result i32))) (func $g (param v128)) (export "f" (func $f)) (export "g" (func $g)))
   const bytes = Uint8Array.of(
     ...[0, 0x61, 0x73, 0x6d, 1, 0, 0, 0],

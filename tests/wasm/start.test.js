@@ -1,4 +1,4 @@
-// The errors if WebAssembly does not start. Each browser that rejects it is simulated in a process of its own.
+// The errors if WebAssembly does not start. Each browser that rejects it is simulated in its own process.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { test } from 'node:test'
@@ -12,12 +12,12 @@ function problems(change) {
     const { Module } = WebAssembly
     ${change}
     const problem = ({ name, message }) => name + ': ' + message
-    const tried = async (work) => work().then(() => 'works', problem)
+    const outcome = async (work) => work().then(() => 'works', problem)
     const { compileWarp } = await import('${root}dist/warpjet.js')
     const { loadMesh } = await import('${root}dist/mesh.js')
     console.log(JSON.stringify([
-      await tried(async () => compileWarp(({ glsl }) => glsl.vec3(0, 0, 0)).evaluateAt([0, 0, 0])),
-      await tried(() => loadMesh(new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n'))),
+      await outcome(async () => compileWarp(({ glsl }) => glsl.vec3(0, 0, 0)).evaluateAt([0, 0, 0])),
+      await outcome(() => loadMesh(new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n'))),
     ]))`
   const output = execFileSync(process.execPath, ['--input-type=module', '--eval', code], {
     encoding: 'utf8',
@@ -29,11 +29,11 @@ function problems(change) {
 const withModule = (refusal) =>
   `WebAssembly.Module = class { constructor(bytes) { ${refusal}; return new Module(bytes) } }`
 
-test('starts without changes', () => {
+test('WebAssembly starts in an unchanged environment', () => {
   assert.deepEqual(problems(''), ['works', 'works'])
 })
 
-test('a Content-Security-Policy: the message says what to add, whatever the browser’s own message', () => {
+test('under a Content-Security-Policy the message says what to add, whatever the browser’s own message is', () => {
   for (const refusal of [
     "throw new WebAssembly.CompileError('call to WebAssembly.Module() blocked by CSP')",
     "throw new EvalError('Refused to create a WebAssembly object')",
@@ -42,14 +42,14 @@ test('a Content-Security-Policy: the message says what to add, whatever the brow
       assert.match(problem, /^WarpError: .*'wasm-unsafe-eval' to its script-src/)
 })
 
-test('a browser that compiles no large module synchronously: the message names the version', () => {
+test('in a browser that compiles no large module synchronously, the message names the required version', () => {
   const refusal =
     "if (bytes.length > 4096) throw new RangeError('WebAssembly.Compile is disallowed on the main thread, if the buffer size is larger than 4KB.')"
   for (const problem of problems(withModule(refusal)))
     assert.match(problem, /^WarpError: .*update it \(Chrome and Edge do since version 114\)/)
 })
 
-test('no WebAssembly: the message says that it is needed', () => {
+test('without WebAssembly, the message says that it is required', () => {
   for (const problem of problems('delete globalThis.WebAssembly'))
     assert.match(problem, /^WarpError: warpjet needs WebAssembly, which this browser lacks/)
 })

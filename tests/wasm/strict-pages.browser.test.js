@@ -25,11 +25,11 @@ const work = `async function work(dist) {
 const done = 'string,0,0,0,3,0,0,0,3,0,3,3,3'
 
 /** Source of a module that writes the result of \`promise\` into the title of a page. */
-const titled = (promise) =>
+const writeToTitle = (promise) =>
   `${promise}.then((text) => (document.title = text), (error) => (document.title = String(error)))`
 
 const files = {
-  'page.js': `${work}\n${titled("work('/dist')")}`,
+  'page.js': `${work}\n${writeToTitle("work('/dist')")}`,
   'worker.js': `${work}\nwork(location.origin + '/dist').then(postMessage, (error) => postMessage(String(error)))`,
   'file.html': `<!doctype html><meta charset="utf-8"><script src="../../node_modules/p5/lib/p5.min.js"></script>
     <script src="../../dist/p5.warpjet.min.js"></script><script src="../../dist/warpjet.glsl.min.js"></script><script>
@@ -61,7 +61,7 @@ for (const [name, launch] of Object.entries(browsers))
       return title
     }
 
-    test('under a strict Content-Security-Policy', async () => {
+    test('runs all modules under a strict Content-Security-Policy', async () => {
       const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'"
       const html = `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy}">`
       const script = `<script type="module" src="/${folder}/page.js"></script>`
@@ -71,7 +71,7 @@ for (const [name, launch] of Object.entries(browsers))
       assert.match(await titleOf(server.page(without + script)), /^WarpError: .*wasm-unsafe-eval/)
     })
 
-    test('in a module worker', async () => {
+    test('runs all modules in a module worker', async () => {
       const html = `<!doctype html><script type="module">
         const worker = new Worker('/${folder}/worker.js', { type: 'module' })
         worker.onmessage = ({ data }) => (document.title = data)
@@ -80,7 +80,7 @@ for (const [name, launch] of Object.entries(browsers))
       assert.equal(await titleOf(server.page(html)), done)
     })
 
-    test('from a file', async () => {
+    test('runs all modules from a file', async () => {
       assert.equal(await titleOf(pathToFileURL(`${root}${folder}/file.html`).href), '3,6,9')
     })
   })

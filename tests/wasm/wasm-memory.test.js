@@ -22,7 +22,7 @@ const mesh = { positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0) }
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
 
 const cases = {
-  'a warp of everything that crosses by embind': () =>
+  'a warp that uses every type that embind passes': () =>
     compileWarp(
       ({ glsl, position, uniforms }) => {
         const wave = glsl.fn({
@@ -42,11 +42,12 @@ const cases = {
       throw new Error('mine')
     })
   },
-  'what cannot be': () => compile((glsl) => ({ y: glsl.param('x').add(glsl.vec2Param('v')).z })),
+  'a warp that cannot be compiled': () =>
+    compile((glsl) => ({ y: glsl.param('x').add(glsl.vec2Param('v')).z })),
   'shader source': () =>
     compileWarp(glslOffset('vec3 offset(vec3 p) { return p * 2.0; } // größer')),
   'shader source with a mistake': () => glslOffset('vec3 offset(vec3 p) { return q; }'),
-  'on the CPU': () => {
+  'evaluation on the CPU': () => {
     const warp = compileWarp(({ position }) => position.sin())
     warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] })
     for (let i = 0; i < 3; i++) warp.evaluate(mesh)

@@ -11,7 +11,7 @@ function timeByFence(scene, draw) {
   return performance.now() - start
 }
 
-/** Returns milliseconds by the GPU's own timer; NaN if the driver reports a disjoint measurement. */
+/** Returns milliseconds, measured by the GPU's own timer; NaN if the driver reports a disjoint measurement. */
 async function timeByQuery(scene, extension, draw) {
   const { gl } = scene
   const query = gl.createQuery()

@@ -1,5 +1,5 @@
 /**
- * Derivatives by hand, as an expert of calculus and GLSL would write them in an afternoon: statements that compute, from `position`
+ * Handwritten derivatives, as an expert of calculus and GLSL would write them in an afternoon: statements that compute, from `position`
  * and `millis`, `vec3 offset` and the columns `vec3 dx, dy, dz` of its Jacobian.
  */
 

@@ -69,7 +69,7 @@ async function loadRow(picture) {
   complain()
   await say('Making the mesh…')
   shown.row = settings.row
-  // If loading fails, nothing must be compiled.
+  // Prevents compiling if loading fails.
   shown.method = settings.method
   const workload = workloads.find(({ name }) => name === shown.row)
   picture.load(workload)

@@ -1,4 +1,4 @@
-/** Draws one row by one method and measures its cost. */
+/** Draws one row with one method and measures its cost. */
 import { bestStep, errorsOf, exactNormals, pixelErrors } from './accuracy.js'
 import { openClock } from './clock.js'
 import { frameMesh } from './framing.js'
@@ -7,7 +7,7 @@ import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe
 import { Scene } from './scene.js'
 import { fragmentShader, vertexShader, newNumber } from './shaders.js'
 
-/** The number of vertices or pixels whose normals are compared: few enough to do so beside a moving picture. */
+/** The number of vertices or pixels whose normals are compared: few enough to do so while the picture moves. */
 const SAMPLES = 300
 /** Opening a clock takes tens of frames. If a frame takes this many milliseconds, the previous row's clock is reused. */
 const SLOW = 250

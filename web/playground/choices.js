@@ -3,7 +3,7 @@ import { make } from '../bench/dom.js'
 import { converted } from './convert.js'
 import { exampleSketch, sections, starters } from './examples.js'
 import { hosts, isThree, scripts } from './hosts.js'
-import { builtIn, starter, whole } from './offset.js'
+import { builtIn, starter, completeSketch } from './offset.js'
 
 const first = { text: starters.p5, host: 'p5', chosen: [] }
 const isOffset = (host) => host === 'offset'
@@ -43,7 +43,7 @@ export function makeChoices(editor, onError) {
     })
   const note = make('span', {
     className: 'note',
-    textContent: "Import 'warpjet/deformers' or 'warpjet/glsl'; no operators",
+    textContent: "Import 'warpjet/deformers' or 'warpjet/glsl'; operators are not available",
   })
   document.querySelector('.choices fieldset').append(note)
 
@@ -66,7 +66,7 @@ export function makeChoices(editor, onError) {
     if (isThree(now)) editor.set({ host: now, text: starters.three })
     else if (isOffset(now)) editor.set({ host: now, text: starter })
     else if (isOffset(before))
-      editor.set({ host: now, text: converted(whole(editor.sketch()).text, now) })
+      editor.set({ host: now, text: converted(completeSketch(editor.sketch()).text, now) })
     else editor.set({ host: now, text: converted(isThree(before) ? starters.p5 : text, now) })
   })
 

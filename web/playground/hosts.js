@@ -39,7 +39,7 @@ export const hosts = {
   },
 }
 
-/** For a text that is only an offset function; offset.js writes the sketch around it. */
+/** For code that defines only an offset function; offset.js completes it to a sketch. */
 hosts.offset = { ...hosts.p5, title: 'Offset alone, on a model' }
 
 /** Script tags in addition to p5's libraries. The first is always included. */
@@ -52,7 +52,7 @@ export const scripts = {
 
 export const isThree = (host) => host === 'three'
 
-/** Returns the label of the checkbox for a script that an error message says is missing; three.js uses imports instead. */
+/** Returns the label of the checkbox that adds the script named in an error message; `undefined` for three.js, which uses imports. */
 export function boxNamedIn(mistake, host) {
   const isNamed = ({ title, file }) => title && mistake.includes(file.split('/').at(-1))
   return isThree(host) ? undefined : Object.values(scripts).find(isNamed)?.title

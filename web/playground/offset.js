@@ -1,4 +1,4 @@
-/** Writes a p5 sketch around a text that is only an offset function, with a model to apply it to. */
+/** Completes code that defines only an offset function to a p5 sketch that applies it to a model. */
 import { quote } from './strings.js'
 
 /** p5's own shapes. A unit is a pixel, as in space: 'world'. */
@@ -28,7 +28,7 @@ const loaderOf = (name) =>
   /\.(?:obj|stl)$/i.test(name) ? `loadModel(${quote(name)}, true)` : `loadWarpModel(${quote(name)})`
 
 /** Returns the sketch that p5 runs. The user's lines come first, so that they keep their numbers. */
-export function whole({ text, host, model = 'sphere', ...rest }) {
+export function completeSketch({ text, host, model = 'sphere', ...rest }) {
   if (host !== 'offset') return { text, host, ...rest }
   const own = text.trimEnd()
   if (!/\boffset\b/.test(own))

@@ -14,7 +14,7 @@ import { draggableNumbers } from './numbers.js'
 import { makeOutput } from './output.js'
 import { glbOf } from './mesh.js'
 import { fileOf } from './messages.js'
-import { isModelFile, whole } from './offset.js'
+import { isModelFile, completeSketch } from './offset.js'
 import { download, pageAlone, pageWithTags, project } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
@@ -88,7 +88,7 @@ function run() {
   setStatus({ doing: 'Building…' })
   output.print()
   blocked = undefined
-  void stage.run(whole(sketch), {
+  void stage.run(completeSketch(sketch), {
     clock: time.start(),
     files,
     view: normals.checked ? 'normals' : 'picture',
@@ -204,18 +204,20 @@ makeMenu(
       ),
     'npm project (zip)': async () =>
       download(
-        new Blob(await project(whole(editor.sketch()), files), { type: 'application/zip' }),
+        new Blob(await project(completeSketch(editor.sketch()), files), {
+          type: 'application/zip',
+        }),
         'warp.zip',
       ),
     'Page that opens anywhere (HTML)': async () =>
       download(
-        new Blob([await pageAlone(whole(editor.sketch()), files)], { type: 'text/html' }),
+        new Blob([await pageAlone(completeSketch(editor.sketch()), files)], { type: 'text/html' }),
         'warp.html',
       ),
     'Copy a page and open the p5 editor': async () => {
       if (!navigator.clipboard)
         throw new Error('This browser allows copying only on https and localhost pages.')
-      await navigator.clipboard.writeText(pageWithTags(whole(editor.sketch())))
+      await navigator.clipboard.writeText(pageWithTags(completeSketch(editor.sketch())))
       open('https://editor.p5js.org/', '_blank', 'noopener')
       return 'Copied: paste it into index.html'
     },

@@ -18,7 +18,7 @@ const watchWarps = (modules) => ({
 })
 
 const mesh = '../../dist/mesh.min.js'
-/** Functions for which the script of p5 imports the file beside it. */
+/** Functions for which p5.warpjet.min.js imports the file next to it. */
 const needsMesh = /\b(?:loadWarpModel|subdivide|addSurfaceVariation)\b/
 
 export const readText = remember(async (path) => {

@@ -10,7 +10,7 @@ const rangeOf = (value) => (value === 0 ? [-1, 1] : [0, 4 * value].sort((a, b) =
 const isColor = (value) => typeof value === 'string'
 const isAlike = (a, b) => typeof a === typeof b && a.length === b.length
 
-/** @param onChange called with the moved values, as `moved()` returns them */
+/** @param onChange called with the values that the user has changed, in the form that `moved()` returns */
 export function makeSliders(place, onChange) {
   /** Maps name → { source, value }: the sketch's value and the user's. If the sketch's value changes, the user's is dropped. */
   let moved = {}

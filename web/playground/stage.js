@@ -10,14 +10,14 @@ import { makeSandbox } from './sandbox.js'
 import { root, siteFile } from './site-files.js'
 
 /**
- * `listen` is called with the messages of the visible and the coming frame. The settings of `run` are the frame's initial state:
- * { clock, view, values, files, mayLoad }.
+ * `listen` is called with the messages of the visible frame, and of the one that will replace it. The settings of `run` are the frame's
+ * initial state: { clock, view, values, files, mayLoad }.
  */
 export function makeStage(place, listen) {
   const host = make('iframe', { src: './host.html', title: 'Stage' })
   const isReady = new Promise((resolve) => host.addEventListener('load', resolve, { once: true }))
   place.append(host)
-  /** The visible and the coming frame: { frame, port, state, questions } each. */
+  /** The visible frame, and the one that will replace it: { frame, port, state, questions } each. */
   let shown, coming
   let latest
 
@@ -62,7 +62,7 @@ export function makeStage(place, listen) {
     // Ignore repetitions, which would make the page rebuild its tabs.
     else if (message.kind === 'drawn' && running === shown) return
     else if (message.kind === 'drawn') show(running)
-    // The coming sketch's warps are announced with its first picture.
+    // The next sketch's warps are announced with its first picture.
     if (message.kind !== 'made' || running === shown) listen(message)
     if (message.kind === 'error' && running === coming) {
       coming = undefined
@@ -84,7 +84,7 @@ export function makeStage(place, listen) {
       shown.port.postMessage({ kind: 'ask', id, method, args })
     })
   }
-  /** Calls one of the `answers` without waiting for its result, in the visible and the coming sketch. */
+  /** Calls one of the `answers` without waiting for its result, in the visible and the next sketch. */
   function send(method, ...args) {
     for (const { port } of [shown, coming].filter(Boolean))
       port?.postMessage({ kind: 'ask', method, args })

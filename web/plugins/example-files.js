@@ -1,7 +1,7 @@
 /**
  * Vite plugin: serves the files that the examples load, at the paths that they name. In development each file is generated on
  * request, in a build each is written once. The sketches are served unchanged, so that the gallery shows exactly what a user copies;
- * their pages get a policy.
+ * a content security policy is added to their pages.
  */
 import { readFile, readdir } from 'node:fs/promises'
 import { extname } from 'node:path'
@@ -40,14 +40,14 @@ const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
 }
 const recorders = ['recorder.js', 'three-recorder.js']
-/** Scripts of the playground's frame. They are served from a folder `dist`, which warpjet skips when it looks for the sketch's line. */
+/** Scripts of the playground's frame. They are served from a folder `dist`, which warpjet skips when it looks up the caller's line. */
 const frameScripts = Object.fromEntries(
   ['start', 'files', 'clock', 'record', 'warps', 'warpjet', 'three'].map((name) => [
     `playground/dist/${name}.js`,
     `web/playground/frame/${name}.js`,
   ]),
 )
-/** Paths of files beside a sketch, or of files for any sketch in the playground. */
+/** Matches files in an example's folder, and files that any sketch in the playground can load. */
 const loadable = /^(?:examples\/([\w-]+)|playground\/files)\/([\w.-]*)$/
 
 const types = {

@@ -75,7 +75,7 @@ function worker({ name, files, models, same }) {
   })
   self.addEventListener('fetch', (event) => {
     const { method, url } = event.request
-    // p5 requests a font by HEAD before it loads it.
+    // p5 sends a HEAD request for a font before it loads it.
     const isRead = method === 'GET' || method === 'HEAD'
     if (isRead && url.startsWith(scope)) event.respondWith(answer(event.request))
   })

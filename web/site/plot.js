@@ -1,4 +1,4 @@
-/** Plots an operation: its value and its derivative by x, as warpjet computes them, with the generated code of both. */
+/** Plots an operation: its value and its derivative with respect to x, computed by warpjet, with the generated code for both. */
 import { compile } from '../../dist/warpjet.js'
 import { escapeHtml } from './html.js'
 import { kinksOf } from './kinks.js'

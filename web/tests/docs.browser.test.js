@@ -1,5 +1,5 @@
 // Runs the README's sketch and the blocks of the docs with a “Run” link in the playground, as a reader does: they draw or print without
-// errors. Of the lines below plots, which are all alike, it runs one per group: web/tests/plots.test.js checks what each computes.
+// errors. Of the code below the plots, which is all alike, it runs one example per group: web/tests/plots.test.js checks what each computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -8,8 +8,12 @@ import { blocksOf } from '../site/markdown.js'
 import { linkTo } from '../site/runnable.js'
 import { desktop, path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
-import { coarse, keepFrames, rough } from '../../tests/support/browser/frames.js'
-import { canvasPixels, settled, text } from '../../tests/support/browser/playground.js'
+import { coarse, keepFrames, disableAntialiasing } from '../../tests/support/browser/frames.js'
+import {
+  canvasPixels,
+  waitUntilSettled,
+  editorText,
+} from '../../tests/support/browser/playground.js'
 import { serveSite, withoutWorker } from '../../tests/support/browser/site.js'
 
 const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
@@ -37,10 +41,10 @@ before(async () => {
   server = await serveSite(5350)
   url = `${server.resolvedUrls.local[0]}playground/index.html`
   const context = await browser.newContext(desktop)
-  for (const script of [withoutWorker, keepFrames, rough, coarse])
+  for (const script of [withoutWorker, keepFrames, disableAntialiasing, coarse])
     await context.addInitScript(script)
   ;({ page, messages } = await openPage(context, url))
-  await settled(page)
+  await waitUntilSettled(page)
 })
 after(async () => {
   await browser.close()
@@ -60,9 +64,9 @@ for (const { place, sketch } of blocks)
       document.querySelector('main').ariaBusy = 'true'
       location.hash = hash
     }, linkTo(changed))
-    for (let i = 0; (await text(page)) !== changed.text && i < 200; i++)
+    for (let i = 0; (await editorText(page)) !== changed.text && i < 200; i++)
       await page.waitForTimeout(50)
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
     await page.getByRole('tab', { name: 'Console' }).click()
     const bad = await page.locator('.printed :is(.warn, .error)').allTextContents()

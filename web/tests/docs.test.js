@@ -24,7 +24,7 @@ const anything = new Proxy(function () {}, {
     if (key === Symbol.toPrimitive) return () => 1
     if (key === Symbol.iterator) return function* () {}
     if (key === 'then') return undefined
-    // Ends a loop over its parts.
+    // Ends loops that iterate over it.
     return key === 'length' ? 0 : anything
   },
   apply: () => anything,
@@ -85,7 +85,7 @@ function globalsFor({ chosen }) {
   return { globals, found }
 }
 
-/** Runs a sketch with these globals by `with`; its own declarations stay local. */
+/** Runs a sketch in a `with` statement that provides these globals; its own declarations stay local. */
 const run = (text, globals) =>
   new Function(
     'globals',
@@ -105,12 +105,12 @@ test('most blocks of JavaScript run, and the others are listed here', () => {
   const still = blocks
     .filter(({ language, sketch }) => language === 'js' && !sketch)
     .map(({ file }) => file.replace('web/docs/', ''))
-  // Babylon.js, PlayCanvas, A-Frame and CSM are not part of the site; a bundler's settings and files for Node are no sketches; and
+  // Babylon.js, PlayCanvas, A-Frame and CSM are not part of the site; a bundler's settings and files for Node are not sketches; and
   // lost-context.test.js runs the code of uptime.md.
   assert.deepEqual(still, [
     'README.md',
     ...['babylon.md', 'babylon.md', 'babylon.md', 'babylon.md'],
-    ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'operators.md'],
-    ...['three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
+    ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'mesh.md'],
+    ...['operators.md', 'three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
   ])
 })

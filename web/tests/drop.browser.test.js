@@ -5,7 +5,7 @@ import { after, before, describe, test } from 'node:test'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { desktop, difference, path, patience, pixels } from '../../tests/support/browser/bench.js'
 import { bytesOf, launchBrowser, openPage } from '../../tests/support/browser/browser.js'
-import { rough } from '../../tests/support/browser/frames.js'
+import { disableAntialiasing } from '../../tests/support/browser/frames.js'
 import { sphereMesh } from '../../tests/support/browser/mesh.js'
 import { png } from '../../tests/support/png.js'
 import { serveSite, serveSources } from '../../tests/support/browser/site.js'
@@ -55,7 +55,7 @@ const waitUntilIdle = (page) =>
 
 async function open(options = still) {
   const context = await browser.newContext(options)
-  await context.addInitScript(rough)
+  await context.addInitScript(disableAntialiasing)
   const opened = await openPage(context, url)
   await waitUntilIdle(opened.page)
   return opened
@@ -132,7 +132,7 @@ describe('the page for your own model', () => {
     assert.ok(share > 0.03 && share < 0.5, `${(100 * share).toFixed(1)}% are green`)
   })
 
-  test('warps it, with other amounts, times and axes, too', async () => {
+  test('warps the model with different amounts, times and axes', async () => {
     await page.getByText('Waves', { exact: true }).click()
     const waves = await picture(page)
     assert.ok(green(waves) > 0.03)
@@ -306,7 +306,7 @@ describe('the page for your own model', () => {
     await page.getByRole('button', { name: 'Pause' }).press('Enter')
   })
 
-  test('has printed nothing', () => assert.deepEqual(messages, []))
+  test('logs nothing', () => assert.deepEqual(messages, []))
 })
 
 test('fits a phone, on which a finger rotates the model', async () => {

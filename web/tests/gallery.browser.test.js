@@ -8,7 +8,7 @@ import { path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   assertPicture,
-  lower,
+  reduceSketches,
   plain,
   sketchesForTests,
   statistics,
@@ -22,9 +22,9 @@ const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name
 
 /** Examples tested on their page in every run: a model, a shader from a file, and one with a second script. */
 const everyday = ['airplane-twist', 'text-bulge', 'deformer-bend']
-const shown = isRun('every example through the page') ? names : everyday
+const shown = isRun('every example in the gallery') ? names : everyday
 /** The example drawn with all its pixels. By default not the model, whose edges take p5 seconds to compute. */
-const asItIs = isRun('every example through the page') ? 'airplane-twist' : 'deformer-bend'
+const asItIs = isRun('every example in the gallery') ? 'airplane-twist' : 'deformer-bend'
 
 // Without a GPU, a frame can take seconds on a busy machine.
 const patience = { timeout: 180_000 }
@@ -70,7 +70,7 @@ describe('the gallery of npm start', () => {
     let context, page, messages
     before(async () => {
       context = await browser.newContext(desktop)
-      await lower(context, url, { before: still })
+      await reduceSketches(context, url, { before: still })
       // Fix the time: on a busy machine the first frame is late and may show a thin side.
       await context.addInitScript('let now = 0; performance.now = () => (now += 100)')
       await context.addInitScript(keepFrames)
@@ -97,7 +97,7 @@ describe('the gallery of npm start', () => {
     let page, messages, session
     before(async () => {
       const context = await browser.newContext(desktop)
-      await lower(context, url, { exceptions: [asItIs], before: plain })
+      await reduceSketches(context, url, { exceptions: [asItIs], before: plain })
       for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
@@ -138,7 +138,7 @@ describe('the gallery of npm start', () => {
       })
 
     test('lets the wheel scroll the page over a sketch', async () => {
-      // This sketch rotates and zooms by the mouse.
+      // This sketch rotates and zooms with the mouse.
       await openPlaying(page, url, 'deformer-bend')
       await page.locator('.stage').hover()
       const before = await page.evaluate(() => scrollY)
@@ -146,13 +146,13 @@ describe('the gallery of npm start', () => {
       await page.waitForFunction((y) => scrollY > y + 20, before, patience)
     })
 
-    test('has printed nothing', () => assert.deepEqual(messages, []))
+    test('logs nothing', () => assert.deepEqual(messages, []))
   })
 
-  if (isRun('the gallery built, and on a phone'))
-    test('fits a phone, and so does each example', async () => {
+  if (isRun('the built gallery, and the gallery on a phone'))
+    test('fits a phone screen, and so does each example', async () => {
       const context = await browser.newContext(phone)
-      await lower(context, url, { before: still })
+      await reduceSketches(context, url, { before: still })
       const { page, messages } = await openPage(context, url)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
       assert.equal(width, phone.viewport.width)
@@ -170,7 +170,7 @@ describe('the gallery of npm start', () => {
     })
 })
 
-if (isRun('the gallery built, and on a phone'))
+if (isRun('the built gallery, and the gallery on a phone'))
   test('the built gallery works from a folder of files', async () => {
     const server = await serveSite(5300)
     try {

@@ -1,5 +1,5 @@
-// Opens an attacker's link: it must do no harm. Runs in Chromium and Firefox, at the built site with its service worker, since that once
-// cached a page that a sketch had written.
+// Opens links that attack the page: they must do no harm. Runs in Chromium and Firefox, on the built site with its service worker, which
+// in an earlier version cached a page that a sketch had written.
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
 import { after, before, describe, test } from 'node:test'

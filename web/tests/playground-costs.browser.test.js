@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
 import { launchBrowser } from '../../tests/support/browser/browser.js'
-import { openPlayground, still, write } from '../../tests/support/browser/playground.js'
+import { openPlayground, stillSketch, write } from '../../tests/support/browser/playground.js'
 
 let page, messages, close
 before(async () => ({ page, messages, close } = await openPlayground(5252, await launchBrowser())))
@@ -24,7 +24,7 @@ const readOuts = async () => {
 }
 
 test('shows the cost of a warp: operations, characters, the first picture and a frame', async () => {
-  await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin(), 0, 0)'))
+  await write(page, stillSketch('#ff0000', 'glsl.vec3(position.y().mult(3).sin(), 0, 0)'))
   await open('Costs')
   const { stats } = compileWarp(({ glsl, position }) => glsl.vec3(position.y().mult(3).sin(), 0, 0))
   const row = await page.locator('#panel tbody td').allTextContents()
@@ -57,7 +57,7 @@ const map = async () => {
 }
 
 test('finds the normals of a warp correct, compared with finite differences', async () => {
-  await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin().mult(0.3), 0, 0)'))
+  await write(page, stillSketch('#ff0000', 'glsl.vec3(position.y().mult(3).sin().mult(0.3), 0, 0)'))
   await open('Checks')
   const outs = await readOuts()
   assert.ok(parseFloat(outs['Max error of a normal']) < 0.5, JSON.stringify(outs))
@@ -67,22 +67,22 @@ test('finds the normals of a warp correct, compared with finite differences', as
 })
 
 test('finds points inside out: all of a mirrored sphere, half of one folded over its half', async () => {
-  await write(page, still('#ff0000', 'glsl.vec3(position.x().mult(-2), 0, 0)'))
+  await write(page, stillSketch('#ff0000', 'glsl.vec3(position.x().mult(-2), 0, 0)'))
   const mirrored = await map()
   assert.equal(mirrored.violet, mirrored.all)
   // x becomes x squared, which decreases to the left of the middle.
   await write(
     page,
-    still('#ff0000', 'glsl.vec3(position.x().mult(position.x()).sub(position.x()), 0, 0)'),
+    stillSketch('#ff0000', 'glsl.vec3(position.x().mult(position.x()).sub(position.x()), 0, 0)'),
   )
   const folded = await map()
   assert.equal(folded.violet, folded.all / 2)
 })
 
-test('finds normals wrong that ignore how the surface turns', async () => {
+test('reports normals that ignore the rotation of the surface as wrong', async () => {
   const along = 'normal.mult(normal.y().mult(9).sin().mult(0.2))'
   const sketch = (more) =>
-    still('#ff0000', along, more).replace('position, uniforms', 'normal, position, uniforms')
+    stillSketch('#ff0000', along, more).replace('position, uniforms', 'normal, position, uniforms')
   await write(page, sketch(''))
   const right = parseFloat((await readOuts())['Max error of a normal'])
   await write(page, sketch(', { surfaceVariation: false }'))
@@ -94,11 +94,11 @@ test('finds normals wrong that ignore how the surface turns', async () => {
 
 test('explains how to check a warp whose uniform is set only when the sketch draws', async () => {
   const far = "glsl.vec3(glsl.param('far'), 0, 0)"
-  const sketch = still('#ff0000', far, ", { defs: 'uniform float far;' }")
+  const sketch = stillSketch('#ff0000', far, ", { defs: 'uniform float far;' }")
   await write(page, sketch.replace('warp()', 'warp({ far: 0.5 })'))
   await open('Checks')
   assert.equal(await page.locator('.mistake').textContent(), '')
   assert.match(await page.locator('#panel .check').textContent(), /“far”.*uniforms: \{ far: 1 \}/)
 })
 
-test('has printed nothing', () => assert.deepEqual(messages, []))
+test('logs nothing', () => assert.deepEqual(messages, []))

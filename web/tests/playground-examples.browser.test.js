@@ -6,13 +6,13 @@ import { desktop } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   assertPicture,
-  lower,
+  reduceSketches,
   sketchesForTests,
   statistics,
   still,
 } from '../../tests/support/browser/examples.js'
 import { keepFrames } from '../../tests/support/browser/frames.js'
-import { settled, shown } from '../../tests/support/browser/playground.js'
+import { waitUntilSettled, visibleFrame } from '../../tests/support/browser/playground.js'
 import { serveSources } from '../../tests/support/browser/site.js'
 
 let browser, server, page, messages
@@ -21,13 +21,13 @@ before(async () => {
   server = await serveSources(5250, [sketchesForTests()])
   const context = await browser.newContext(desktop)
   const [url] = server.resolvedUrls.local
-  await lower(context, url, { before: still })
+  await reduceSketches(context, url, { before: still })
   await context.addInitScript(keepFrames)
   ;({ page, messages } = await openPage(
     context,
     `${url}playground/index.html#example=displaced-plane`,
   ))
-  await settled(page)
+  await waitUntilSettled(page)
 })
 after(async () => {
   await page.context().close()
@@ -44,14 +44,14 @@ async function open(name) {
   await page.waitForFunction((name) => document.querySelector('#example').value === name, name, {
     timeout: 60_000,
   })
-  await settled(page)
+  await waitUntilSettled(page)
 }
 
 for (const { name, title } of sections.flatMap(({ examples }) => examples))
   test(`${name}: ${title}`, async () => {
     await open(name)
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assertPicture(await statistics(await shown(page)))
+    assertPicture(await statistics(await visibleFrame(page)))
     await page.getByRole('tab', { name: 'Console' }).click()
     assert.deepEqual(await page.locator('.printed li').allTextContents(), [])
     assert.deepEqual(messages.splice(0), [])

@@ -6,13 +6,13 @@ import { difference, path, pixels } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   canvasPixels,
-  line,
+  cursorLine,
   openFromDisk,
   openPlayground,
-  settled,
-  shown,
-  still,
-  text,
+  waitUntilSettled,
+  visibleFrame,
+  stillSketch,
+  editorText,
   write,
 } from '../../tests/support/browser/playground.js'
 
@@ -28,19 +28,19 @@ after(() => close())
 const mistake = () => page.locator('.mistake').textContent()
 const slider = (name) => page.getByLabel(name, { exact: true })
 
-const setup = (more) => still('#ff8040').replace('noStroke()', `noStroke(); ${more}`)
+const setup = (more) => stillSketch('#ff8040').replace('noStroke()', `noStroke(); ${more}`)
 
 test('chooses an example with the scripts that it needs, and undo restores the previous sketch', async () => {
-  await write(page, still('#ff8040'))
+  await write(page, stillSketch('#ff8040'))
   await page.getByLabel('Example').selectOption('deformer-bend')
   await page.waitForFunction(() => document.querySelector('[name=deformers]').checked)
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await mistake(), '')
-  assert.match(await text(page), /warpjet\.bend/)
+  assert.match(await editorText(page), /warpjet\.bend/)
   await page.locator('.cm-content').focus()
   await page.keyboard.press('Control+z')
-  await settled(page)
-  assert.equal(await text(page), still('#ff8040'))
+  await waitUntilSettled(page)
+  assert.equal(await editorText(page), stillSketch('#ff8040'))
   assert.equal(await page.getByLabel('Deformers').isChecked(), false)
 })
 
@@ -54,14 +54,14 @@ test('lists and counts the lines that a sketch prints, and clears them with the 
   assert.equal(await lines.nth(1).getAttribute('class'), 'warn')
   // Plain logs also go to the browser's own console.
   assert.deepEqual(messages.splice(0), ['so 7'])
-  await write(page, still('#ff8040'))
+  await write(page, stillSketch('#ff8040'))
   assert.equal(await tab.textContent(), 'Console')
   assert.equal(await lines.count(), 0)
   await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
 })
 
 test('rotates the shape with the pointer if the sketch allows that', async () => {
-  const bent = still('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
+  const bent = stillSketch('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
   await write(page, bent.replace('warp()\n', 'orbitControl(); lights(); warp()\n'))
   const before = await canvasPixels(page)
   const { x, y, width, height } = await page.locator('.stage iframe').boundingBox()
@@ -78,7 +78,7 @@ test('rotates the shape with the pointer if the sketch allows that', async () =>
 test('keeps the sketch and its slider across a reload', async () => {
   const uniforms = "{ far: 0.5, up: [0, 0.2], tint: color('#ff8040') }"
   const offset = 'glsl.vec3(uniforms.far.sub(uniforms.tint.x()).div(4), uniforms.up.y(), 0)'
-  const far = still('#80ff00', offset, `, { uniforms: ${uniforms} }`)
+  const far = stillSketch('#80ff00', offset, `, { uniforms: ${uniforms} }`)
   await write(page, far)
   assert.equal(await mistake(), '')
   const moves = [
@@ -98,8 +98,8 @@ test('keeps the sketch and its slider across a reload', async () => {
   }
   const before = await canvasPixels(page)
   await page.reload()
-  await settled(page)
-  assert.equal(await text(page), far)
+  await waitUntilSettled(page)
+  assert.equal(await editorText(page), far)
   assert.equal(Number(await slider('far').inputValue()), 2)
   assert.equal(Number(await slider('up.y').inputValue()), 0.8)
   assert.equal(await slider('tint').inputValue(), '#008040')
@@ -108,7 +108,7 @@ test('keeps the sketch and its slider across a reload', async () => {
 
 test('keeps a slider’s value while the sketch is edited, until its number changes', async () => {
   const far = (number, color) =>
-    still(color, 'glsl.vec3(uniforms.far, 0, 0)', `, { uniforms: { far: ${number} } }`)
+    stillSketch(color, 'glsl.vec3(uniforms.far, 0, 0)', `, { uniforms: { far: ${number} } }`)
   await write(page, far(0.25, '#80ff00'))
   await slider('far').press('End')
   await write(page, far(0.25, '#8000ff'))
@@ -118,13 +118,13 @@ test('keeps a slider’s value while the sketch is edited, until its number chan
 })
 
 test('restores the sketch with the browser’s back button after following a link', async () => {
-  await write(page, still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
+  await write(page, stillSketch('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
   const before = await canvasPixels(page)
   await page.getByRole('link', { name: 'warpjet' }).click()
   await page.waitForURL(/(?:\/|index\.html)$/)
   await page.goBack()
-  await settled(page)
-  assert.equal(await text(page), still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
+  await waitUntilSettled(page)
+  assert.equal(await editorText(page), stillSketch('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
   assert.equal(difference(before, await canvasPixels(page)), 0)
   // Messages of the first page, which was left before it had loaded.
   messages.length = 0
@@ -148,7 +148,7 @@ test('a sketch can load a dropped picture, and the saved page contains it', asyn
   })
   await page.dispatchEvent('body', 'drop', { dataTransfer })
   await page.evaluate(() => window.again())
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await page.locator('.state').textContent(), 'The sketch can load “red.png” now')
   const textured = setup("image = await loadImage('red.png')")
     .replace('function setup', 'let image\nasync function setup')
@@ -173,20 +173,20 @@ async function dropCorner(name) {
     return transfer
   }, name)
   await page.dispatchEvent('body', 'drop', { dataTransfer })
-  await settled(page)
+  await waitUntilSettled(page)
 }
 
 test('a file of any name can be dropped, used as a model, and saved', async () => {
   const host = page.getByLabel('Runs in')
   for (const name of [`Bob's cat.obj`, `a "b" \\ </script> --> 100% #1?.obj`]) {
     await host.selectOption('offset')
-    await settled(page)
+    await waitUntilSettled(page)
     await dropCorner(name)
     assert.equal(await mistake(), '')
     assert.equal(await page.locator('#model').inputValue(), name)
-    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+    assert.equal(await (await visibleFrame(page)).evaluate('shape.faces.length'), 4)
     await host.selectOption('p5')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await mistake(), '')
     const other = await openFromDisk(page, `${folder}/named.html`, () => window.frameCount > 1)
     assert.equal(await other.page.evaluate('shape.faces.length'), 4)
@@ -200,7 +200,7 @@ test('saves a sketch that writes a file itself and contains a comparison that lo
     'const scripts = [1, 2, 3]; let a = 0; while (a<scripts.length) a++; document.title = `${a}`'
   await write(
     page,
-    `${still('#ff8040')}\nfunction keyPressed() { saveCanvas('mine.png') }\n${words}\n`,
+    `${stillSketch('#ff8040')}\nfunction keyPressed() { saveCanvas('mine.png') }\n${words}\n`,
   )
   assert.equal(await mistake(), '')
   const other = await openFromDisk(page, `${folder}/writes.html`)
@@ -210,12 +210,12 @@ test('saves a sketch that writes a file itself and contains a comparison that lo
 })
 
 test('a double click selects a number, which typing replaces', async () => {
-  await write(page, still('#ff8040', 'glsl.vec3(-0.125, 0, 0)'))
+  await write(page, stillSketch('#ff8040', 'glsl.vec3(-0.125, 0, 0)'))
   await page.locator('.cm-number').getByText('0.125', { exact: true }).dblclick()
   assert.equal(await page.evaluate(() => String(getSelection())), '0.125')
   await page.keyboard.type('0.5')
-  await settled(page)
-  assert.equal(await text(page), still('#ff8040', 'glsl.vec3(-0.5, 0, 0)'))
+  await waitUntilSettled(page)
+  assert.equal(await editorText(page), stillSketch('#ff8040', 'glsl.vec3(-0.5, 0, 0)'))
 })
 
 test('the menu closes on Escape, which restores the focus, and on a click elsewhere', async () => {
@@ -233,29 +233,29 @@ test('the menu closes on Escape, which restores the focus, and on a click elsewh
 })
 
 test('finds a word in the text', async () => {
-  await write(page, still('#ff8040'))
+  await write(page, stillSketch('#ff8040'))
   await page.keyboard.press('Control+f')
   await page.getByRole('textbox', { name: 'Find' }).waitFor()
   await page.keyboard.type('background')
   await page.keyboard.press('Enter')
   await page.keyboard.press('Escape')
-  assert.match(await line(page), /background\(/)
+  assert.match(await cursorLine(page), /background\(/)
   assert.equal(await page.evaluate(() => String(getSelection())), 'background')
 })
 
 test('the Tab key leaves the editor', async () => {
   await page.locator('.cm-content').focus()
   await page.keyboard.press('Tab')
-  assert.equal(await text(page), still('#ff8040'))
+  assert.equal(await editorText(page), stillSketch('#ff8040'))
   assert.equal(await page.evaluate(() => Boolean(document.activeElement.closest('.editor'))), false)
 })
 
 test('reports that there is no picture to save if nothing was drawn', async () => {
   const other = await openPage(context, 'about:blank')
   const { fragmentOf } = await import('../playground/link.js')
-  const wrong = { text: still('#ff8040', 'nothing'), host: 'p5', chosen: [] }
+  const wrong = { text: stillSketch('#ff8040', 'nothing'), host: 'p5', chosen: [] }
   await other.page.goto(page.url().replace(/#.*/, '') + (await fragmentOf(wrong)))
-  await settled(other.page)
+  await waitUntilSettled(other.page)
   assert.match(await other.page.locator('.mistake').textContent(), /^Line 5 .*nothing/)
   await other.page.getByText('Save', { exact: true }).click()
   await other.page.getByRole('button', { name: 'Picture (PNG)' }).click()
@@ -263,4 +263,4 @@ test('reports that there is no picture to save if nothing was drawn', async () =
   await other.page.close()
 })
 
-test('the playground itself has logged nothing', () => assert.deepEqual(messages, []))
+test('the playground logs nothing itself', () => assert.deepEqual(messages, []))

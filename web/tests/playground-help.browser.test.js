@@ -5,9 +5,9 @@ import { compileWarp } from '../../dist/warpjet.js'
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import {
   openPlayground,
-  settled,
-  still,
-  text,
+  waitUntilSettled,
+  stillSketch,
+  editorText,
   write,
 } from '../../tests/support/browser/playground.js'
 
@@ -19,8 +19,8 @@ const list = () => page.locator('.cm-tooltip-autocomplete')
 const options = () => list().locator('.cm-completionLabel').allTextContents()
 
 /** Types text after the first `given` in the sketch. */
-async function typeBehind(given, typed) {
-  await write(page, still('#ff0000', `glsl.vec3(${given}, 0, 0)`))
+async function typeAfter(given, typed) {
+  await write(page, stillSketch('#ff0000', `glsl.vec3(${given}, 0, 0)`))
   const place = await page.evaluate((given) => {
     const { view } = document.querySelector('.cm-content').cmTile
     const anchor = view.state.doc.toString().indexOf(`(${given}, `) + 1 + given.length
@@ -52,24 +52,24 @@ async function meaningOf(word) {
 }
 
 test('offers the operations after a point, with their signatures and meanings', async () => {
-  await typeBehind('position', '.fb')
+  await typeAfter('position', '.fb')
   assert.equal((await options())[0], 'fbm')
   await page.locator('.cm-completionInfo').waitFor()
   assert.match(await page.locator('.cm-completionInfo').textContent(), /p\.fbm\(.*Noise of/)
   // CodeMirror ignores a choice made right after the list opens.
   await page.waitForTimeout(150)
   await page.keyboard.press('Enter')
-  assert.match(await text(page), /\(position\.fbm, 0, 0\)/)
-  await typeBehind('position', '.')
+  assert.match(await editorText(page), /\(position\.fbm, 0, 0\)/)
+  await typeAfter('position', '.')
   const all = await options()
   for (const name of ['sin', 'mult', 'length', 'rotate', 'mix'])
     assert.ok(all.includes(name), `${name} of ${all.length}`)
 })
 
 test('offers the inputs and the deformers', async () => {
-  await typeBehind('0', ' + mil')
+  await typeAfter('0', ' + mil')
   assert.deepEqual((await options()).slice(0, 1), ['millis'])
-  await typeBehind('warpjet', '.tw')
+  await typeAfter('warpjet', '.tw')
   assert.equal((await options())[0], 'twist')
 })
 
@@ -101,10 +101,10 @@ function allInputs() {
 }
 
 test('offers every input and, in a function’s braces, every option, each with its meaning', async () => {
-  const words = await completionsOf(still('#ff0000', 'glsl.vec3(§, 0, 0)'))
+  const words = await completionsOf(stillSketch('#ff0000', 'glsl.vec3(§, 0, 0)'))
   for (const name of [...allInputs(), 'uniforms', 'createWarp'])
     assert.match(words[name] ?? '', /\w+ \w+/, name)
-  const options = await completionsOf(still('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
+  const options = await completionsOf(stillSketch('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
   assert.deepEqual(Object.keys(options).sort(), [
     'defs',
     'hooks',
@@ -120,22 +120,22 @@ test('offers every input and, in a function’s braces, every option, each with 
   for (const [name, meaning] of Object.entries(options)) assert.match(meaning, /\w+ \w+/, name)
 })
 
-test('offers in three.js only the inputs and functions of three.js', async () => {
+test('offers only the inputs and functions of three.js in a three.js sketch', async () => {
   await page.getByLabel('Runs in').selectOption('three')
-  await settled(page)
-  const sketch = await text(page)
+  await waitUntilSettled(page)
+  const sketch = await editorText(page)
   const words = await completionsOf(sketch.replace('along.sin', '§.sin'))
   assert.ok(words.millis && words.warp && words.warpMaterial)
   assert.equal(words.mouseX ?? words.createWarp, undefined)
   const options = await completionsOf(sketch.replace(/^}\)$/m, '}, { § })'))
   assert.deepEqual(Object.keys(options).sort(), ['share', 'space', 'surfaceVariation', 'uniforms'])
   await page.getByLabel('Runs in').selectOption('p5')
-  await settled(page)
+  await waitUntilSettled(page)
 })
 
 test('shows the formula and the derivative of the operation under the pointer', async () => {
   await page.keyboard.press('Escape')
-  await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
+  await write(page, stillSketch('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
   const [fbm, ...more] = await meaningOf('fbm')
   assert.match(fbm, /glsl\.fbm\(p, /)
   assert.ok(
@@ -143,20 +143,20 @@ test('shows the formula and the derivative of the operation under the pointer', 
     more.join('\n'),
   )
   assert.ok((await meaningOf('sin()')).includes('Value: sin(x). Derivative: cos(x).'))
-  await write(page, still('#ff0000', 'position.length().mult(uniforms.far)'))
+  await write(page, stillSketch('#ff0000', 'position.length().mult(uniforms.far)'))
   assert.ok(
     (await meaningOf('length')).includes('length(v) is √(v · v). Derivative: v · dv / |v|.'),
   )
-  await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
+  await write(page, stillSketch('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
   assert.match((await meaningOf('position')).join(' '), /from -1 to 1/)
   assert.match((await meaningOf('createWarp')).join(' '), /how far each vertex moves/)
-  await write(page, still('#ff0000', 'glsl.vec3(0, 0, 0)', ", { space: 'world' }"))
+  await write(page, stillSketch('#ff0000', 'glsl.vec3(0, 0, 0)', ", { space: 'world' }"))
   assert.match(
     (await meaningOf('space')).join(' '),
     /'local' \| 'world' \| 'camera' Default: 'local'\. The space/,
   )
-  await write(page, still('#ff0000'))
-  await settled(page)
+  await write(page, stillSketch('#ff0000'))
+  await waitUntilSettled(page)
 })
 
-test('has printed nothing', () => assert.deepEqual(messages, []))
+test('logs nothing', () => assert.deepEqual(messages, []))

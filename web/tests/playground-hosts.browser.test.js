@@ -12,11 +12,11 @@ import {
   canvasPixels,
   openFromDisk,
   openPlayground,
-  saved,
-  settled,
-  shown,
-  still,
-  text,
+  downloadFromMenu,
+  waitUntilSettled,
+  visibleFrame,
+  stillSketch,
+  editorText,
   write,
 } from '../../tests/support/browser/playground.js'
 
@@ -36,7 +36,7 @@ const host = () => page.getByLabel('Runs in')
 const mistake = () => page.locator('.mistake').textContent()
 const run = async (name) => {
   await host().selectOption(name)
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await mistake(), '')
 }
 
@@ -55,40 +55,40 @@ async function drawnFromDisk(name, isReady) {
 const cosine = 'glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0)'
 
 test('draws the same on WebGPU as in WebGL, and reports mistakes there, too', async () => {
-  await write(page, still('#ff8040', cosine))
+  await write(page, stillSketch('#ff8040', cosine))
   const before = await canvasPixels(page)
   await run('p5-webgpu')
-  assert.match(await text(page), /await createCanvas\(120, 90, WEBGPU\)/)
-  const frame = await shown(page)
+  assert.match(await editorText(page), /await createCanvas\(120, 90, WEBGPU\)/)
+  const frame = await visibleFrame(page)
   assert.ok(await frame.evaluate('p5.instance._renderer.device instanceof GPUDevice'))
   assert.ok(difference(before, await canvasPixels(page)) < 0.03)
   await page.getByRole('tab', { name: 'WGSL' }).click()
   assert.match(await page.locator('#panel').textContent(), /var offset: vec3f/)
   await page.locator('.cm-content').focus()
-  await write(page, (await text(page)).replace('position.y()', 'position.w()'))
+  await write(page, (await editorText(page)).replace('position.y()', 'position.w()'))
   assert.match(await mistake(), /^Line 5 /)
-  await write(page, still('#ff8040', cosine))
+  await write(page, stillSketch('#ff8040', cosine))
   await run('p5')
   assert.equal(difference(before, await canvasPixels(page)), 0)
 })
 
-/** An offset in GLSL that equals the one of `still`. */
+/** The offset of `stillSketch` in GLSL. */
 const inText = `\`
   vec3 offset(vec3 position) {
     return vec3(cos(position.y * 3.0) * 0.4, 0.0, 0.0);
   }\``
 
 test('reads an offset in GLSL, shows its code, and marks a mistake in it', async () => {
-  await write(page, still('#ff8040', cosine))
+  await write(page, stillSketch('#ff8040', cosine))
   const before = await canvasPixels(page)
-  const sketch = still('#ff8040').replace(
+  const sketch = stillSketch('#ff8040').replace(
     /createWarp\(.*\)$/m,
     `createWarp(warpjet.glslOffset(${inText}))`,
   )
   await write(page, sketch)
   assert.notEqual(await mistake(), '')
   await page.getByLabel('Shader text').check()
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await mistake(), '')
   assert.ok(difference(before, await canvasPixels(page)) < 0.001)
   await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
@@ -101,7 +101,7 @@ test('reads an offset in GLSL, shows its code, and marks a mistake in it', async
 })
 
 test('downloads a page with p5 1.11 that opens from a disk', async () => {
-  await write(page, still('#40ff40', cosine))
+  await write(page, stillSketch('#40ff40', cosine))
   await run('p5-1')
   const before = await canvasPixels(page)
   const { picture, version } = await drawnFromDisk('p5-1', () => window.frameCount > 1)
@@ -141,8 +141,8 @@ test('shows the code of a three.js warp in each language, marked both ways, its 
   const { nodes, operations, temporaries } = stats
   assert.deepEqual(row.slice(0, 4), ['warp', ...[nodes, operations, temporaries].map(String)])
   await open('Checks')
-  const [most, , insideOut] = await figures()
-  assert.ok(parseFloat(most) < 0.5, most)
+  const [worst, , insideOut] = await figures()
+  assert.ok(parseFloat(worst) < 0.5, worst)
   assert.match(insideOut, /^0 of 4,608 points$/)
   await open('GLSL 3.00')
 })
@@ -154,11 +154,11 @@ const middle = async () => {
 }
 
 /** Waits until the middle has that colour, since the picture follows its slider with a delay. */
-async function becomes(wanted, most = 0) {
+async function becomes(wanted, tolerance = 0) {
   let color
   for (let i = 0; i < 100; i++) {
     color = await middle()
-    if (color.every((part, k) => Math.abs(part - wanted[k]) <= most)) return
+    if (color.every((part, k) => Math.abs(part - wanted[k]) <= tolerance)) return
     await page.waitForTimeout(100)
   }
   assert.deepEqual(color, wanted)
@@ -207,7 +207,9 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
   assert.equal(await mistake(), '')
   await page.screenshot({ path: `${folder}/playground-three.png` })
   // A moved slider keeps its value.
-  const mesh = await loadMesh(readFileSync(await (await saved(page, 'Warped shape')).path()))
+  const mesh = await loadMesh(
+    readFileSync(await (await downloadFromMenu(page, 'Warped shape')).path()),
+  )
   const box = [0, 1, 2].map((axis) => mesh.positions.filter((_, i) => i % 3 === axis))
   const ends = box.flatMap((all) => [Math.min(...all), Math.max(...all)])
   for (const [i, end] of [-2.1, 0.1, -0.1, 2.1, -1.1, 1.1].entries())
@@ -238,4 +240,4 @@ test('downloads a page with three.js, its addons and warpjet that opens from a d
   assert.equal(difference(before, picture), 0)
 })
 
-test('has printed nothing', () => assert.deepEqual(messages, []))
+test('logs nothing', () => assert.deepEqual(messages, []))

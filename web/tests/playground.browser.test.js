@@ -9,13 +9,13 @@ import { drawLittle, framesInPlayground } from '../../tests/support/browser/fram
 import {
   canvasPixels,
   dragNumber,
-  line,
+  cursorLine,
   openFromDisk,
-  saved,
-  settled,
-  shown,
-  still,
-  text,
+  downloadFromMenu,
+  waitUntilSettled,
+  visibleFrame,
+  stillSketch,
+  editorText,
   write,
 } from '../../tests/support/browser/playground.js'
 import { serveSources } from '../../tests/support/browser/site.js'
@@ -53,12 +53,12 @@ describe('the playground', () => {
     await drawLittle(context, framesInPlayground)
     await context.grantPermissions(['clipboard-read', 'clipboard-write'])
     ;({ page, messages } = await openPage(context, url))
-    await settled(page)
+    await waitUntilSettled(page)
   })
   after(() => context.close())
 
   test('starts with a sketch that runs, and its code in three languages', async () => {
-    assert.match(await text(page), /createWarp/)
+    assert.match(await editorText(page), /createWarp/)
     assert.match(await page.locator('#panel').textContent(), /vec3 offset, warpedPosition/)
     await page.getByRole('tab', { name: 'WGSL' }).click()
     assert.match(await page.locator('#panel').textContent(), /var offset: vec3f/)
@@ -72,27 +72,27 @@ describe('the playground', () => {
   })
 
   test('runs the typed sketch after a pause', async () => {
-    await write(page, still('#ff0000'))
+    await write(page, stillSketch('#ff0000'))
     const red = await canvasPixels(page)
-    await write(page, still('#0000ff'))
+    await write(page, stillSketch('#0000ff'))
     const blue = await canvasPixels(page)
     assert.ok(difference(red, blue) > 0.1)
-    await write(page, still('#0000ff', 'glsl.vec3(1, 0, 0)'))
+    await write(page, stillSketch('#0000ff', 'glsl.vec3(1, 0, 0)'))
     assert.ok(difference(blue, await canvasPixels(page)) > 0.1)
   })
 
   test('keeps the last good picture after a mistake, and marks its line with a message', async () => {
-    await write(page, still('#00ff00'))
+    await write(page, stillSketch('#00ff00'))
     const before = await canvasPixels(page)
     const mistakes = [
-      [still('#00ff00', 'glsl.vec2(0, 0)'), 5, /must return a vec3/],
-      [still('#00ff00', 'position.mlt(2)'), 5, /mlt/],
-      [still('#00ff00', 'position + 1'), 5, /\+/],
-      [still('#00ff00').replace('noStroke()', 'noStroke('), 4, /^SyntaxError: /, 5],
-      [still('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /ran for five seconds/],
-      [still('#00ff00').replace('warp()', 'wrap()'), 10, /^ReferenceError: wrap/],
+      [stillSketch('#00ff00', 'glsl.vec2(0, 0)'), 5, /must return a vec3/],
+      [stillSketch('#00ff00', 'position.mlt(2)'), 5, /mlt/],
+      [stillSketch('#00ff00', 'position + 1'), 5, /\+/],
+      [stillSketch('#00ff00').replace('noStroke()', 'noStroke('), 4, /^SyntaxError: /, 5],
+      [stillSketch('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /ran for five seconds/],
+      [stillSketch('#00ff00').replace('warp()', 'wrap()'), 10, /^ReferenceError: wrap/],
       [
-        still('#00ff00')
+        stillSketch('#00ff00')
           .replace('function setup', 'async function setup')
           .replace('noStroke()', "await loadModel('nowhere.obj')"),
         4,
@@ -111,8 +111,8 @@ describe('the playground', () => {
     }
     await page.screenshot({ path: `${screenshots}/playground-mistake.png` })
     await page.getByRole('button', { name: /^Line / }).click()
-    assert.match(await line(page), /loadModel/)
-    await write(page, still('#00ff00'))
+    assert.match(await cursorLine(page), /loadModel/)
+    await write(page, stillSketch('#00ff00'))
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.equal(await page.locator('.cm-lint-marker-error').count(), 0)
     // p5 reported the missing model. It was not requested, since the page knows the site's files.
@@ -120,20 +120,20 @@ describe('the playground', () => {
   })
 
   test('undoes and redoes typing', async () => {
-    await write(page, still('#ffff00'))
+    await write(page, stillSketch('#ffff00'))
     const yellow = await canvasPixels(page)
-    await write(page, still('#ff00ff'))
+    await write(page, stillSketch('#ff00ff'))
     await page.keyboard.press('Control+z')
-    await settled(page)
-    assert.equal(await text(page), still('#ffff00'))
+    await waitUntilSettled(page)
+    assert.equal(await editorText(page), stillSketch('#ffff00'))
     assert.equal(difference(yellow, await canvasPixels(page)), 0)
     await page.keyboard.press('Control+y')
-    await settled(page)
-    assert.equal(await text(page), still('#ff00ff'))
+    await waitUntilSettled(page)
+    assert.equal(await editorText(page), stillSketch('#ff00ff'))
   })
 
   test('restores a sketch from its link', async () => {
-    const sketch = still('#ff8000', 'glsl.vec3(0, 0.5, 0) /* ≠ “ä” 🌸 */')
+    const sketch = stillSketch('#ff8000', 'glsl.vec3(0, 0.5, 0) /* ≠ “ä” 🌸 */')
     await write(page, sketch)
     const before = await canvasPixels(page)
     await page.getByRole('button', { name: 'Copy link' }).click()
@@ -141,33 +141,33 @@ describe('the playground', () => {
     const link = await page.evaluate(() => navigator.clipboard.readText())
     assert.ok(link.length < 800, `${link.length} characters`)
     const other = await openPage(context, link)
-    await settled(other.page)
-    assert.equal(await text(other.page), sketch)
+    await waitUntilSettled(other.page)
+    assert.equal(await editorText(other.page), sketch)
     assert.equal(difference(before, await canvasPixels(other.page)), 0)
     assert.deepEqual(other.messages, [])
     await other.page.close()
   })
 
-  test('drags a number in the text, in one step of the history', async () => {
-    await write(page, still('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
+  test('changes a number by dragging it, as one step of the undo history', async () => {
+    await write(page, stillSketch('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
     const before = await canvasPixels(page)
     await dragNumber(page, '0.10', 160)
-    await settled(page)
-    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.50, 0, 0)'))
+    await waitUntilSettled(page)
+    assert.equal(await editorText(page), stillSketch('#00ffff', 'glsl.vec3(0.50, 0, 0)'))
     assert.ok(difference(before, await canvasPixels(page)) > 0.02)
     await page.keyboard.press('Control+z')
-    await settled(page)
-    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
+    await waitUntilSettled(page)
+    assert.equal(await editorText(page), stillSketch('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
     await page.locator('.cm-number').getByText('0.10', { exact: true }).click()
     await page.keyboard.press('Alt+ArrowDown')
-    await settled(page)
-    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.09, 0, 0)'))
+    await waitUntilSettled(page)
+    assert.equal(await editorText(page), stillSketch('#00ffff', 'glsl.vec3(0.09, 0, 0)'))
   })
 
   test('shows a slider for a uniform that is a number', async () => {
     await write(
       page,
-      still('#80ff00', 'glsl.vec3(uniforms.far, 0, 0)', ', { uniforms: { far: 0.5 } }'),
+      stillSketch('#80ff00', 'glsl.vec3(uniforms.far, 0, 0)', ', { uniforms: { far: 0.5 } }'),
     )
     const before = await canvasPixels(page)
     const slider = page.getByLabel('far', { exact: true })
@@ -176,10 +176,10 @@ describe('the playground', () => {
     assert.ok(difference(before, await canvasPixels(page)) > 0.05)
   })
 
-  test('pauses, and follows the time bar', async () => {
+  test('pauses, and shows the time selected on the time bar', async () => {
     await write(
       page,
-      still('#ffffff')
+      stillSketch('#ffffff')
         .replace('glsl.vec3(0, 0, 0)', 'glsl.vec3(millis.div(1000), 0, 0)')
         .replace('uniforms', 'millis'),
     )
@@ -195,9 +195,9 @@ describe('the playground', () => {
   })
 
   test('shows normals as colours', async () => {
-    await write(page, still('#ffffff'))
+    await write(page, stillSketch('#ffffff'))
     await page.getByLabel('Normals as colours').check()
-    await settled(page)
+    await waitUntilSettled(page)
     const image = await canvasPixels(page)
     // The sphere faces the camera in the middle, and the side at its right edge.
     const at = (x, y) => [...image.subarray(4 * (120 * y + x), 4 * (120 * y + x) + 3)]
@@ -205,71 +205,74 @@ describe('the playground', () => {
     assert.ok(middle[2] > 240 && middle[0] < 40, `${middle}`)
     assert.ok(right[0] > 220 && right[2] < 128, `${right}`)
     await page.getByLabel('Normals as colours').uncheck()
-    await settled(page)
+    await waitUntilSettled(page)
   })
 
   test('names the box to tick for a missing script', async () => {
     const mistake = page.locator('.mistake')
-    await write(page, still('#ff00ff').replace('warp =', 'warpjet.melt(0.5); warp ='))
+    await write(page, stillSketch('#ff00ff').replace('warp =', 'warpjet.melt(0.5); warp ='))
     assert.match(
       await mistake.textContent(),
       /warpjet\.melt.*warpjet\.deformers\.min\.js.*Here, tick “Deformers” above\.$/,
     )
-    await write(page, still('#ff00ff', "warpjet.glslOffset('')"))
+    await write(page, stillSketch('#ff00ff', "warpjet.glslOffset('')"))
     assert.match(await mistake.textContent(), /Here, tick “Shader text” above\.$/)
   })
 
   test('runs operators with their script, and names it if it is missing', async () => {
-    await write(page, still('#ff00ff', '[position.y * 0.5, 0, 0]'))
+    await write(page, stillSketch('#ff00ff', '[position.y * 0.5, 0, 0]'))
     assert.match(await page.locator('.mistake').textContent(), /Here, tick “Operators” above\.$/)
     await page.getByLabel('Operators').check()
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.match(await page.locator('#panel').textContent(), /position\.y/)
     await page.locator('.cm-content').focus()
     await page.keyboard.press('Control+z')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.getByLabel('Operators').isChecked(), false)
   })
 
   test('runs in p5 1.11 and in three.js, and undo restores the host', async () => {
-    await write(page, still('#ff4000', 'glsl.vec3(0.2, 0, 0)'))
+    await write(page, stillSketch('#ff4000', 'glsl.vec3(0.2, 0, 0)'))
     const before = await canvasPixels(page)
     const host = page.getByLabel('Runs in')
     await host.selectOption('p5-1')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assert.match(await (await shown(page)).evaluate('p5.VERSION || p5.prototype.VERSION'), /^1\.11/)
+    assert.match(
+      await (await visibleFrame(page)).evaluate('p5.VERSION || p5.prototype.VERSION'),
+      /^1\.11/,
+    )
     assert.ok(difference(before, await canvasPixels(page)) < 0.03)
     await host.selectOption('three')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assert.match(await text(page), /from 'three'/)
+    assert.match(await editorText(page), /from 'three'/)
     await page.locator('.cm-content').focus()
     await page.keyboard.press('Control+z')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await host.inputValue(), 'p5-1')
     await page.keyboard.press('Control+z')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await host.inputValue(), 'p5')
     assert.equal(difference(before, await canvasPixels(page)), 0)
   })
 
   test('saves the picture', async () => {
-    const bytes = await bytesOf(await saved(page, 'Picture (PNG)'))
+    const bytes = await bytesOf(await downloadFromMenu(page, 'Picture (PNG)'))
     assert.equal(bytes.subarray(1, 4).toString(), 'PNG')
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [120, 90])
   })
 
   test('downloads a page that opens from a disk, with its model in it', async () => {
     const sketch = `// It ends no tag: '</script>'
-${still('#40ff40')
+${stillSketch('#40ff40')
   .replace('function setup', 'let bunny\nasync function setup')
   .replace('noStroke()', "noStroke(); bunny = await loadModel('bunny.obj')")
   .replace('sphere(30, 24, 16)', 'scale(0.4); model(bunny)')}`
     await write(page, sketch)
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assert.equal(await (await shown(page)).evaluate('typeof bunny'), 'object')
+    assert.equal(await (await visibleFrame(page)).evaluate('typeof bunny'), 'object')
     const before = await canvasPixels(page)
     const other = await openFromDisk(page, `${screenshots}/warp.html`)
     assert.equal(difference(before, await canvasPixels(other.page)), 0)
@@ -278,12 +281,12 @@ ${still('#40ff40')
   })
 
   test('packs an npm project, with its model', async () => {
-    const bytes = await bytesOf(await saved(page, 'npm project'))
+    const bytes = await bytesOf(await downloadFromMenu(page, 'npm project'))
     const names = ['package.json', 'vite.config.js', 'index.html', 'sketch.js', 'bunny.obj']
     assert.deepEqual(namesInZip(bytes), names)
     assert.ok(bytes.includes('"start": "vite"'))
     assert.ok(bytes.includes('src="/warpjet/dist/p5.warpjet.min.js"'))
-    assert.ok(bytes.includes(await text(page)))
+    assert.ok(bytes.includes(await editorText(page)))
   })
 
   test('copies a page for the p5 editor, and opens the editor', async () => {
@@ -304,15 +307,15 @@ ${still('#40ff40')
     assert.match(html, /Upload beside this page: bunny\.obj/)
   })
 
-  test('films four seconds', async () => {
-    const bytes = await bytesOf(await saved(page, 'Film of four'))
+  test('records a video of four seconds', async () => {
+    const bytes = await bytesOf(await downloadFromMenu(page, 'Film of four'))
     assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3)
     assert.ok(bytes.includes('webm') && bytes.length > 500)
   })
 
-  test('saves the warped shape, upright and at its place', async () => {
-    await write(page, still('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
-    const mesh = await loadMesh(await bytesOf(await saved(page, 'Warped shape')))
+  test('saves the warped shape in its upright orientation and position', async () => {
+    await write(page, stillSketch('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
+    const mesh = await loadMesh(await bytesOf(await downloadFromMenu(page, 'Warped shape')))
     const { positions, normals } = mesh
     const most = [0, 0, 0]
     for (let i = 0; i < positions.length; i += 3) {
@@ -329,7 +332,7 @@ ${still('#40ff40')
 
   test('marks the statements of the line with the cursor, and the line of a statement', async () => {
     const lines = 'const a = position.y().mult(3).sin()\n  return glsl.vec3(a, a.mult(0.3), 0)'
-    await write(page, still('#40ff40').replace('glsl.vec3(0, 0, 0)', `{\n  ${lines}\n}`))
+    await write(page, stillSketch('#40ff40').replace('glsl.vec3(0, 0, 0)', `{\n  ${lines}\n}`))
     const markedStatements = () => page.locator('.panel .lit').allTextContents()
     for (const language of ['GLSL 3.00', 'GLSL 1.00', 'WGSL']) {
       await page.getByRole('tab', { name: language }).click()
@@ -348,29 +351,29 @@ ${still('#40ff40')
     await statement.hover()
     assert.match(await page.locator('.cm-lit').textContent(), /const a =/)
     await statement.click()
-    assert.match(await line(page), /const a =/)
+    assert.match(await cursorLine(page), /const a =/)
     assert.equal((await markedStatements()).length > 0, true)
     await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
   })
 
   test('applies a single offset function to a model, and restores both from the link', async () => {
     await page.getByLabel('Runs in').selectOption('offset')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assert.doesNotMatch(await text(page), /createWarp/)
+    assert.doesNotMatch(await editorText(page), /createWarp/)
     assert.equal(await page.getByLabel('height', { exact: true }).count(), 1)
     const sphere = await canvasPixels(page)
     await page.locator('#model').selectOption('bunny.obj')
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.ok(difference(sphere, await canvasPixels(page)) > 0.05)
     const link = page.url()
     await page.getByLabel('Runs in').selectOption('p5')
-    await settled(page)
-    assert.match(await text(page), /model\(shape\)/)
+    await waitUntilSettled(page)
+    assert.match(await editorText(page), /model\(shape\)/)
     assert.equal(await page.locator('#model').isVisible(), false)
     await page.goto(link)
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('#model').inputValue(), 'bunny.obj')
     await write(page, 'const nothing = 0')
     assert.match(
@@ -379,7 +382,7 @@ ${still('#40ff40')
     )
     await page.locator('.cm-content').focus()
     await page.keyboard.press('Control+z')
-    await settled(page)
+    await waitUntilSettled(page)
     await page.screenshot({ path: `${screenshots}/playground-offset.png` })
   })
 
@@ -393,10 +396,10 @@ ${still('#40ff40')
       return transfer
     })
     await page.dispatchEvent('body', 'drop', { dataTransfer: file })
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('#model').inputValue(), 'corner.obj')
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+    assert.equal(await (await visibleFrame(page)).evaluate('shape.faces.length'), 4)
     // Repeat with GLB, which has a different loader.
     const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]
     const bytes = exportGLB({ positions, indices: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] })
@@ -406,28 +409,28 @@ ${still('#40ff40')
       return transfer
     }, Array.from(bytes))
     await page.dispatchEvent('body', 'drop', { dataTransfer: glb })
-    await settled(page)
+    await waitUntilSettled(page)
     assert.equal(await page.locator('#model').inputValue(), 'corner.glb')
     assert.equal(await page.locator('.mistake').textContent(), '')
-    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+    assert.equal(await (await visibleFrame(page)).evaluate('shape.faces.length'), 4)
   })
 
   test('reports a damaged link, and keeps the sketch', async () => {
-    const before = await text(page)
+    const before = await editorText(page)
     await page.evaluate(() => (location.hash = '#sketch=brokenlink'))
     await page.getByText('The sketch in this link is damaged').waitFor()
-    assert.equal(await text(page), before)
+    assert.equal(await editorText(page), before)
   })
 
-  test('has printed nothing itself', () => assert.deepEqual(messages, []))
+  test('logs nothing itself', () => assert.deepEqual(messages, []))
 })
 
 test('fits a phone, and opens an example of the gallery', async () => {
   const context = await browser.newContext({ ...phone, reducedMotion: 'reduce' })
   await drawLittle(context, framesInPlayground)
   const { page, messages } = await openPage(context, `${url}#example=deformer-bend`)
-  await settled(page)
-  assert.match(await text(page), /warpjet\.bend/)
+  await waitUntilSettled(page)
+  assert.match(await editorText(page), /warpjet\.bend/)
   assert.equal(await page.getByLabel('Deformers').isChecked(), true)
   assert.equal(await page.locator('.mistake').textContent(), '')
   assert.equal(

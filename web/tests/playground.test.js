@@ -6,7 +6,7 @@ import { guardLoops } from '../playground/guard.js'
 import { insideScript } from '../playground/document.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
 import { modulesAsData } from '../playground/modules.js'
-import { whole } from '../playground/offset.js'
+import { completeSketch } from '../playground/offset.js'
 import { evaluatedOf, maskOf, readMessage, shapesOf } from '../playground/messages.js'
 import { plain, withOrigins } from '../playground/origins.js'
 import { across, down, normalErrors, spherePoints } from '../playground/sphere.js'
@@ -170,7 +170,7 @@ describe('the strings of a sketch', () => {
       stringsIn(`f(${quote(nasty)})`).map(({ value }) => value),
       [nasty],
     )
-    const { text } = whole({ text: 'function offset() {}', host: 'offset', model: nasty })
+    const { text } = completeSketch({ text: 'function offset() {}', host: 'offset', model: nasty })
     assert.ok(stringsIn(text).some(({ value }) => value === nasty))
     new Function(text)
   })
@@ -273,14 +273,14 @@ describe('the check of normals', () => {
         .mult(0.1),
     )
 
-  test('finds normals of a warp correct, also along the normal and by uv', () => {
+  test('accepts the normals of a warp, also if its offset depends on the normal and on uv', () => {
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const errors = normalErrors(evaluate(spherePoints(1)))
     assert.equal(errors.length, across * down)
     assert.ok(largest(errors) < 1e-3, `${largest(errors)}`)
   })
 
-  test('finds wrong normals wrong', () => {
+  test('reports wrong normals as wrong', () => {
     const points = spherePoints(1)
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const { positions } = evaluate(points)
@@ -289,7 +289,7 @@ describe('the check of normals', () => {
   })
 })
 
-test('an archive has the sums and sizes that unpackers look for', () => {
+test('an archive has the checksums and sizes that unpackers require', () => {
   const bytes = Buffer.concat(zip({ 'a.txt': '123456789', 'ä.bin': new Uint8Array([0, 255]) }))
   // The checksum of these nine digits is the test value in every description of CRC-32.
   assert.equal(bytes.readUInt32LE(14), 0xcbf43926)
@@ -336,7 +336,7 @@ test('debug names the line of the offset in each statement, of derivatives too',
 describe('an offset function alone', () => {
   const text = 'function offset({ position }) {\n  return position\n}\n'
   test('becomes a p5 sketch that begins with its own lines', () => {
-    const sketch = whole({ text, host: 'offset', chosen: ['glsl'], model: 'hand.obj' })
+    const sketch = completeSketch({ text, host: 'offset', chosen: ['glsl'], model: 'hand.obj' })
     assert.ok(sketch.text.startsWith(text))
     assert.match(sketch.text, /shape = await loadModel\('hand\.obj'/)
     assert.equal(sketch.host, 'p5')
@@ -345,9 +345,9 @@ describe('an offset function alone', () => {
   })
   test('escapes the name of a file, and leaves other sketches unchanged', () => {
     const name = "a'); alert('b.obj"
-    const { text: made } = whole({ text, host: 'offset', model: name })
+    const { text: made } = completeSketch({ text, host: 'offset', model: name })
     assert.ok(stringsIn(made).some(({ value }) => value === name))
     new Function(made)
-    assert.deepEqual(whole({ text, host: 'p5', model: 'box' }), { text, host: 'p5' })
+    assert.deepEqual(completeSketch({ text, host: 'p5', model: 'box' }), { text, host: 'p5' })
   })
 })

@@ -1,5 +1,5 @@
-// Compares the plots of the docs, and the effect on a ball of the line below each, with the formulas in the docs, in double precision
-// and without a browser. web/tests/docs.browser.test.js runs one line per group as a reader does.
+// Compares the plots in the docs with the formulas there, and checks how the code below each plot moves a ball, in double precision
+// and without a browser. web/tests/docs.browser.test.js runs one example per group as a reader would.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
@@ -16,10 +16,10 @@ const titleOf = (section) => section.split('\n')[0]
 
 const callOf = (call) => new Function('glsl', 'x', `return ${call}`)
 
-/** Evaluates a call in double precision, by the formulas. */
+/** Evaluates a call in double precision, with the formulas in JavaScript. */
 const plainOf = (call) => (x) => callOf(call)(builder, wrap(x)).plain
 
-/** Compiles the offset function that a line passes to createWarp. Only positions are compared. */
+/** Compiles the offset function that a section's code passes to createWarp. Only positions are compared. */
 function warpOf(section) {
   let warp
   const [{ text }] = blocksOf(section)
@@ -33,7 +33,8 @@ function assertNear(found, expected, bound, what) {
   assert.ok(Math.abs(found - expected) <= size, `${what}: ${found}, not ${expected}`)
 }
 
-/** The expected results of lines without a formula, for a point and its normal. */
+// The expected offsets of code without a formula, computed from a point and its normal.
+
 const gradient = (f, p) =>
   p.map((_, i) => (f(p.with(i, p[i] + 1e-5)) - f(p.with(i, p[i] - 1e-5))) / 2e-5)
 const unit = (v) => times(1 / Math.sqrt(dot(v, v)), v)
@@ -56,7 +57,7 @@ for (const section of sections) {
   const title = titleOf(section)
   const [, call, from, to] = /<!-- plot (.*) from (\S+) to (\S+) -->/.exec(section) ?? []
   if (byHand[title])
-    test(`the line of ${title}`, () => {
+    test(`the code for ${title} moves points as expected`, () => {
       const place = { positions: [0.3, -0.2, 0.5, -0.6, 0.7, 0.1], normals: [0.36, 0.48, 0.8, 0, 1, 0] } // prettier-ignore
       const { positions } = warpOf(section).evaluate(place)
       for (const i of [0, 3]) {
@@ -71,7 +72,7 @@ for (const section of sections) {
       const places = Array.from({ length: 9 }, (_, i) => low + ((high - low) * (i + 0.37)) / 9)
       const plain = plainOf(call)
 
-      test('the plot', () => {
+      test('the plot matches the formula', () => {
         const program = compile((glsl) => {
           const x = glsl.param('x')
           const value = callOf(call)(glsl, x)
@@ -84,7 +85,7 @@ for (const section of sections) {
         }
       })
 
-      test('the line', () => {
+      test('the code below the plot moves a ball by the amount that the formula gives', () => {
         const ys = places.map((x) => (2 * (x - low)) / (high - low) - 1)
         const { positions } = warpOf(section).evaluate({ positions: ys.flatMap((y) => [0, y, 0]) })
         for (const [i, x] of places.entries()) {

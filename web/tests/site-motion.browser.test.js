@@ -4,9 +4,9 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop, phone } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
-import { drawLittle, keepFrames, rough } from '../../tests/support/browser/frames.js'
-import { settled } from '../../tests/support/browser/playground.js'
-import { calm, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+import { drawLittle, keepFrames, disableAntialiasing } from '../../tests/support/browser/frames.js'
+import { waitUntilSettled } from '../../tests/support/browser/playground.js'
+import { withReducedMotion, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
 
 const patience = { timeout: 120_000 }
 
@@ -59,7 +59,7 @@ const drawsIn = async (page, milliseconds) => {
 test('the first page’s ball swells towards the pointer, and draws only while it is in view', async () => {
   // Use a sixteenth of the pixels.
   const context = await browser.newContext({ ...desktop, deviceScaleFactor: 0.25 })
-  for (const script of [withoutWorker, keepFrames, rough, fixTime])
+  for (const script of [withoutWorker, keepFrames, disableAntialiasing, fixTime])
     await context.addInitScript(script)
   const { page, messages } = await openPage(context, url)
   await page.waitForSelector('.hero canvas', patience)
@@ -131,7 +131,7 @@ test('the full page of an example describes it, fills the window, and links back
 })
 
 test('with reduced motion the first page does not move, and an example starts paused', async () => {
-  const context = await browser.newContext({ ...calm(desktop) })
+  const context = await browser.newContext({ ...withReducedMotion(desktop) })
   await context.addInitScript(withoutWorker)
   const { page } = await openPage(context, url)
   await page.waitForSelector('.hero canvas', patience)
@@ -171,7 +171,7 @@ test('without WebGL there are pictures, which fit a phone, and no pause button',
     await fits()
   }
   await page.goto(`${url}playground/index.html#example=lotus`)
-  await settled(page)
+  await waitUntilSettled(page)
   await page.locator('.still').evaluate((image) => image.decode())
   assert.match(await page.locator('.still').getAttribute('src'), /lotus/)
   assert.match(await page.locator('.stage').textContent(), /no WebGL/)

@@ -7,8 +7,8 @@ import { desktop, path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { serveCleanly } from '../../tests/support/browser/clean-urls.js'
 import { drawLittle } from '../../tests/support/browser/frames.js'
-import { settled, shown } from '../../tests/support/browser/playground.js'
-import { calm, withoutWorker } from '../../tests/support/browser/site.js'
+import { waitUntilSettled, visibleFrame } from '../../tests/support/browser/playground.js'
+import { withReducedMotion, withoutWorker } from '../../tests/support/browser/site.js'
 
 const patience = { timeout: 120_000 }
 
@@ -51,13 +51,13 @@ test('after one visit, the whole site works offline', async () => {
   const frame = await (await page.waitForSelector('iframe.shown', patience)).contentFrame()
   await frame.waitForFunction(() => window.frameCount >= 2, null, patience)
   await page.goto(`${url}playground/index.html#example=bunny`, patience)
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await page.locator('.mistake').textContent(), '')
-  const bunny = await shown(page)
+  const bunny = await visibleFrame(page)
   await bunny.waitForFunction(() => window.frameCount >= 2, null, patience)
   await page.locator('#example').selectOption('airplane-twist')
   await page.waitForFunction(() => document.querySelector('main').ariaBusy === 'true')
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await page.locator('.mistake').textContent(), '')
   assert.deepEqual(messages, [])
   await context.close()
@@ -66,7 +66,7 @@ test('after one visit, the whole site works offline', async () => {
 test('a host that gives x/index.html at x serves all of it, too', async (t) => {
   const bare = await serveCleanly(path(folder), '/some/folder', { slashes: false })
   t.after(() => bare.close())
-  const context = await browser.newContext(calm(desktop))
+  const context = await browser.newContext(withReducedMotion(desktop))
   await context.addInitScript(withoutWorker)
   await drawLittle(context)
   const { page, messages } = await openPage(context, bare.url)
@@ -81,7 +81,7 @@ test('a host that gives x/index.html at x serves all of it, too', async (t) => {
       if (link.endsWith('/')) assert.equal(response.url(), link)
     }
   }
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await page.locator('.mistake').textContent(), '')
   assert.deepEqual(messages, [])
   // A page opened without its slash adds one, after the browser has preloaded some files from wrong addresses.
@@ -94,7 +94,7 @@ test('a host that gives x/index.html at x serves all of it, too', async (t) => {
       [],
     )
   }
-  await settled(page)
+  await waitUntilSettled(page)
   assert.equal(await page.locator('.mistake').textContent(), '')
   await context.close()
 })

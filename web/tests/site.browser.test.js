@@ -10,8 +10,8 @@ import { folder } from '../../.scripts/site.mjs'
 import { desktop, path, phone } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { drawLittle } from '../../tests/support/browser/frames.js'
-import { settled } from '../../tests/support/browser/playground.js'
-import { calm, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+import { waitUntilSettled } from '../../tests/support/browser/playground.js'
+import { withReducedMotion, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 const screenshots = path('.build/screenshots')
@@ -35,8 +35,8 @@ after(async () => {
 })
 
 /**
- * Runs axe's default and optional rules, except for contrast beyond WCAG's level AA, and for a rule that forbids focus where another
- * requires it: on a table that scrolls.
+ * Runs axe's default and optional rules, except for contrast beyond WCAG's level AA, and a rule that forbids focus on scrolling tables,
+ * where another rule requires it.
  */
 const findings = (page) =>
   page.evaluate(async () => {
@@ -88,7 +88,7 @@ for (const [name, size, colorScheme] of [
   ['a phone', phone, 'dark'],
 ])
   test(`on ${name} every page has no axe findings, shows the focus, prints nothing, and fits`, async () => {
-    const context = await browser.newContext({ ...calm(size), colorScheme })
+    const context = await browser.newContext({ ...withReducedMotion(size), colorScheme })
     await context.addInitScript(withoutWorker)
     await drawLittle(context)
     await context.addInitScript(axe)
@@ -96,7 +96,7 @@ for (const [name, size, colorScheme] of [
     const wrong = []
     for (const file of pages) {
       await page.goto(url + file, patience)
-      if (file.startsWith('playground')) await settled(page)
+      if (file.startsWith('playground')) await waitUntilSettled(page)
       for (const look of [findings, unseen, wideTables])
         for (const finding of await look(page)) wrong.push(`${file}: ${finding}`)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
@@ -118,11 +118,11 @@ for (const file of [
   'bench/results.html',
 ])
   test(`the Tab key goes through ${file}, stops at every control, and leaves it`, async () => {
-    const context = await browser.newContext(calm(desktop))
+    const context = await browser.newContext(withReducedMotion(desktop))
     await context.addInitScript(withoutWorker)
     await drawLittle(context)
     const { page } = await openPage(context, url + file)
-    if (file.startsWith('playground')) await settled(page)
+    if (file.startsWith('playground')) await waitUntilSettled(page)
     const wanted = await page.evaluate(() => {
       const stops = 'a[href], button, input, select, textarea, summary, [tabindex]'
       const all = [...document.querySelectorAll(stops)].filter(
@@ -178,7 +178,7 @@ test('every page has a policy that blocks foreign and injected scripts', () => {
   }
 })
 
-test('the pages keep their budgets', () => checkSite(folder))
+test('the pages are within their size budgets', () => checkSite(folder))
 
 describe('the first page', () => {
   let context, page, messages
@@ -265,7 +265,7 @@ describe('the first page', () => {
       assert.match(await first.getAttribute('href'), answer)
     })
 
-  test('has printed nothing', () => assert.deepEqual(messages, []))
+  test('logs nothing', () => assert.deepEqual(messages, []))
 })
 
 test('the list beside a page of the docs shows the current page, and the page starts at its top', async () => {
@@ -284,7 +284,7 @@ test('the list beside a page of the docs shows the current page, and the page st
 })
 
 test('the pages with their own header link to the docs and to the search, whose field gets the focus', async () => {
-  const context = await browser.newContext(calm(desktop))
+  const context = await browser.newContext(withReducedMotion(desktop))
   await context.addInitScript(withoutWorker)
   await drawLittle(context)
   const { page, messages } = await openPage(context, `${url}playground/index.html`)

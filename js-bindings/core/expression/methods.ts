@@ -12,7 +12,7 @@ import type { Session } from './session.js'
 import { componentsOf, isVec2, rotateVec2 } from './vector-methods.js'
 
 /**
- * The prototype of `Expression.prototype`. It starts without a prototype of its own, so that engines treat it as a dictionary: adding
+ * The prototype of `Expression.prototype`. It starts without a prototype, so that engines treat it as a dictionary: adding
  * hundreds of properties to `Expression.prototype` one by one takes far longer.
  */
 const methods = Object.create(null) as object
@@ -166,7 +166,7 @@ export function callable(name: string, expression: Expression): Expression {
   // `length` and `name` would hide methods of expressions.
   Reflect.deleteProperty(component!, 'length')
   Reflect.deleteProperty(component!, 'name')
-  // Assigned before the prototype is set, whose chain a proxy ends: an assignment of a new property would ask it.
+  // Assigned before the prototype is set: its chain ends with a proxy, which would be asked about each new property.
   Object.assign(component!, expression)
   return Object.setPrototypeOf(component, Expression.prototype) as Expression
 }

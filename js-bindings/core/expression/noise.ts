@@ -20,7 +20,7 @@ const bases = noiseKinds.filter((name): name is BaseNoise => noises[name] === 'b
 const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
 
 const factorName = 'a number above 0, or an expression of one number,'
-/** The kind of a factor from one octave to the next. */
+/** Returns the kind of an option by which each octave is multiplied. */
 const factor = (standard: number) =>
   kind<Expression | number, Operand>(
     factorName,

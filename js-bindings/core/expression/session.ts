@@ -12,10 +12,10 @@ import type { HostSampling } from './sampling.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
 import { type Recording, WasmSession } from './wasm-session.js'
 
-/** A function of GLSL source, recorded in a session of its own, from numbers to numbers. */
+/** A function of GLSL source, recorded in its own session, from numbers to numbers. */
 export interface RecordedFunction {
   name: string
-  /** The number of arguments, from the first, by which it is differentiated. */
+  /** It is differentiated with respect to this number of its first arguments. */
   variables: number
   results: number
   module: SerializedModule

@@ -20,12 +20,12 @@ import {
 /** A uniform as the option declares it. */
 export interface DeclaredUniform {
   shape: Shape
-  /** Returns its numbers now, and calls its function, if it has one. Throws if they no longer have the declared type. */
+  /** Returns its current numbers, which its function computes, if it has one. Throws if they no longer have the declared type. */
   numbers: (place: Place) => number[]
-  /** Returns its value now, unchecked. Present if that makes no array. */
+  /** Returns its current value, unchecked. Present if that allocates no array. */
   value?: (() => unknown) | undefined
   isFunction: boolean
-  /** Present for an image, which has no numbers: returns the image that it is now. */
+  /** Present for an image, which has no numbers: returns the current image. */
   image?: (() => ImageLike) | undefined
   /** Present for an image if the host passes its wrapping and filter to the shader. */
   sampling?: HostSampling | undefined
@@ -89,7 +89,7 @@ function declare(name: string, given: unknown, place: Place): DeclaredUniform {
   }
 }
 
-/** Adds to `given` the present values of all functions, so that many evaluations in a row agree. */
+/** Adds the current values of all functions to `given`, so that many evaluations in a row use the same values. */
 export function snapshotUniforms<Values extends object>(
   place: Place,
   declared: DeclaredUniforms | undefined,
@@ -106,7 +106,7 @@ export function snapshotUniforms<Values extends object>(
 /** Lists the user's names for a message. */
 export const listNames = (declared: DeclaredUniforms) => [...declared.keys()].join(', ')
 
-/** For the CPU: returns the given values, and the present values of the declared uniforms that are in `read` and not given. */
+/** For the CPU: returns the given values, and the current values of the declared uniforms that are in `read` and not given. */
 export function withDeclared(
   place: Place,
   declared: DeclaredUniforms,

@@ -42,7 +42,7 @@ export interface Names {
 /** Tests for an input that is constant during a frame, and whose value the host knows. */
 export type IsFrameConstant = (variable: Variable) => boolean
 
-/** Moves what depends on frame constants alone into a result of its own, and returns its count of vec4s. */
+/** Moves what depends on frame constants alone into its own result, and returns its count of vec4s. */
 function separateFrame(module: Module, isFrameConstant: IsFrameConstant | undefined): number {
   if (!isFrameConstant) return 0
   const constants = module.inputs().filter(isFrameConstant)

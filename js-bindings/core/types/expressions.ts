@@ -92,7 +92,7 @@ export type Operand = Scalar | number
 interface Results {
   /** Only in `gen`: writes this expression into a shader variable of that name. */
   output(name: string): void
-  /** Only in `gen`: writes the partial derivative by an input, such as `x` or `position.y()`, into a shader variable. */
+  /** Only in `gen`: writes the partial derivative with respect to an input, such as `x` or `position.y()`, into a shader variable. */
   outputDeriv(name: string, input: Scalar): void
 }
 

@@ -119,7 +119,7 @@ type RepeatPart = Operand | Vector
 /** The start of `glsl.repeat`: a number, a vector, or an object of them. */
 export type RepeatState = RepeatPart | { readonly [name: string]: RepeatPart }
 
-/** A number that a state starts as becomes an expression. */
+/** The type of a state inside the loop: a number with which it starts becomes an expression. */
 type RepeatExpression<Part> = Part extends Operand ? Scalar : Part
 
 /** The state that `glsl.repeat` passes to its function, and returns. */
@@ -187,7 +187,7 @@ export interface FunctionOptions<Arity extends FunctionArity> {
   source: string | { glsl?: string; wgsl?: string }
   /** The number of arguments. */
   arity: Arity
-  /** The partial derivatives, one by each argument. Only needed where a derivative is taken, such as for a warp's normal. */
+  /** The partial derivatives, one for each argument. Only needed where a derivative is taken, such as for a warp's normal. */
   derivatives?: Readonly<Arguments<FunctionDerivative<Arity>, Arity>>
 }
 

@@ -8,7 +8,7 @@ const others: readonly (readonly [RegExp, string])[] = [
   [/^vec4(?:<f32>)? getColor$/, 'a filter, which moves no vertices; use it as it is'],
 ]
 
-/** Describes what was passed in place of a shader of surfaces. */
+/** Describes a value that was passed but is not a shader for surfaces. */
 export function describeShader(given: unknown): string {
   const shader = given as (ModifiedShader & { vertSrc?: unknown }) | undefined
   const { vertex = {}, fragment = {} } = shader?.hooks ?? {}

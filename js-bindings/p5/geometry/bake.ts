@@ -18,7 +18,7 @@ import { variationOf } from '../variation/shape-variation.js'
 import type { CallValues, WarpUniforms } from '../sketch-uniforms.js'
 import { nameOf } from '../variation/variation-buffers.js'
 
-/** Moves the vertices of a shape; `name` is p5's name of it. */
+/** Moves the vertices of a shape; `name` is the name that p5 gave it. */
 type Bake = (shape: BuiltShape, name: string) => Pick<BuiltShape, 'vertices' | 'vertexNormals'>
 
 interface Baking {
@@ -27,7 +27,7 @@ interface Baking {
   isOfWorld: boolean
 }
 
-/** Maps a builder to the warps called since it began, by their shaders. */
+/** Maps each builder → the warps called since it was started, as a map from the warp's shader. */
 const warpsOf = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
 
 /** Makes the geometry being built use the warp, if there is one. Called whenever a warp is applied. Throws a `WarpError`. */

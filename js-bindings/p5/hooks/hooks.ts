@@ -36,7 +36,7 @@ export function addWarp(
   const shader = base.modify(mergeHooks(base, ours, (name) => style.orderOf(name, warpCode)))
   style.finish?.(shader, warpCode)
   if (readsVariation(warpCode.text) && shader._renderer?.GL) forgetLastShape(shader)
-  // p5 1.11 replaces a shader that looks unlit under lights, or untextured under texture(), by one of its own.
+  // p5 1.11 replaces a shader that looks unlit under lights, or untextured under texture(), with its own shader.
   return Object.assign(shader, { isLightShader: () => true, isTextureShader: () => true })
 }
 

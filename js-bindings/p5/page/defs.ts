@@ -38,7 +38,10 @@ function complaintsOf(gl: Gl, text: string): Complaint[] {
   return Array.from(found, ([, line, why]) => [+line!, why!])
 }
 
-/** Returns a message from the first complaint about `defs`; a token missing at its end is reported on the line after it. */
+/**
+ * Returns a message with the first complaint about `defs`. Includes the line after `defs`, where compilers report that a token is missing
+ * at its end.
+ */
 function messageFor(text: string, defs: string, complaints: readonly Complaint[]) {
   const lines = defs.split('\n')
   const first = text.slice(0, text.indexOf(defs)).split('\n').length

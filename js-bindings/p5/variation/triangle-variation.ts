@@ -96,7 +96,7 @@ function slopesIn(corners: readonly Triple[]) {
   }
 }
 
-/** Returns the mean of each vertex's owner, projected onto the tangent plane. */
+/** Returns for each vertex the mean gradient that its owner stores, projected onto the tangent plane. */
 function projectMeans(
   sums: Float64Array,
   vertices: Float64Array,

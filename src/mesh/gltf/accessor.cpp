@@ -12,7 +12,7 @@ namespace warpjet {
 
 namespace {
 
-// Zeros take memory without taking bytes of the file.
+// Without this limit, a small file could declare an array of zeros that fills the memory.
 constexpr std::size_t maxZeros = std::size_t{1} << 22;
 
 const tinygltf::Accessor& accessorAt(const Gltf& gltf, int accessor) {

@@ -49,7 +49,7 @@ Chunks chunksOfGlb(Bytes bytes) {
 
   const Bytes json = chunkAt(bytes, headerSize);
   Chunks chunks{textOf(json), std::nullopt};
-  // The JSON's length may be no multiple of 4, although it should be.
+  // In some files, the JSON's length is not a multiple of 4, although it should be.
   const std::size_t next = headerSize + chunkHeaderSize + json.size();
   if (next + chunkHeaderSize <= bytes.size() && littleEndian(bytes, next + 4) == binaryChunk)
     chunks.binary = chunkAt(bytes, next);

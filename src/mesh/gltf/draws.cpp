@@ -71,7 +71,7 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
     throw FileProblem("the model would take " + groupDigits(bytes) + " bytes, but at most " +
                       groupDigits(maxMeshBytes) +
                       " are read; export it with fewer triangles or in several files.");
-  // These take time, not memory.
+  // Morph targets are added to the mesh, so that many of them take time, but not memory.
   if (ofTargets > maxMeshBytes)
     throw FileProblem("the model has more active morph targets than are supported, " +
                       groupDigits(ofTargets) + " bytes; export it in its final shape.");

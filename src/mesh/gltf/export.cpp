@@ -22,6 +22,7 @@ using nlohmann::json;
 // Constants of the glTF 2.0 specification, sections 3.6 and 3.11.
 constexpr int unsignedShort = 5123, unsignedInt = 5125, floatType = 5126;
 constexpr int arrayBuffer = 34962, elementArrayBuffer = 34963;
+constexpr int clampedEdge = 33071;
 
 // 65535, the largest 16-bit index, is the restart value, so it can't refer to a vertex.
 constexpr std::size_t maxVerticesOf16Bits = 65535;
@@ -141,13 +142,40 @@ json material(const Material& material) {
   return result;
 }
 
-void addTexture(File& file, const std::vector<std::uint8_t>& picture, json& material) {
-  const char* type = pictureType(picture);
+// Adds a texture, if there is one that glTF supports, as the property `name` of `owner`.
+void addTexture(File& file, json& owner, const char* name, const std::optional<Image>& picture,
+                const json& sampling = json::object()) {
+  const char* type = picture ? pictureType(picture->bytes) : nullptr;
   if (!type) return;
-  const int view = file.addView<std::uint8_t>(picture);
-  file.document["images"] = json::array({{{"bufferView", view}, {"mimeType", type}}});
-  file.document["textures"] = json::array({{{"source", 0}}});
-  material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  const int view = file.addView<std::uint8_t>(picture->bytes);
+  json& images = file.document["images"];
+  json texture = sampling;
+  texture["source"] = images.size();
+  images.push_back({{"bufferView", view}, {"mimeType", type}});
+  json& textures = file.document["textures"];
+  owner[name] = {{"index", textures.size()}};
+  textures.push_back(std::move(texture));
+}
+
+// Returns the sampling of a texture without repetition, so that opposite borders are not blended.
+json clampToEdge(File& file) {
+  file.document["samplers"] = json::array({{{"wrapS", clampedEdge}, {"wrapT", clampedEdge}}});
+  return {{"sampler", 0}};
+}
+
+bool areInUnitSquare(const std::vector<float>& uvs) {
+  return std::all_of(uvs.begin(), uvs.end(), [](float uv) { return uv >= 0 && uv <= 1; });
+}
+
+void addTextures(File& file, const Mesh& mesh, json& material) {
+  if (mesh.uvs.empty()) return;
+  addTexture(file, material["pbrMetallicRoughness"], "baseColorTexture",
+             mesh.material->baseColorTexture);
+  const auto& normals = mesh.material->normalTexture;
+  if (normals && areInUnitSquare(mesh.uvs))
+    addTexture(file, material, "normalTexture", normals, clampToEdge(file));
+  else
+    addTexture(file, material, "normalTexture", normals);
 }
 
 }  // namespace
@@ -168,8 +196,7 @@ std::vector<std::uint8_t> exportGlb(const Mesh& mesh) {
   if (!mesh.indices.empty()) primitive["indices"] = addIndices(file, mesh);
   if (mesh.material) {
     json written = material(*mesh.material);
-    const auto& picture = mesh.material->baseColorTexture;
-    if (picture && !mesh.uvs.empty()) addTexture(file, picture->bytes, written);
+    addTextures(file, mesh, written);
     file.document["materials"] = json::array({std::move(written)});
     primitive["material"] = 0;
   }

@@ -58,7 +58,7 @@ void rejectExtensions(const nlohmann::json& tree);
 // Extracts them from a description that has been reduced to the schema.
 Extensions takeExtensions(nlohmann::json& tree);
 
-// Advice how to export a model without it, such as "without Draco compression".
+// Advice on how to export a model without it, such as "without Draco compression".
 std::string adviceFor(std::string_view extension);
 
 }  // namespace warpjet

@@ -12,8 +12,8 @@ namespace warpjet {
 // vertex, or by z if those have none either.
 std::vector<float> unitNormals(const Mesh& mesh);
 
-// Four numbers each, the last 1 or -1. A zero tangent is replaced by any direction perpendicular to
-// its normal.
+// Normalizes tangents of four numbers, the last of which is 1 or -1. A zero tangent is replaced by
+// any direction perpendicular to its normal.
 std::vector<float> unitTangents(const std::vector<float>& tangents,
                                 const std::vector<float>& normals);
 

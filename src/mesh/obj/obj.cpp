@@ -93,7 +93,7 @@ void readNormal(TextLine& line, Lists& lists) {
     lists.normals.push_back(length == 0 ? 0 : static_cast<float>(number / length));
 }
 
-// The numbers that a file with mostly valid numbers loses.
+// Which invalid elements were left out or replaced in a file whose numbers are mostly valid.
 struct Losses {
   bool positions = false, uvs = false, normals = false;
 
@@ -151,7 +151,7 @@ void gather(const std::vector<ObjCorner>& corners, std::uint32_t ObjCorner::*par
   }
 }
 
-// Throws for a file without a drawable face.
+// Throws if the file has no face that can be drawn.
 [[noreturn]] void failEmpty(const Lists& lists) {
   if (!lists.firstProblem.empty()) throw FileProblem(lists.firstProblem);
   if (lists.positions.empty())

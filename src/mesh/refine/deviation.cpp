@@ -39,7 +39,8 @@ float distanceToSegment(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
   return glm::distance(p, a + t * ab);
 }
 
-// Inside of the piece it is the distance from the plane, elsewhere from the nearest side.
+// If the nearest point is inside the triangle, this is the distance from its plane, otherwise from
+// the nearest side.
 float distanceToTriangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   const glm::vec3 normal = areaVector(a, b, c);
   const auto isInside = [&](glm::vec3 from, glm::vec3 to) {

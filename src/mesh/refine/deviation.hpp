@@ -23,7 +23,7 @@ struct Piece {
   std::array<std::uint32_t, 3> corners;
   std::array<std::uint32_t, 3> sides;  // the first is between the first two corners, and so on
   std::uint32_t samples;
-  std::uint32_t firstSample = 0;  // the number of samples that are already known
+  std::uint32_t firstSample = 0;  // samples before this one were measured in an earlier call
 
   bool isEdge() const { return corners[2] == corners[0]; }
 };
@@ -36,10 +36,13 @@ struct SurfaceError {
 };
 
 struct Deviation {
-  SurfaceError max;  // of warped samples and normals from those interpolated between warped corners
-  SurfaceError residual;  // from a parabola through the midpoints: estimates what samples missed
+  // The largest deviation of warped samples and normals from the straight piece between the
+  // corners.
+  SurfaceError max;
+  // The same from a parabola through the midpoints, which estimates what lies between samples.
+  SurfaceError residual;
   Weights where;          // the sample with the largest angle
-  float unresolved = 0;   // the largest distance within the rounding error of floats
+  float unresolved = 0;   // the largest distance that is too small to tell from rounding errors
   bool isDefined = true;  // true if all samples were finite
 };
 

@@ -15,16 +15,17 @@ namespace {
 // Each pass halves edges, so floats run out of positions in between long before.
 constexpr int maxPasses = 64;
 
-// Samples of the first look. Coarse meshes are sampled more densely: this number of samples for all
-// original edges, and for all triangles, with a max per piece. The min values are those at which
-// noise, and its creases, keep the tolerance: with fewer, a crease was off by another tenth.
+// The number of samples of the first measurement. Coarse meshes are sampled more densely: this
+// number of samples for all original edges, and for all triangles, with a max per piece. With these
+// min values, noise and its creases stay within the tolerance; with fewer, the error at a crease
+// was a tenth larger.
 constexpr double edgeSamples = 2048, triangleSamples = 8192;
 constexpr double minPerEdge = 5, maxPerEdge = 64, minPerTriangle = 4, maxPerTriangle = 512;
 
-// Samples of the closer look at pieces that seem fine. Triangles are sampled so densely that a bump
-// with a width of a 200th of the mesh is hit, unless the mesh is so large that this exceeds the max
-// number. If the samples don't fit a parabola, so that more may be hidden between them, at least
-// this number is taken.
+// The number of samples of the closer measurement of pieces that seem close enough. Triangles are
+// sampled so densely that a bump with a width of a 200th of the mesh is hit, unless the mesh is so
+// large that this exceeds the max number. If the samples don't fit a parabola, so that more may be
+// hidden between them, at least this number is taken.
 constexpr double bumpSamplesAcross = 320, maxBumpSamples = 1 << 20;
 constexpr std::uint32_t doubtSamplesOfEdge = 31, doubtSamplesOfTriangle = 100;
 

@@ -11,8 +11,9 @@ namespace warpjet {
 
 namespace {
 
-// The share of the residual that the closer look may have missed, and the share of everything that
-// any look may miss: between samples of noise, the deviation is up to a twentieth larger.
+// The share of the residual that the closer measurement may have missed, and the share of the
+// deviation that any measurement may miss: between samples of noise, the deviation is up to a
+// twentieth larger.
 constexpr float doubtLeft = 0.1f, margin = 0.95f;
 
 }  // namespace
@@ -33,7 +34,7 @@ std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
     const std::uint32_t samples =
         std::max(scrutinies[i].always, mayBeMore ? scrutinies[i].inDoubt : 0);
     if (samples <= pieces[i].samples) continue;
-    // The other samples of an edge move if their number changes.
+    // All samples of an edge but the middle move if their number changes.
     const std::uint32_t known = pieces[i].isEdge() ? 1 : pieces[i].samples;
     closer.push_back({pieces[i].corners, pieces[i].sides, samples, known});
     numbers.push_back(i);

@@ -18,7 +18,7 @@ Origins originsOf(const Mesh& mesh) {
   return origins;
 }
 
-// If all triangles had two corners in one place, nothing is left to index.
+// If all triangles had two corners in one place, all of them were removed, and no indices are left.
 template <class Finer>
 Finer orElse(Finer finer, const Mesh& mesh) {
   if (!finer.mesh.indices.empty()) return finer;

@@ -34,7 +34,7 @@ Surface::Surface(Mesh mesh) : mesh_(std::move(mesh)) {
 
 std::uint32_t Surface::findSide(std::uint32_t a, std::uint32_t b) {
   if (std::pair(welded_[a], a) > std::pair(welded_[b], b)) std::swap(a, b);
-  // Sides have a table of their own: where shapes coincide, an edge has any number of sides.
+  // Sides have their own table: where shapes coincide, an edge has any number of sides.
   const auto nextSide = static_cast<std::uint32_t>(sides_.size());
   const std::uint32_t side = sidesByEnds_.findOrAdd(a, b, nextSide);
   if (side != nextSide) return side;

@@ -18,7 +18,8 @@ bool isFinite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// In double, the square of a float doesn't overflow; zero if there is no direction.
+// Normalizes a vector; a zero vector stays zero. Uses double, in which the square of a float
+// doesn't overflow.
 glm::dvec3 unit(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0 ? v / length : glm::dvec3(0);

@@ -16,9 +16,9 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
-// Grains: the shares of the mesh's size, of a unit normal, and of a unit of uv below which
-// differences are ignored. They only merge values that differ by rounding errors, such as the two
-// ends of a circle, sin(0) and sin(2 pi).
+// Differences below these shares of the mesh's size, of a unit normal, and of a unit of uv are
+// ignored. This merges only values that differ by rounding errors, such as the two ends of a
+// circle, sin(0) and sin(2 pi).
 constexpr double positionGrain = 0x1p-20, normalGrain = 0x1p-10, uvGrain = 0x1p-20;
 
 glm::dvec3 vectorAt(const std::vector<float>& numbers, std::uint32_t vertex) {

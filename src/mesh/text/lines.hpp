@@ -47,7 +47,7 @@ class TextLine {
 
   // A message with the line and its problem.
   std::string problem(const std::string& what) const;
-  // The message about the first number that became NaN.
+  // The message about the first number that was read as NaN.
   std::string problemOfNumber() const;
   // Throws a FileProblem with that message.
   [[noreturn]] void fail(const std::string& what) const;

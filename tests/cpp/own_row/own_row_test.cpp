@@ -1,5 +1,5 @@
-// A row works without any other change: the build proves it, since nothing else is added. Numbers
-// and code are computed by hand.
+// A new row of the table works without any other change, as this build proves, since it adds
+// nothing else. The expected numbers and code were written by hand.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -26,7 +26,7 @@ class OwnRow : public testing::Test, protected Bench {
   }
 
   template <class Number>
-  std::vector<Number> given(Number first, Number last, Number others = {}) const {
+  std::vector<Number> inputNumbers(Number first, Number last, Number others = {}) const {
     std::vector<Number> all(count_, others);
     all.back() = last;
     all.front() = first;
@@ -35,15 +35,15 @@ class OwnRow : public testing::Test, protected Bench {
 
   double at(const Program& program, double first, double last = 0) const {
     double result = 0;
-    evaluate(program.words, program.instructions, given(first, last), {&result, 1});
+    evaluate(program.words, program.instructions, inputNumbers(first, last), {&result, 1});
     return result;
   }
 
   std::vector<float> inLanes(const Program& program, const std::vector<float>& first,
                              const std::vector<float>& last) const {
     const float zero = 0;
-    const std::vector<Stream> streams =
-        given<Stream>({first.data(), 1, false}, {last.data(), 1, last.empty()}, {&zero, 1, true});
+    const std::vector<Stream> streams = inputNumbers<Stream>(
+        {first.data(), 1, false}, {last.data(), 1, last.empty()}, {&zero, 1, true});
     BlockEvaluator evaluator(
         allocateRegisters(program.words, program.instructions, std::array{std::uint32_t{0}},
                           std::vector<bool>(count_)),
@@ -54,11 +54,11 @@ class OwnRow : public testing::Test, protected Bench {
   }
 
   Range boundsOf(const Program& program, Range first, Range last = {0, 0}) const {
-    return bounds(program.words, program.instructions, given(first, last),
+    return bounds(program.words, program.instructions, inputNumbers(first, last),
                   std::array{std::uint32_t{0}})[0];
   }
 
-  static std::string whole(const Builder& from, const Dialect& dialect) {
+  static std::string writeModule(const Builder& from, const Dialect& dialect) {
     const ShaderTextResult made = write(from.module(), dialect);
     return made.text ? made.text->declarations + made.text->emitted.code : made.problem;
   }
@@ -67,31 +67,31 @@ class OwnRow : public testing::Test, protected Bench {
   std::size_t count_ = 0;  // number of all input numbers
 };
 
-TEST_F(OwnRow, HasAValueThatConstantsFoldTo) {
+TEST_F(OwnRow, IsFoldedForConstantOperands) {
   EXPECT_EQ(text(call("cbrt", {number(-27)})), "-3.0");
 }
 
-TEST_F(OwnRow, HasAValueInDouble) { EXPECT_EQ(at(programOf(call("cbrt", {x})), 64), 4); }
+TEST_F(OwnRow, IsEvaluatedInDouble) { EXPECT_EQ(at(programOf(call("cbrt", {x})), 64), 4); }
 
 TEST_F(OwnRow, HasADerivative) {
   EXPECT_DOUBLE_EQ(at(programOf(call("derivative", {call("cbrt", {x}), x})), 8), 1.0 / 12);
 }
 
-TEST_F(OwnRow, HasADerivativeByEachOperand) {
+TEST_F(OwnRow, HasADerivativeWithRespectToEachOperand) {
   const Program slope = programOf(call("derivative", {call("hypot", {x, y}), y}));
   EXPECT_DOUBLE_EQ(at(slope, 3, 4), 0.8);
 }
 
-TEST_F(OwnRow, WithoutPartialsIsConstantButForJumps) {
+TEST_F(OwnRow, HasAZeroDerivativeIfItDeclaresNoPartials) {
   EXPECT_EQ(text(call("derivative", {call("times", {x, y}), x})), "0.0");
 }
 
-TEST_F(OwnRow, HasATextInEachLanguage) {
+TEST_F(OwnRow, IsWrittenInEachLanguage) {
   builder.output("gen", "root", call("cbrt", {x}));
   builder.output("gen", "size", method("hypot", {x, y}));
   builder.output("gen", "whole", call("times", {x, y}));
-  const std::string webgl2 = whole(builder, glsl300), webgl = whole(builder, glsl100),
-                    webgpu = whole(builder, wgsl);
+  const std::string webgl2 = writeModule(builder, glsl300), webgl = writeModule(builder, glsl100),
+                    webgpu = writeModule(builder, wgsl);
   EXPECT_TRUE(webgl2.starts_with("highp float warpjetCbrt(highp float x) {")) << webgl2;
   EXPECT_TRUE(webgpu.starts_with("fn warpjetCbrt(x: f32) -> f32 {")) << webgpu;
   for (const std::string& each : {webgl2, webgpu}) {
@@ -106,24 +106,24 @@ TEST_F(OwnRow, HasATextInEachLanguage) {
 }
 
 // More vertices than lanes in a register, and not a multiple of them.
-TEST_F(OwnRow, OfPlainNumbersTakesEachLane) {
+TEST_F(OwnRow, IsEvaluatedLaneByLaneIfWrittenForPlainNumbers) {
   const Program program = programOf(call("cbrt", {x}));
   EXPECT_EQ(inLanes(program, {-8, -1, 0, 1, 8, 27}, {}), (std::vector<float>{-2, -1, 0, 1, 2, 3}));
 }
 
-TEST_F(OwnRow, OfTwoPlainNumbersTakesEachLane) {
+TEST_F(OwnRow, WithTwoOperandsIsEvaluatedLaneByLaneIfWrittenForPlainNumbers) {
   const Program program = programOf(call("times", {x, y}));
   EXPECT_EQ(inLanes(program, {7, 8, 9, 10, -7}, {2, 3, 4, 5, 1}),
             (std::vector<float>{4, 3, 2, 2, -7}));
 }
 
-TEST_F(OwnRow, OfAnyScalarTakesAllLanes) {
+TEST_F(OwnRow, IsEvaluatedInAllLanesAtOnceIfWrittenForAnyScalar) {
   const Program program = programOf(call("hypot", {x, y}));
   EXPECT_EQ(inLanes(program, {3, 5, 8, 7, 20}, {4, 12, 15, 24, 21}),
             (std::vector<float>{5, 13, 17, 25, 29}));
 }
 
-TEST_F(OwnRow, ThatRisesIsBoundedByItsEnds) {
+TEST_F(OwnRow, IsBoundedByItsValuesAtTheEndsIfItIsIncreasing) {
   const auto [low, high] = boundsOf(programOf(call("cbrt", {x})), {-8, 27});
   EXPECT_LE(low, -2);
   EXPECT_GE(high, 3);
@@ -131,7 +131,7 @@ TEST_F(OwnRow, ThatRisesIsBoundedByItsEnds) {
   EXPECT_NEAR(high, 3, 1e-4);
 }
 
-TEST_F(OwnRow, OfAnyScalarIsBoundedByItsFormula) {
+TEST_F(OwnRow, IsBoundedByItsFormulaIfWrittenForAnyScalar) {
   const auto [low, high] = boundsOf(programOf(call("hypot", {x, y})), {3, 6}, {4, 8});
   EXPECT_LE(low, 5);
   EXPECT_GE(high, 10);
@@ -139,13 +139,13 @@ TEST_F(OwnRow, OfAnyScalarIsBoundedByItsFormula) {
   EXPECT_NEAR(high, 10, 1e-3);
 }
 
-TEST_F(OwnRow, OfWhichNothingIsKnownCanBeAnything) {
+TEST_F(OwnRow, IsUnboundedIfNothingIsKnownAboutIt) {
   const auto [low, high] = boundsOf(programOf(call("times", {x, y})), {3, 6}, {4, 8});
   EXPECT_EQ(high, Interval::infinity);
   EXPECT_EQ(low, -Interval::infinity);
 }
 
-TEST_F(OwnRow, HasItsTraits) {
+TEST_F(OwnRow, FollowsItsDeclaredTraits) {
   EXPECT_EQ(text(call("hypot", {x, y, number(2)})), "length(vec2(length(vec2(x, y)), 2.0))");
   EXPECT_EQ(text(call("sub", {call("hypot", {x, y}), call("hypot", {y, x})})), "0.0");
   EXPECT_EQ(builder.shape(call("hypot", {m2, m2})), matrixOf(2, 2));

@@ -8,7 +8,7 @@ import {
   pick,
   span,
   ternary,
-  wholes,
+  integersUpTo,
 } from './row.js'
 import { power } from './tolerances.js'
 
@@ -161,7 +161,7 @@ const piecewise = [
     kinks: 'at the bounds, and where they are equal',
     adjust: makeOperandsMeet,
   }),
-  all('mix', mix, [anything, anything, span(-0.5, 1.5, { at: wholes(1) })]),
+  all('mix', mix, [anything, anything, span(-0.5, 1.5, { at: integersUpTo(1) })]),
   { ...both('step', (edge, x) => (x < edge ? 0 : 1), [anything], ties), kinks: 'at the edge' },
   all('smoothstep', smoothstep, [span(-2, 0), span(0, 2), anything], {
     kinks: 'at the bounds, where the slope bends',

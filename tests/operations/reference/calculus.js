@@ -1,4 +1,4 @@
-// Derivatives as expressions. The reference has the derivatives computed by hand, and the tests differentiate them once more.
+// Derivatives as expressions. The reference has the derivatives computed by hand, and the tests differentiate them again.
 // scalars.js describes rows.
 import { product } from './matrices.js'
 import { span } from './row.js'

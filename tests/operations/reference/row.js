@@ -6,8 +6,8 @@ export const close = (random) => (random() < 0.5 ? -1 : 1) * 10 ** -(1 + 3 * ran
 export const pick = (list, random) => list[Math.floor(list.length * random())]
 
 /**
- * Makes a domain: numbers from `from` to `to`. One in twelve is one of `at`, two in ten are close to one of `near`, which are
- * kinks or the ends of the domain. A domain is a function of a source of random numbers.
+ * Makes a domain: a function that draws numbers from `from` to `to` with a source of random numbers. One in twelve is one of `at`, two in
+ * ten are close to one of `near`, which are kinks or the ends of the domain.
  */
 export const span =
   (from, to, { at = [], near = at } = {}) =>
@@ -18,13 +18,13 @@ export const span =
     return nearby >= from && nearby <= to ? nearby : from + (to - from) * random()
   }
 
-/** Numbers of either sign, at least `least` from zero. */
-export const awayFromZero = (least, most) => (random) =>
-  (random() < 0.5 ? -1 : 1) * (least + (most - least) * random())
+/** Numbers of either sign, at least `min` and at most `max` from zero. */
+export const awayFromZero = (min, max) => (random) =>
+  (random() < 0.5 ? -1 : 1) * (min + (max - min) * random())
 
-/** Integers and halves, from -`most` to `most`. */
-export const wholes = (most) => Array.from({ length: 2 * most + 1 }, (_, i) => i - most)
-export const halves = (most) => wholes(most).map((n) => n + 0.5)
+/** Integers and halves, from -`max` to `max`. */
+export const integersUpTo = (max) => Array.from({ length: 2 * max + 1 }, (_, i) => i - max)
+export const halves = (max) => integersUpTo(max).map((n) => n + 0.5)
 
 /** For `adjust`: brings some components of the other operands close to, or exactly to, those of the first. */
 export const makeOperandsMeet = (operands, random) =>
@@ -40,8 +40,8 @@ export const makeOperandsMeet = (operands, random) =>
 export const byComponent =
   (f) =>
   (...operands) => {
-    const widestOne = operands.reduce((most, operand) =>
-      operand.length > most.length ? operand : most,
+    const widestOne = operands.reduce((longest, operand) =>
+      operand.length > longest.length ? operand : longest,
     )
     return widestOne.map((_, i) => f(...operands.map((x) => x[x.length === 1 ? 0 : i])))
   }

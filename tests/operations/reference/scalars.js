@@ -11,7 +11,7 @@
 // - `tolerance` and `sensitivity`: see tolerances.js;
 // - `build({ glsl, call }, ...operands)`, if calling the operation with the operands is not enough;
 //   `call` calls it, as a method or as a function of the builder; `note` describes the result.
-import { awayFromZero, byComponent, halves, span, unary, wholes } from './row.js'
+import { awayFromZero, byComponent, halves, span, unary, integersUpTo } from './row.js'
 import { arcCosine, exponential, sine } from './tolerances.js'
 
 const scalar = (name, f, domain, more) => ({
@@ -28,7 +28,7 @@ function roundHalfToEven(x) {
   return below % 2 === 0 ? below : below + 1
 }
 
-const integers = { at: wholes(4) }
+const integers = { at: integersUpTo(4) }
 /** The error is relative to 1 - x². */
 const toOne = (x) => 1 / Math.max(1e-7, 1 - x * x)
 const nearPole = byComponent((x) => 1 / Math.abs(Math.cos(x)))
@@ -61,7 +61,7 @@ export const scalars = [
   scalar('atan', Math.atan, span(-20, 20, { at: [0] })),
   scalar('sinh', Math.sinh, span(-4, 4, { at: [0] }), { tolerance: exponential }),
   scalar('cosh', Math.cosh, span(-4, 4, { at: [0] }), { tolerance: exponential }),
-  // Far out the result is 1, rather than the quotient of two infinite numbers.
+  // For large x the result is 1, rather than the quotient of two infinite numbers.
   scalar('tanh', Math.tanh, span(-5, 5, { at: [-90, 0, 50], near: [0] }), {
     tolerance: exponential,
   }),
@@ -92,7 +92,7 @@ export const scalars = [
   scalar(
     'round',
     roundHalfToEven,
-    span(-5, 5, { at: [...wholes(3), ...halves(3)], near: halves(3) }),
+    span(-5, 5, { at: [...integersUpTo(3), ...halves(3)], near: halves(3) }),
     { kinks: 'at halves' },
   ),
   scalar('trunc', (x) => (x < 0 ? -Math.floor(-x) : Math.floor(x)), span(-5, 5, integers), {

@@ -13,7 +13,7 @@ const pairs = sizes.map((size) => [size, size])
 const first = ([shape]) => shape
 const number = () => 1
 
-/** For `adjust`: sometimes makes all operands equal, or the first zero, and often short. */
+/** For `adjust`: sometimes makes all operands equal or the first one zero, and often makes the first one short. */
 const short = (operands, random) => {
   const chance = random()
   if (chance < 0.04) return operands.map(() => operands[0])

@@ -19,7 +19,7 @@ export const sketches = {
         0,
       ),
   },
-  'a number or another': {
+  'one number || another': {
     setup: `wave = createWarp(({ position: { x, y }, uniforms }) => {
       let amount = uniforms.amount || 0.3
       let other = max(y, 0)
@@ -35,7 +35,7 @@ export const sketches = {
       )
     },
   },
-  'a flag': {
+  'a boolean variable': {
     setup: `wave = createWarp(({ position }) => {
       let isTop = false
       if (position.y > 0) isTop = true
@@ -70,7 +70,7 @@ export const sketches = {
       return glsl.vec3(0, of(1).add(of(3)).mult(0.2), 0)
     },
   },
-  'a loop that ends by a vertex': {
+  'a loop whose end depends on the vertex': {
     setup: `wave = createWarp(({ position }) => {
       let n = 0
       while (position.x > n) n++
@@ -78,7 +78,7 @@ export const sketches = {
     })`,
     says: /A loop cannot depend on a condition that differs by vertex/,
   },
-  'a switch by a vertex': {
+  'a switch that depends on the vertex': {
     setup: `wave = createWarp(({ position }) => {
       switch (floor(position.x)) {
         case 0: return position * 0.2
@@ -97,7 +97,7 @@ export const sketches = {
     })`,
     twin: ({ glsl, position }) => glsl.rotateZ(position.y.mult(0.8)).mult(position).sub(position),
   },
-  'parts of a vector': {
+  'components of a vector': {
     setup: `wave = createWarp(({ position }) => {
       let [x, y, z] = position
       x *= 0.5

@@ -1,6 +1,6 @@
 // Sketches with the functions of p5, of Math and of p5.strands.
 export const sketches = {
-  'map that clamps': {
+  'map() with clamping': {
     setup: `wave = createWarp(({ position }) => [0, 0, map(position.y, -0.5, 0.5, -0.3, 0.3, true)])`,
     twin: ({ glsl, position: { y } }) => glsl.vec3(0, 0, y.mult(0.6).clamp(-0.3, 0.3)),
   },
@@ -29,7 +29,7 @@ export const sketches = {
     twin: ({ glsl, position: { x, y, z } }) =>
       glsl.vec3(x.max(y).max(z).mult(0.3), x.min(y).min(0.1).mult(0.3), 0),
   },
-  'steps by round and floor': {
+  'steps made with round and floor': {
     setup: `wave = createWarp(({ position: { x, y } }) => [round(y * 4) / 20, floor(x * 3) / 20, round(2.5) / 20])`,
     twin: ({ glsl, position: { x, y } }) =>
       glsl.vec3(y.mult(4).add(0.5).floor().div(20), x.mult(3).floor().div(20), 0.15),
@@ -62,7 +62,7 @@ export const sketches = {
     twin: ({ glsl, position: { x, y } }) =>
       glsl.vec3(y.mult(5).sin().mult(0.2).add(0.1), 0.2, x.mult(5).cos().mult(0.2)),
   },
-  'createVector, changed in place': {
+  'a createVector vector that is changed in place': {
     setup: `wave = createWarp(({ position }) => {
       const v = createVector(sin(position.y * 5), 0, 0)
       v.mult(0.2)
@@ -70,7 +70,7 @@ export const sketches = {
     })`,
     notes: /^v\.mult\(0\.2\) has no effect: .* v = v\.mult\(2\)/,
   },
-  'a vector of p5 whose parts are set': {
+  'a p5 vector whose components are assigned': {
     setup: `wave = createWarp(({ position }) => {
       const v = createVector(0.1, 0.2, 0.3)
       v.x = sin(position.y * 5) * 0.2
@@ -78,14 +78,14 @@ export const sketches = {
     })`,
     twin: ({ glsl, position: { y } }) => glsl.vec3(y.mult(5).sin().mult(0.2), 0.2, 0.3),
   },
-  'p5.Vector of expressions': {
+  'new p5.Vector with expressions': {
     setup: `wave = createWarp(({ position, normal }) => {
       const v = p5.Vector.sub(position, createVector(0.3, 0, 0))
       return p5.Vector.mult(v, -0.4)
     })`,
     twin: ({ glsl, position }) => position.sub(glsl.vec3(0.3, 0, 0)).mult(-0.4),
   },
-  'the words of p5.strands': {
+  'the function names of p5.strands': {
     setup: `wave = createWarp(({ position, normal }) => {
       const edge = smoothstep(-0.5, 0.5, position.y) * step(0, position.x)
       return mix(vec3(0, 0, 0), normalize(position) * clamp(length(position.xz), 0, 0.5), edge)
@@ -100,7 +100,7 @@ export const sketches = {
         .add(glsl.cross(position, glsl.vec3(0, 0.2, 0)).mult(position.normalize().y))
     },
   },
-  'a function of p5 that nothing is known of': {
+  'an unknown p5 function': {
     setup: `wave = createWarp(({ position }) => [randomGaussian(position.x, 1) * 0.1, 0, 0])`,
     says: /p5's randomGaussian works on numbers, not on expressions of a warp/,
   },

@@ -7,7 +7,7 @@ export const sketches = {
     setup: `wave = createWarp(({ position }) => [ripple(position.y), 0, 0])`,
     twin: ({ glsl, position }) => glsl.vec3(position.y.mult(8).sin().mult(0.2), 0, 0),
   },
-  'a helper that calls another, as arrow functions': {
+  'a helper that calls another one, both arrow functions': {
     top: `const frequency = 6
     const swing = (x) => sin(x * frequency)
     const both = (x, y) => (swing(x) + swing(y)) / 8`,
@@ -103,12 +103,12 @@ export const sketches = {
       return glsl.vec3(of(a, 3).mult(0.4), 0, 0)
     },
   },
-  'a function that is handed a function': {
+  'a function that takes a function': {
     top: `function twice(f, x) { return f(f(x)) }`,
     setup: `wave = createWarp(({ position }) => [twice((x) => x * 0.5 + 0.1, position.y), 0, 0])`,
     twin: ({ glsl, position: { y } }) => glsl.vec3(y.mult(0.5).add(0.1).mult(0.5).add(0.1), 0, 0),
   },
-  'the offset function by its name': {
+  'a named offset function': {
     top: `function offset({ position, millis }) {
       const t = millis / 1000
       return [0, sin(position.x * 4 + t) * 0.2, 0]

@@ -1,20 +1,20 @@
 // Sketches with variables in functions around the offset function, or with the names of globals.
 export const sketches = {
-  'a parameter called height, without operators': {
+  'a parameter named height, without operators': {
     top: `function makeWave(height) {
       return createWarp(({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(height), 0))
     }`,
     setup: `wave = makeWave(0.3)`,
     twin: ({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(0.3), 0),
   },
-  'a parameter called height, with operators': {
+  'a parameter named height, with operators': {
     top: `function makeWave(height) {
       return createWarp(({ position }) => [0, sin(position.x * 5) * height, 0])
     }`,
     setup: `wave = makeWave(0.3)`,
     says: /cannot access "height" of the enclosing scope, where it is not the global; add the option \{ scope: \{ height \} \}/,
   },
-  'the same, with a scope': {
+  'a parameter named height, with the option scope': {
     top: `function makeWave(height) {
       return createWarp(({ position }) => [0, sin(position.x * 5) * height, 0], { scope: { height } })
     }`,
@@ -29,32 +29,32 @@ export const sketches = {
     setup: `wave = makeWave(1, 2)`,
     twin: ({ glsl, position }) => glsl.vec3(position.y.mult(6).sin().mult(0.2), 0, 0),
   },
-  'a local in setup': {
+  'a local variable of setup': {
     setup: `const amount = random([0.3, 0.3])
     wave = createWarp(({ position }) => [0, position.x * amount, 0])`,
     says: /cannot access "amount" of the enclosing scope; make it global, or add the option \{ scope: \{ amount \} \}/,
   },
-  'the same as a global': {
+  'a global variable': {
     top: `const amount = 0.3`,
     setup: `wave = createWarp(({ position }) => [0, position.x * amount, 0])`,
     twin: ({ glsl, position }) => glsl.vec3(0, position.x.mult(0.3), 0),
   },
-  'a top-level arrow function that takes length': {
+  'a top-level arrow function with a parameter named length': {
     top: `const makeWave = (length) => createWarp(({ position }) => position * length)`,
     setup: `wave = makeWave(0.4)`,
     says: /cannot access "length" .* scope: \{ length \}/,
   },
-  'a global and a local of one name, elsewhere': {
+  'a global variable, and a local one with the same name in another function': {
     top: `const size = 0.25
     function other(size) { return size * 2 }`,
     setup: `wave = createWarp(({ position }) => position * size)`,
     twin: ({ position }) => position.mult(0.25),
   },
-  'a variable of the loop around it': {
+  'the variable of an enclosing loop': {
     setup: `for (let i = 1; i < 3; i++) wave = createWarp(({ position }) => position * (i / 10))`,
     says: /cannot access "i" .* scope: \{ i \}/,
   },
-  'a class with its warp': {
+  'a class that creates its warp': {
     top: `class Blob {
       constructor(amount) {
         this.amount = amount
@@ -64,7 +64,7 @@ export const sketches = {
     setup: `wave = new Blob(0.3).warp`,
     says: /cannot access "this" of the enclosing object; write amount in place of this.amount, and add the option \{ scope: \{ amount: this.amount \} \}/,
   },
-  'a class with its warp, with a scope': {
+  'a class that creates its warp, with the option scope': {
     top: `class Blob {
       constructor(amount) {
         this.warp = createWarp(({ position }) => [sin(position.y * 4) * amount, 0, 0], { scope: { amount } })
@@ -73,7 +73,7 @@ export const sketches = {
     setup: `wave = new Blob(0.3).warp`,
     twin: ({ glsl, position }) => glsl.vec3(position.y.mult(4).sin().mult(0.3), 0, 0),
   },
-  'names of p5 as parameters within': {
+  'names of p5 as parameters of inner functions': {
     setup: `wave = createWarp(({ position }) => {
       const shape = (width, height) => sin(width * 4) * height
       return [0, shape(position.x, 0.2), 0]

@@ -1,13 +1,13 @@
-// Sketches that use no operators and must not change, that read changing variables, and in instance mode.
+// Sketches that use no operators and must not change, sketches that read changing variables, and sketches in instance mode.
 const draw = `p.draw = () => { p.background(0); p.lights(); p.noStroke(); p.fill('coral'); wave(); p.sphere(40); done = true }`
 
 export const sketches = {
-  'methods alone': {
+  'only methods': {
     setup: `let count = 0
     wave = createWarp(({ glsl, position }) => { count++; return glsl.vec3(position.y.mult(4 * count).sin().mult(0.2), 0, 0) })`,
     twin: ({ glsl, position }) => glsl.vec3(position.y.mult(4).sin().mult(0.2), 0, 0),
   },
-  'a sum that begins with nothing': {
+  'a sum that starts with 0': {
     setup: `const speeds = [2, 4]
     wave = createWarp(({ glsl, position }) => {
       let sum
@@ -20,7 +20,7 @@ export const sketches = {
     twin: ({ glsl, position: { y } }) =>
       glsl.vec3(y.mult(4).sin().div(2).add(y.mult(8).sin().div(4)).mult(0.4), 0, 0),
   },
-  'a helper of methods, in a closure': {
+  'a helper that uses methods, in a closure': {
     setup: `const amount = 0.2 + 0.1
     const bump = (x) => x.mult(5).sin().mult(amount)
     wave = createWarp(({ glsl, position }) => glsl.vec3(bump(position.y), 0, 0))`,
@@ -30,7 +30,7 @@ export const sketches = {
     setup: `wave = createWarp(({ glsl, position, uniforms }) => position.mult(uniforms.amount), { uniforms: { amount: 0.3 } })`,
     twin: ({ position }) => position.mult(0.3),
   },
-  'a method with this': {
+  'a method that uses this': {
     top: `const sea = { amount: 0.3, offset({ glsl, position }) { return position.mult(this.amount) } }`,
     setup: `wave = createWarp((inputs) => sea.offset(inputs))`,
     twin: ({ position }) => position.mult(0.3),
@@ -54,13 +54,13 @@ export const sketches = {
     notes:
       /reads level once, .* write uniforms.level in its place, with the option \{ uniforms: \{ level: \(\) => level \} \}/,
   },
-  'the same by the uniform that the note names': {
+  'a level passed as a uniform, as the message advises': {
     top: `let level = 0.3
     function mouseMoved() { level = map(mouseX, 0, width, 0, 0.5) }`,
     setup: `wave = createWarp(({ position, uniforms }) => [position.y * uniforms.level, 0, 0], { uniforms: { level: () => level } })`,
     twin: ({ glsl, position: { y } }) => glsl.vec3(y.mult(0.3), 0, 0),
   },
-  'compileWarp, for its bounds': {
+  'bounds of compileWarp': {
     setup: `const { max } = warpjet.compileWarp(({ position }) => position * 0.5).bounds({ min: [-1, -1, -1], max: [1, 1, 1] })
     const far = max[0] / 5
     wave = createWarp(({ position }) => position * far, { scope: { far } })`,
@@ -79,7 +79,7 @@ export const sketches = {
     twin: ({ glsl, position: { x, y }, millis }) =>
       glsl.vec3(y.mult(4).add(millis.div(1000)).sin().mult(0.2), x.mult(0.2), 0),
   },
-  'instance mode, by a named sketch with helpers': {
+  'instance mode, with a named sketch function and helpers': {
     whole: `const sketch = (p) => {
       let wave
       const bump = (x) => p.cos(x * 5) * 0.2

@@ -6,7 +6,7 @@ import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import warpjet from 'warpjet/p5'
 import { compileWarp as compileText } from 'warpjet/text'
 
-/** Returns a message that everything works. */
+/** Uses the package, and returns a message if everything works. */
 export async function tryAll() {
   const mesh = await loadMesh('triangle.obj')
   const baked = bakeWarp(

@@ -1,4 +1,4 @@
-// An offset with operators, which a build translates where it stands: it sees the variable around it.
+// An offset function with operators. A build translates it in place, so that it can read the variable around it.
 import { compileWarp } from 'warpjet'
 
 const far = 0.5

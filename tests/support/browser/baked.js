@@ -1,4 +1,4 @@
-// A bake equals the screen: compares `evaluate` with a vertex shader.
+// Checks that a baked mesh equals what the GPU draws: compares `evaluate` with a vertex shader.
 //
 // Positions agree to 1e-5 of the numbers in the formula, normals to 0.02° or the bound of the warp, with an accurate sine in
 // GLSL instead of the built-in one. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5,

@@ -17,7 +17,7 @@ export const cells = (table) =>
     )
 
 /** Waits until no overlay covers the picture and all numbers are shown. */
-export function measured(page) {
+export function waitUntilMeasured(page) {
   return page.waitForFunction(
     () =>
       !document.querySelector('.picture output').textContent &&
@@ -32,7 +32,7 @@ export function measured(page) {
 export async function choose(page, method) {
   await page.locator('.panel select').nth(1).selectOption(method)
   await page.locator('figcaption b').getByText(method, { exact: true }).waitFor(patience)
-  await measured(page)
+  await waitUntilMeasured(page)
 }
 
 export const readOuts = (page, names) =>

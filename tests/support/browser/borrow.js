@@ -11,7 +11,7 @@ export async function borrow() {
     const mark = join(taken, `${i}`)
     if (!take(mark)) continue
     const browser = await chromium.connect(address).catch(() => null)
-    // A browser that crashed stays taken.
+    // A browser that crashed is not given to another file.
     if (!browser) continue
     browser.on('disconnected', () => rmSync(mark, { force: true }))
     return browser
@@ -19,7 +19,7 @@ export async function borrow() {
   return null
 }
 
-/** The file system lets only one process create a file exclusively. */
+/** Takes a browser by creating a file exclusively, in which only one process succeeds. */
 function take(mark) {
   try {
     writeFileSync(mark, '', { flag: 'wx' })

@@ -11,11 +11,11 @@ export const launchBrowser = async (moreFlags = []) =>
 const launch = async (args) =>
   chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM ?? (await findBrowser()), args })
 
-/** Starts one whose WebGPU draws on canvases: that fails with other compositing. */
+/** Starts a browser whose WebGPU can draw on canvases, which fails with the default compositing. */
 export const launchBrowserWithWebGPU = () =>
   launch([...softwareFlags, ...webgpuFlags, '--use-vulkan=swiftshader'])
 
-/** Starts one for WebGPU without a GPU, on pages of `servePages`. */
+/** Flags for WebGPU without a GPU, on pages of `servePages`. */
 export const webgpuFlags = [
   '--enable-unsafe-webgpu',
   '--use-webgpu-adapter=swiftshader',
@@ -50,8 +50,8 @@ async function newPage(browser) {
 }
 
 /**
- * Keeps a page of `servePages` for the next `openPage`: a new page is a new process, which compiles all of p5 again. So would be
- * one that was at about:blank meanwhile.
+ * Keeps a page of `servePages` for the next `openPage`: a new page, or one that was at about:blank in between, is a new process, which
+ * compiles all of p5 again.
  */
 export async function leavePage(page) {
   const { browser } = opened.get(page)

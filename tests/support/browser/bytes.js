@@ -1,4 +1,4 @@
-// Passes bytes to a page and back by HTTP: as text through the driver, the data of 50,000 vertices takes a second.
+// Passes bytes to a page and back over HTTP, since passing the data of 50,000 vertices as text through the driver takes a second.
 import { createServer } from 'node:http'
 
 const collect = async (stream) => {

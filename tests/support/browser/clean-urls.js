@@ -1,4 +1,4 @@
-// A file server like many hosts of static sites: addresses have no .html, and requests with it are redirected.
+// A file server that works like many hosts of static sites: addresses have no .html, and requests with .html are redirected.
 import { readFile, stat } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import { extname, join } from 'node:path'

@@ -58,7 +58,7 @@ function oddities() {
 
 const color = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
 
-/** A sphere and a cube, `size` from the middle to the faces, and odd cases, each with every `every`th vertex. */
+/** A sphere, a cube and special cases, `size` from the middle to the faces, each with every `every`th vertex. */
 export function denseMesh(size, every = 1) {
   const all = [...sphere(1200), ...cube(13), ...oddities()]
   const points = all.filter((_, i) => i % every === 0)

@@ -1,6 +1,6 @@
 // Runs the examples without a GPU: with fewer pixels and frames, and checks their pictures.
 import assert from 'node:assert/strict'
-import { coarsenShapes, fewSamples, rough } from './frames.js'
+import { coarsenShapes, fewSamples, disableAntialiasing } from './frames.js'
 
 /**
  * Vite plugin for a test server: it serves each context the sketches that `lower` requested, and libraries that a browser may
@@ -15,7 +15,7 @@ export const sketchesForTests = () =>
 
 /** Vite plugin: replaces the responses of the development server by the results of `change(request, path, content)`. */
 export const replaceResponses = (change) => ({
-  name: 'answering',
+  name: 'replace-responses',
   enforce: 'pre',
   configureServer({ middlewares }) {
     middlewares.use((request, response, next) => {
@@ -36,22 +36,22 @@ export function cookie({ headers }, name) {
   return found && decodeURIComponent(found.slice(name.length + 1))
 }
 
-/** Adds a header to all requests of the context to the server at `url`, one with `answering`. */
-export const ask = (context, url, name, value) =>
+/** Adds a cookie to all requests of the context to the server at `url`, which uses `replaceResponses`. */
+export const addCookie = (context, url, name, value) =>
   context.addCookies([{ name, value: encodeURIComponent(value), url }])
 
 /**
  * Draws sketches without antialiasing, and those other than `exceptions` with a sixteenth of their pixels and coarse shapes:
- * without a GPU these take most time, above all lit triangles smaller than a pixel. `before` is what p5 runs first, or `still`.
+ * without a GPU these take most time, above all lit triangles smaller than a pixel. `before` is code that p5 runs first, such as `still`.
  */
-export const lower = (context, url, { exceptions = [], before = '' } = {}) =>
-  ask(context, url, 'sketches', JSON.stringify({ exceptions, before }))
+export const reduceSketches = (context, url, { exceptions = [], before = '' } = {}) =>
+  addCookie(context, url, 'sketches', JSON.stringify({ exceptions, before }))
 
 function reduceSketch(name, text, { exceptions, before }) {
-  const edges = needsSmoothEdges(name) ? '' : `;(${rough})()\n`
+  const edges = needsSmoothEdges(name) ? '' : `;(${disableAntialiasing})()\n`
   if (exceptions.includes(name)) return `${text}\n${edges}`
   if (name.startsWith('three-'))
-    return `${edges};(${fewSamples})()\n${before === still ? twoFrames : ''}${smaller(text)}`
+    return `${edges};(${fewSamples})()\n${before === still ? twoFrames : ''}${reduceThreeSketch(text)}`
   return `${text}
 ${edges}${before === still ? standing : ''}{
   const { createCanvas, pixelDensity } = p5.prototype
@@ -75,15 +75,15 @@ export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 32)
 /** Without antialiasing these have few colours, or cover few pixels. */
 const needsSmoothEdges = (name) => /^(?:deformer-(?:wave|spherify)|spoon)$/.test(name)
 
-/** Does the same for a sketch of three.js; without a GPU its thousands of instances and triangles take most time. */
-const smaller = (text) =>
+/** Reduces a sketch of three.js, whose thousands of instances and triangles take the most time without a GPU. */
+const reduceThreeSketch = (text) =>
   text
     .replaceAll(/setPixelRatio\(.*\)/g, 'setPixelRatio(0.25)')
     .replaceAll(/mapSize\.set\(.*\)/g, 'mapSize.set(256, 256)')
     .replaceAll('10_000', '800')
     .replaceAll(/(PlaneGeometry\(\d+, \d+), \d{3}, \d{3}/g, '$1, 64, 64')
 
-/** Stops when the first is shown, which the next example would otherwise wait for. */
+/** Stops the sketch after its first frame, for which the next example would otherwise wait. */
 const twoFrames = `
 {
   const { requestAnimationFrame } = window
@@ -92,15 +92,15 @@ const twoFrames = `
 }
 `
 
-/** Without the edges of shapes, which the warp does not draw, and which p5 takes seconds to compute for a model. */
+/** Removes the edges of shapes, which the warp does not draw, and which p5 takes seconds to compute for a model. */
 export const plain = `
     p5.Geometry.prototype._edgesToVertices = function () { return this }`
 
-/** Draws one frame without edges, at the same time on every machine. */
+/** Draws one frame without edges, at a fixed time. */
 export const still = `
     this.noLoop()${plain}`
 
-/** A moving warp shows little at some moments: a spoon at its max bend shows less than the threshold. */
+/** Fixes the time, since at some moments little is visible: a spoon at its max bend covers less than the threshold. */
 const standing = `p5.prototype.millis = () => 2500
 `
 

@@ -1,6 +1,6 @@
 // Reduces what pages draw in tests without a GPU, and makes it readable. All functions but `drawLittle` are for `addInitScript`.
 
-/** Three.js clears its canvas after a frame is shown; this keeps it until it is read. */
+/** Preserves the canvas of three.js, which is otherwise cleared after a frame is shown. */
 export function keepFrames() {
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
@@ -8,15 +8,15 @@ export function keepFrames() {
   }
 }
 
-/** Turns off antialiasing, which takes two thirds of the time for small triangles. */
-export function rough() {
+/** Disables antialiasing, which takes two thirds of the time for small triangles. */
+export function disableAntialiasing() {
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
     return getContext.call(this, kind, { ...options, antialias: false })
   }
 }
 
-/** The reflections of three.js's materials are smoothed by 256 samples per pixel, which takes seconds. */
+/** Reduces the 256 samples per pixel by which three.js smooths the reflections of materials, which take seconds. */
 export function fewSamples() {
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
@@ -26,17 +26,17 @@ export function fewSamples() {
 }
 
 /**
- * Without a GPU frames take most time. A page gets its first `most` frames as fast as it can, so that its picture appears, and
- * then one every 400 milliseconds.
+ * Limits the frames of a page, which take the most time without a GPU: its first `count` frames are immediate, so that its picture
+ * appears, and then there is one every 400 milliseconds.
  */
-export function fewFrames(most = 3) {
+export function fewFrames(count = 3) {
   // The page draws only in frames, and otherwise only asks whether there is WebGL.
   if (location.pathname.includes('/playground/')) return
   const { requestAnimationFrame, cancelAnimationFrame } = window
   const { getContext } = HTMLCanvasElement.prototype
   let free = Infinity
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    if (kind.startsWith('webgl')) free = Math.min(free, most)
+    if (kind.startsWith('webgl')) free = Math.min(free, count)
     return getContext.call(this, kind, options)
   }
   window.requestAnimationFrame = (draw) =>
@@ -48,8 +48,8 @@ export function fewFrames(most = 3) {
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)
 }
 
-/** Limits p5's shapes to `most` by `most` rectangles; for a page, which has p5's `methods`. */
-export function coarsenShapes(methods, most) {
+/** Limits p5's shapes to `max` by `max` rectangles; for a page, which has p5's `methods`. */
+export function coarsenShapes(methods, max) {
   // Maps a shape to the index of its first detail argument.
   const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
   for (const [name, first] of Object.entries(shapes)) {
@@ -58,13 +58,13 @@ export function coarsenShapes(methods, most) {
       const isDetail = (size, i) => i >= first && typeof size === 'number'
       return shape.apply(
         this,
-        sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, most) : size)),
+        sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, max) : size)),
       )
     }
   }
 }
 
-/** Calls `coarsen` with the methods of each p5 that is loaded, and gives its large canvases a sixteenth of their pixels. */
+/** Calls `coarsen` with the methods of each p5 that is loaded, and reduces its large canvases to a sixteenth of their pixels. */
 function coarsenCanvases(coarsen) {
   function spare(methods) {
     const { createCanvas, pixelDensity } = methods
@@ -97,14 +97,15 @@ function coarsenCanvases(coarsen) {
 }
 
 /**
- * Gives large canvases of p5 a sixteenth of their pixels, and limits its shapes to 32 by 32 rectangles. Sketches whose pictures
- * are checked pixel by pixel draw small.
+ * Reduces large canvases of p5 to a sixteenth of their pixels, and its shapes to 32 by 32 rectangles. Sketches whose pictures are
+ * checked pixel by pixel use small canvases, which do not change.
  */
 export const coarse = { content: `(${coarsenCanvases})(${coarsenShapes})` }
 
-/** `frames` is the number that a page gets as fast as it can. */
+/** `frames` is the number of immediate frames. */
 export async function drawLittle(context, frames) {
-  for (const script of [rough, fewSamples, coarse]) await context.addInitScript(script)
+  for (const script of [disableAntialiasing, fewSamples, coarse])
+    await context.addInitScript(script)
   await context.addInitScript(fewFrames, frames)
 }
 

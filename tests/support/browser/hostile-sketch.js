@@ -1,7 +1,7 @@
 // The attacks of a hostile sketch, as functions that run in its frame: each returns what it obtained, or throws. `site` is the
 // address of the first page of the site, `evil` that of an attacker's server.
 
-/** Maps names to attacks. None may return anything. */
+/** Maps names to attacks that try to read data. None may return anything. */
 export const attacks = {
   'reads localStorage': () => localStorage.getItem('secret'),
   'writes localStorage': () => localStorage.setItem('secret', 'stolen'),

@@ -43,7 +43,7 @@ function slope(f, p, direction, h, middle) {
   return slopes
 }
 
-/** Returns the partial derivatives of `f` by x, y and z, each a vector; null if `f` is not smooth within `h` of `p`. */
+/** Returns the partial derivatives of `f` with respect to x, y and z, each a vector; null if `f` is not smooth within `h` of `p`. */
 export function jacobian(f, p, h) {
   const middle = f(p)
   // The oblique direction finds kinks that x, y and z miss, such as the jump of sign(x) y at the origin.

@@ -9,7 +9,7 @@ const { PI, sin, cos, hypot } = Math
 /** The size of the drawn shapes, in pixels. */
 export const radius = 150
 
-/** A shape with one side, whose parameters are u and v themselves. */
+/** Makes a shape with one smooth part, whose parameters are u and v. */
 const byUv = (at, edges = []) => [
   { at: (u, v) => ({ ...at(u, v), uv: [u, v] }), of: (_, __, [u, v]) => [u, v], edges },
 ]
@@ -34,7 +34,7 @@ const ring = (size) =>
     }
   })
 
-/** A side that gets narrower, and caps, whose second parameter is the radius. */
+/** Makes a side that gets narrower, and caps, whose second parameter is the radius. */
 const pillar = (size, taper) => {
   const tilt = m.normalize([1, taper, 0])
   const side = {
@@ -65,7 +65,7 @@ const pillar = (size, taper) => {
  * p5 does not record how a shape was built, so its poles have only their triangles; and it does not normalize the normals after
  * the scale of each shape.
  */
-const built = (name, code, sides) => ({
+const builtShape = (name, code, sides) => ({
   isBuilt: true,
   setup: `warps.${name} = buildGeometry(() => { ${code} })`,
   code: `model(warps.${name})`,
@@ -105,13 +105,13 @@ export const surfaces = {
     scale: [400, 260, 1],
     grain: { height: radius, length: 1, normals: 1 },
   },
-  'a built sphere': built('ball', `sphere(${radius})`, ball([radius, radius, radius])),
-  'a built ellipsoid': built(
+  'a built sphere': builtShape('ball', `sphere(${radius})`, ball([radius, radius, radius])),
+  'a built ellipsoid': builtShape(
     'egg',
     `ellipsoid(${radius}, ${0.8 * radius}, ${0.6 * radius})`,
     ball([radius, 0.8 * radius, 0.6 * radius]),
   ),
-  'a built torus': built('ring', `torus(${radius}, ${0.3 * radius})`, ring(radius)),
-  'a built cylinder': built('pillar', `cylinder(${radius}, ${radius})`, pillar(radius, 0)),
-  'a built box': built('crate', `box(${radius})`),
+  'a built torus': builtShape('ring', `torus(${radius}, ${0.3 * radius})`, ring(radius)),
+  'a built cylinder': builtShape('pillar', `cylinder(${radius}, ${radius})`, pillar(radius, 0)),
+  'a built box': builtShape('crate', `box(${radius})`),
 }

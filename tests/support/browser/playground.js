@@ -7,8 +7,8 @@ import { serveSources } from './site.js'
 
 const patience = { timeout: 120_000 }
 
-/** Waits until the edited sketch is shown, or its error. */
-export const settled = (page) =>
+/** Waits until the edited sketch is shown, or an error. */
+export const waitUntilSettled = (page) =>
   page.waitForFunction(
     () =>
       document.querySelector('main')?.ariaBusy === 'false' &&
@@ -18,7 +18,7 @@ export const settled = (page) =>
   )
 
 /** Returns the complete text in the editor. */
-export const text = (page) =>
+export const editorText = (page) =>
   page.locator('.cm-content').evaluate((content) => content.cmTile.view.state.doc.toString())
 
 /** Replaces the sketch, like pasting. */
@@ -27,12 +27,12 @@ export async function write(page, sketch) {
   await page.keyboard.press('Control+a')
   await page.keyboard.insertText(sketch)
   // The editor updates its page a moment later.
-  for (let i = 0; (await text(page)) !== sketch && i < 100; i++) await page.waitForTimeout(50)
-  await settled(page)
+  for (let i = 0; (await editorText(page)) !== sketch && i < 100; i++) await page.waitForTimeout(50)
+  await waitUntilSettled(page)
 }
 
 /** Returns the line of the cursor. */
-export const line = (page) => page.locator('.cm-activeLine').textContent()
+export const cursorLine = (page) => page.locator('.cm-activeLine').textContent()
 
 /** Drags the first number with this text by that many pixels to the right, in small steps. */
 export async function dragNumber(page, number, pixels) {
@@ -46,7 +46,7 @@ export async function dragNumber(page, number, pixels) {
 }
 
 /** Returns the frame of the visible picture: a sandbox in a page that is a frame of the playground itself. */
-export async function shown(page) {
+export async function visibleFrame(page) {
   const host = await (await page.waitForSelector('.stage iframe', patience)).contentFrame()
   const element = await host.waitForSelector('iframe.shown', patience)
   return element.contentFrame()
@@ -56,10 +56,10 @@ const isPlayground = (page) => page.locator('.playground').count()
 
 /** Returns the RGBA of the visible canvas. */
 export const canvasPixels = async (page) =>
-  pixels((await isPlayground(page)) ? await shown(page) : page)
+  pixels((await isPlayground(page)) ? await visibleFrame(page) : page)
 
-/** A still picture of one color, which the offset function moves. */
-export const still = (color, offset = 'glsl.vec3(0, 0, 0)', more = '') => `let warp
+/** Returns a static sketch of one color, which the offset function moves. */
+export const stillSketch = (color, offset = 'glsl.vec3(0, 0, 0)', more = '') => `let warp
 function setup() {
   createCanvas(120, 90, WEBGL)
   noStroke()
@@ -93,7 +93,7 @@ renderer.setAnimationLoop(() => renderer.render(scene, camera))
 `
 
 /** Returns the file that the menu downloads, as Playwright's download. */
-export async function saved(page, title) {
+export async function downloadFromMenu(page, title) {
   await page.getByText('Save', { exact: true }).click()
   const [download] = await Promise.all([
     page.waitForEvent('download'),
@@ -104,7 +104,7 @@ export async function saved(page, title) {
 
 /** Saves the page that opens anywhere as `file`, and opens it from the disk → { page, messages }. */
 export async function openFromDisk(page, file, isReady = () => window.frameCount > 1) {
-  await (await saved(page, 'Page that opens anywhere')).saveAs(file)
+  await (await downloadFromMenu(page, 'Page that opens anywhere')).saveAs(file)
   const opened = await openPage(page.context(), pathToFileURL(file).href)
   await opened.page.waitForFunction(isReady, null, patience)
   return opened
@@ -117,7 +117,7 @@ export async function openPlayground(port, browser) {
   await drawLittle(context, framesInPlayground)
   const [url] = server.resolvedUrls.local
   const { page, messages } = await openPage(context, `${url}playground/index.html`)
-  await settled(page)
+  await waitUntilSettled(page)
   const close = async () => {
     await context.close()
     await browser.close()

@@ -16,7 +16,11 @@ export function restPlaces({ corners, values, faces }, width, height) {
     for (let y = top; y < bottom; y++)
       for (let x = left; x < right; x++) {
         const point = [x + 0.5, y + 0.5]
-        const shares = [edge(b, c, point) / area, edge(c, a, point) / area, edge(a, b, point) / area]
+        const shares = [
+          edge(b, c, point) / area,
+          edge(c, a, point) / area,
+          edge(a, b, point) / area,
+        ]
         if (Math.min(...shares) < 0) continue
         const depth = mix(shares, [a[2], b[2], c[2]])
         const pixel = y * width + x
@@ -27,7 +31,12 @@ export function restPlaces({ corners, values, faces }, width, height) {
   }
   return Array.from(found, ([pixel, { face, shares }]) => ({
     pixel,
-    values: values[face[0]].map((_, k) => mix(shares, face.map((i) => values[i][k]))),
+    values: values[face[0]].map((_, k) =>
+      mix(
+        shares,
+        face.map((i) => values[i][k]),
+      ),
+    ),
   }))
 }
 

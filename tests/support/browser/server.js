@@ -14,7 +14,7 @@ const types = {
 }
 
 /** A browser that caches a library also caches its compiled code, which for p5 saves half of the time to open a page. */
-const kept = (pathname) =>
+const cacheHeaders = (pathname) =>
   pathname.startsWith('/node_modules/') ? { 'cache-control': 'max-age=86400' } : {}
 
 /**
@@ -32,7 +32,7 @@ export async function servePages() {
       const type =
         page !== undefined ? 'text/html' : (types[extname(pathname)] ?? 'application/octet-stream')
       response
-        .writeHead(200, { 'content-type': `${type}; charset=utf-8`, ...kept(pathname) })
+        .writeHead(200, { 'content-type': `${type}; charset=utf-8`, ...cacheHeaders(pathname) })
         .end(body)
     } catch {
       // Browsers request an icon on their own, and would print that it is missing.

@@ -30,8 +30,8 @@ export async function serveSources(port, plugins = []) {
   return server.listen()
 }
 
-/** Makes the page use the responses of the server: for `addInitScript`. */
+/** For `addInitScript`: removes service workers, so that the page uses the responses of the server. */
 export const withoutWorker = () => delete Navigator.prototype.serviceWorker
 
-/** Reduced motion: the examples' sketches wait to be started. */
-export const calm = (size) => ({ ...size, reducedMotion: 'reduce' })
+/** Returns options for a visitor who prefers reduced motion: the sketches of examples do not start by themselves. */
+export const withReducedMotion = (size) => ({ ...size, reducedMotion: 'reduce' })

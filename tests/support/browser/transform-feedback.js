@@ -1,4 +1,4 @@
-// Runs vertex shaders on the real pipeline and reads their results by transform feedback.
+// Runs vertex shaders on the real pipeline and reads their results through transform feedback.
 import { serveBytes } from './bytes.js'
 import { layout, stride } from './dense-mesh.js'
 

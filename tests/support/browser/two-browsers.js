@@ -1,4 +1,4 @@
-// Drives Chromium and Firefox by the same calls, those of Puppeteer: Playwright drives only its own Firefox.
+// Drives Chromium and Firefox through Puppeteer's API, since Playwright can only drive its own build of Firefox.
 import { spawn } from 'node:child_process'
 import puppeteer from 'puppeteer-core'
 import { findBrowser, findFirefox } from '../../../.scripts/lib/browser.mjs'
@@ -13,7 +13,7 @@ const launchChromium = async () =>
     args: testFlags,
   })
 
-/** Starts an invisible display. → { name, stop() } */
+/** Starts a virtual display → { name, stop() }. */
 async function startDisplay() {
   const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x1024x24'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],

@@ -50,4 +50,4 @@ function stepError([before, after], [was, is]) {
 }
 
 /** The warps of sketches; warps that are only code have no frame, and deep noise has no sufficiently exact oracle. */
-export const isMeasured = ({ kept, text, deep }) => kept && !text && !deep
+export const isMeasured = ({ isGolden, text, deep }) => isGolden && !text && !deep

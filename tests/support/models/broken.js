@@ -1,4 +1,4 @@
-// Model files that are wrong in ways that their format names, each with the reason that loadMesh must give.
+// Invalid model files, each with the reason that loadMesh must report.
 import { plain, plainVariants } from './gltf-variants.js'
 import { packedVariants } from './packed-variants.js'
 import { shapes } from './shapes.js'
@@ -10,15 +10,15 @@ const { cube } = shapes
 const encode = (text) => new TextEncoder().encode(text)
 
 /** Makes a GLB with a modified document. */
-function bent(file, change) {
+function modifyGlb(file, change) {
   const { json, chunks } = readGlb(file)
   const binary = chunks[1]?.bytes
   change(json, binary)
   return writeGlb(json, binary)
 }
 
-const cubeFile = (change) => bent(plain(cube).glb().file, change)
-const variant = (variants, name, change) => bent(variants[name](cube).file, change)
+const cubeFile = (change) => modifyGlb(plain(cube).glb().file, change)
+const variant = (variants, name, change) => modifyGlb(variants[name](cube).file, change)
 const firstPrimitive = (json) => json.meshes[0].primitives[0]
 const packedView = (json) =>
   json.bufferViews.find(({ extensions }) => extensions).extensions.EXT_meshopt_compression
@@ -42,40 +42,51 @@ export const broken = {
     }),
     reason: /uses vertex/,
   },
-  'a buffer that is cut off': {
+  'a truncated buffer': {
     file: cubeFile((json) => (json.buffers[0].byteLength += 100)),
     reason: /ends in the middle of its data/,
   },
-  'a view past its buffer': {
+  'a view that exceeds its buffer': {
     file: cubeFile((json) => (json.bufferViews[1].byteLength = 1e6)),
     reason: /bufferView 1 reads up to byte/,
   },
-  'an accessor past its view': {
+  'an accessor that exceeds its view': {
     file: cubeFile((json) => (json.accessors[1].count = 1000)),
     reason: /accessor 1 reads up to byte/,
   },
   'a million instances of a cube': {
-    file: variant(extensionVariants, 'instances by places', (json) => {
+    file: variant(extensionVariants, 'instances with translations', (json) => {
       instances(json).TRANSLATION = zeros(json, 4_000_000)
     }),
     reason: /more than 1,048,576 parts/,
   },
   'instances that take too much memory': {
-    file: bent(extensionVariants['instances by places'](shapes.sphere).file, (json) => {
-      instances(json).TRANSLATION = zeros(json, 1_048_000)
-    }),
+    file: modifyGlb(
+      extensionVariants['instances with translations'](shapes.sphere).file,
+      (json) => {
+        instances(json).TRANSLATION = zeros(json, 1_048_000)
+      },
+    ),
     reason: /at most 1,073,741,824 are read/,
   },
-  'instances of different numbers': {
-    file: variant(extensionVariants, 'instances by places, turns and sizes', (json) => {
-      instances(json).SCALE = zeros(json, 2)
-    }),
+  'instance attributes of different lengths': {
+    file: variant(
+      extensionVariants,
+      'instances with translations, rotations and scales',
+      (json) => {
+        instances(json).SCALE = zeros(json, 2)
+      },
+    ),
     reason: /the instances of a node have 3 elements of one attribute and 2 of another/,
   },
-  'instances turned by vectors of three': {
-    file: variant(extensionVariants, 'instances by places, turns and sizes', (json) => {
-      instances(json).ROTATION = instances(json).SCALE
-    }),
+  'instance rotations with three numbers': {
+    file: variant(
+      extensionVariants,
+      'instances with translations, rotations and scales',
+      (json) => {
+        instances(json).ROTATION = instances(json).SCALE
+      },
+    ),
     reason: /must hold vectors of 4 numbers/,
   },
   'a morph target of another length': {
@@ -84,48 +95,48 @@ export const broken = {
     }),
     reason: /24 positions, but 7 of its morph target's POSITION/,
   },
-  'weights that are no numbers': {
+  'weights that are not numbers': {
     file: variant(extensionVariants, 'morph weights of the mesh', (json) => {
       json.meshes[0].weights = ['heavy']
     }),
     reason: /meshes\[0\].weights must be a list of numbers/,
   },
-  'a scene of which all is hidden': {
+  'a scene in which everything is hidden': {
     file: variant(extensionVariants, 'a hidden node', (json) => {
       for (const node of json.nodes) node.extensions = { KHR_node_visibility: { visible: false } }
     }),
     reason: /there is nothing to draw/,
   },
-  'sparse indices past the end': {
+  'sparse indices beyond the end': {
     file: variant(plainVariants, 'sparse positions', (json, binary) => {
       const { bufferView } = json.accessors.find(({ sparse }) => sparse).sparse.indices
       binary[json.bufferViews[bufferView].byteOffset + 1] = 255
     }),
     reason: /replaces its element/,
   },
-  'zeros of millions': {
+  'millions of implicit zeros': {
     file: cubeFile((json) => (firstPrimitive(json).attributes.POSITION = zeros(json, 5e6))),
     reason: /5,000,000 elements without any bytes/,
   },
-  'meshopt data that are broken': {
+  'broken meshopt data': {
     file: variant(packedVariants, 'meshopt, vertices and triangles', (json, binary) => {
       binary.fill(0xff, packedView(json).byteOffset, packedView(json).byteOffset + 8)
     }),
     reason: /the data of EXT_meshopt_compression cannot be decoded \(Malformed buffer data/,
   },
-  'meshopt data that are cut off': {
+  'truncated meshopt data': {
     file: variant(packedVariants, 'meshopt, vertices and triangles', (json) => {
       packedView(json).byteLength = 9
     }),
     reason: /the data of EXT_meshopt_compression cannot be decoded/,
   },
-  'a meshopt mode of its own': {
+  'an unknown meshopt mode': {
     file: variant(packedVariants, 'meshopt, vertices and triangles', (json) => {
       packedView(json).mode = 'POINTS'
     }),
     reason: /unknown mode "POINTS"/,
   },
-  'a meshopt filter of its own': {
+  'an unknown meshopt filter': {
     file: variant(packedVariants, 'meshopt, vertices and triangles', (json) => {
       packedView(json).filter = 'BLUR'
     }),
@@ -137,35 +148,35 @@ export const broken = {
     }),
     reason: /would take 48,000,\d{3},\d{3} bytes/,
   },
-  'Draco data that are broken': {
-    file: variant(packedVariants, 'Draco, edge breaker', (json, binary) => {
+  'broken Draco data': {
+    file: variant(packedVariants, 'Draco, edgebreaker encoding', (json, binary) => {
       const { bufferView } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
       const { byteOffset, byteLength } = json.bufferViews[bufferView]
       binary.fill(0, byteOffset + 20, byteOffset + byteLength)
     }),
     reason: /the data of KHR_draco_mesh_compression cannot be decoded/,
   },
-  'bytes that are no Draco': {
-    file: variant(packedVariants, 'Draco, edge breaker', (json, binary) => {
+  'bytes that are not Draco data': {
+    file: variant(packedVariants, 'Draco, edgebreaker encoding', (json, binary) => {
       const { bufferView } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
       binary.fill(7, json.bufferViews[bufferView].byteOffset)
     }),
     reason: /the data of KHR_draco_mesh_compression cannot be decoded/,
   },
-  'a Draco attribute that is not there': {
-    file: variant(packedVariants, 'Draco, in order', (json) => {
+  'a missing Draco attribute': {
+    file: variant(packedVariants, 'Draco, sequential encoding', (json) => {
       firstPrimitive(json).extensions.KHR_draco_mesh_compression.attributes.POSITION = 9
     }),
     reason: /it has no attribute 9/,
   },
   'a Draco attribute of another width': {
-    file: variant(packedVariants, 'Draco, in order', (json) => {
+    file: variant(packedVariants, 'Draco, sequential encoding', (json) => {
       const { attributes } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
       attributes.TEXCOORD_0 = attributes.POSITION
     }),
     reason: /expected 2 numbers per vertex, got 3/,
   },
-  'a binary STL that is cut off': {
+  'a truncated binary STL': {
     file: stl.slice(0, -10),
     reason: /ends in the middle of its data \(expected 684 bytes, got 674\)/,
   },
@@ -173,23 +184,23 @@ export const broken = {
     file: new Uint8Array(84),
     reason: /the .stl has no triangles/,
   },
-  'a text STL that is cut off': {
+  'a truncated text STL': {
     file: text.slice(0, 500),
     reason: /line \d+ of the .stl|ends in the middle of a facet/,
   },
-  'a text STL with another word': {
+  'a text STL with an unknown keyword': {
     file: encode(textOf(text).replace('outer loop', 'outer hoop')),
     reason: /line 3 of the .stl has "hoop" where "loop" belongs/,
   },
-  'a text STL with a broken number': {
+  'a text STL with an invalid number': {
     file: encode(textOf(text).replace('vertex -1', 'vertex -1,5')),
     reason: /line \d+ of the .stl has ".*" where a number belongs/,
   },
-  'an OBJ whose only face is at a position that is none': {
+  'an OBJ whose only face has an invalid position': {
     file: encode('v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n'),
     reason: /line 3 of the .obj has "nan" where a number belongs/,
   },
-  'an OBJ that names too many vertices': {
+  'an OBJ with too many vertices': {
     file: encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n'),
     reason: /line 4 of the .obj refers to position 4, but there are only 3 before it/,
   },

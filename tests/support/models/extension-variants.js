@@ -147,16 +147,20 @@ function quantize(Type, { unit, normalized = false, shift = 0 }) {
 export const extensionVariants = {
   'morph weights of the mesh': morph({ mesh: [0.5] }, dense),
   'morph weights of the node': morph({ mesh: [0.5], node: [-2] }, dense),
-  'a morph target upon zeros': morph({ mesh: [1.25] }, addSparse),
+  'a morph target of positions that are zeros': morph({ mesh: [1.25] }, addSparse),
   'morph weights of 0': morph({ mesh: [0] }, dense),
-  'instances by places': makeInstances(['TRANSLATION']),
-  'instances by places, turns and sizes': makeInstances(['TRANSLATION', 'ROTATION', 'SCALE']),
-  'instances whose turns are shorts': makeInstances(
+  'instances with translations': makeInstances(['TRANSLATION']),
+  'instances with translations, rotations and scales': makeInstances([
+    'TRANSLATION',
+    'ROTATION',
+    'SCALE',
+  ]),
+  'instances with rotations as shorts': makeInstances(
     ['TRANSLATION', 'ROTATION'],
     (numbers) => Int16Array.from(numbers, (x) => Math.round(x * 32767)),
     { normalized: true },
   ),
-  'instances whose turns are bytes': makeInstances(
+  'instances with rotations as bytes': makeInstances(
     ['TRANSLATION', 'ROTATION', 'SCALE'],
     (numbers) => Int8Array.from(numbers, (x) => Math.round(x * 127)),
     { normalized: true },
@@ -175,18 +179,18 @@ export const extensionVariants = {
       writer.json.nodes[0].extensions = { KHR_node_visibility: { visible: true } }
     }),
   ),
-  'colours of specular-glossiness': glossy,
+  'colours from specular-glossiness': glossy,
   'required WebP textures': requireExtension('EXT_texture_webp'),
   'required Basis textures': requireExtension('KHR_texture_basisu'),
   'required AVIF textures': requireExtension('EXT_texture_avif'),
   'required DDS textures': requireExtension('MSFT_texture_dds'),
-  'positions of 16 bits': quantize(Int16Array, { unit: 32767, normalized: true }),
-  'positions of 16 bits, not normalized': quantize(Int16Array, { unit: 30000 }),
-  'positions of 16 unsigned bits': quantize(Uint16Array, {
+  '16-bit positions': quantize(Int16Array, { unit: 32767, normalized: true }),
+  '16-bit positions, not normalized': quantize(Int16Array, { unit: 30000 }),
+  'unsigned 16-bit positions': quantize(Uint16Array, {
     unit: 65535,
     normalized: true,
     shift: 1,
   }),
-  'positions of 8 bits': quantize(Int8Array, { unit: 127, normalized: true }),
-  'positions of 8 unsigned bits': quantize(Uint8Array, { unit: 255, shift: 1 }),
+  '8-bit positions': quantize(Int8Array, { unit: 127, normalized: true }),
+  'unsigned 8-bit positions': quantize(Uint8Array, { unit: 255, shift: 1 }),
 }

@@ -83,7 +83,7 @@ function interleave(shape, byteStride) {
   return plain(shape, { own })
 }
 
-/** Makes an accessor whose elements from index 1 on are sparse; `base` says whether the others have a view. */
+/** Makes an accessor whose elements from index 1 on are sparse; with `base`, the others have a view. */
 export function sparse(writer, numbers, type, width, base, more) {
   const count = numbers.length / width
   const places = Uint16Array.from({ length: count - 1 }, (_, i) => i + 1)
@@ -159,8 +159,8 @@ export const plainVariants = {
   'a GLB': as(plain),
   'a data URI': as(plain, 'embedded'),
   'an external buffer': as(plain, 'external'),
-  'indices of 8 bits': as((shape) => plain(shape, { indices: Uint8Array })),
-  'indices of 32 bits': as((shape) => plain(shape, { indices: Uint32Array })),
+  '8-bit indices': as((shape) => plain(shape, { indices: Uint8Array })),
+  '32-bit indices': as((shape) => plain(shape, { indices: Uint32Array })),
   'no indices': as((shape) => plain(removeIndices(shape), { indices: null })),
   'a strip': as((shape) =>
     plain({ ...shape, indices: stripOf(shape.indices) }, { more: () => ({ mode: 5 }) }),
@@ -169,8 +169,8 @@ export const plainVariants = {
   'interleaved attributes': as((shape) => interleave(shape, 32)),
   'a stride with gaps': as((shape) => interleave(shape, 44)),
   'sparse positions': sparsePositions(false),
-  'sparse positions upon zeros': sparsePositions(true),
-  'sparse indices upon zeros': sparseIndices,
+  'sparse positions without a view': sparsePositions(true),
+  'sparse indices without a view': sparseIndices,
   'a negative scale': (shape) => ({
     ...plain(shape, { node: () => ({ scale: [-2, 1, 1] }) }).glb(),
     triangles: reverseTriangles(trianglesOf(shape, ([x, y, z]) => [-2 * x, y, z])),
@@ -186,7 +186,7 @@ export const plainVariants = {
     ([x, y, z]) => [x, 3 * y, z + 1],
   ),
   'two bones': as(skin, 'glb', ([x, y, z]) => [x + 1, y + 6, z]),
-  'vertex colours of 8 bits': as((shape) =>
+  '8-bit vertex colours': as((shape) =>
     plain(shape, {}, (writer) => {
       const colors = new Uint8Array((shape.positions.length / 3) * 4).fill(128)
       writer.json.meshes[0].primitives[0].attributes.COLOR_0 = writer.accessor(colors, 'VEC4', {

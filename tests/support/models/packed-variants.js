@@ -198,23 +198,23 @@ function dracoFile({ isOptional, tolerance = 1e-5, ...how }) {
 
 export const packedVariants = {
   'meshopt, vertices and triangles': packed({}),
-  'meshopt, indices of 32 bits': packed({ Index: Uint32Array }),
+  'meshopt, 32-bit indices': packed({ Index: Uint32Array }),
   'meshopt, a sequence of indices': packed({ mode: 'INDICES' }),
-  'meshopt, normals of 8 bits': packed({ normals: octahedral(Int8Array, 4, 8) }),
-  'meshopt, normals of 16 bits': packed({ normals: octahedral(Int16Array, 8, 12) }),
+  'meshopt, 8-bit normals': packed({ normals: octahedral(Int8Array, 4, 8) }),
+  'meshopt, 16-bit normals': packed({ normals: octahedral(Int16Array, 8, 12) }),
   'meshopt, exponential positions': packed({ positions: exponential, tolerance: 1e-3 }),
   'meshopt, quaternions': packed({ tolerance: 1e-3 }, addRotations),
   'meshopt with a fallback': packed({ fallback: 'plain.bin' }),
   'KHR meshopt': packed({ extension: 'KHR_meshopt_compression' }),
   'KHR meshopt, colours': packed({ extension: 'KHR_meshopt_compression' }, addColors),
-  'Draco, edge breaker': dracoFile({ method: 'MESH_EDGEBREAKER_ENCODING' }),
-  'Draco, in order': dracoFile({ method: 'MESH_SEQUENTIAL_ENCODING' }),
-  'Draco, of 12 bits': dracoFile({
+  'Draco, edgebreaker encoding': dracoFile({ method: 'MESH_EDGEBREAKER_ENCODING' }),
+  'Draco, sequential encoding': dracoFile({ method: 'MESH_SEQUENTIAL_ENCODING' }),
+  'Draco with 12 bits': dracoFile({
     method: 'MESH_EDGEBREAKER_ENCODING',
     bits: 12,
     tolerance: 2e-3,
   }),
-  'Draco with plain bytes, too': dracoFile({
+  'Draco with uncompressed bytes as a fallback': dracoFile({
     method: 'MESH_SEQUENTIAL_ENCODING',
     isOptional: true,
   }),

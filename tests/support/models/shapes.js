@@ -100,8 +100,8 @@ const rotateCorners = ([a, b, c], by) =>
   ][by]
 
 /** Returns the maximum distance of a corner from its expected position, or a message. Triangles may be in any order. */
-export function compareTriangles(came, expected) {
-  const [found, open] = [came, expected].map((triangles) =>
+export function compareTriangles(actual, expected) {
+  const [found, open] = [actual, expected].map((triangles) =>
     triangles.filter((triangle) => !isFlat(triangle)),
   )
   if (found.length !== open.length) return `${found.length} triangles, not ${open.length}`

@@ -91,18 +91,18 @@ export const textVariants = {
   'an OBJ in UTF-16, big endian': obj(utf16(true, true)),
   'an OBJ in UTF-16 without a mark': obj(utf16(false, false)),
   'an OBJ with relative indices': relative,
-  'an OBJ with numbers that are none': obj((lines) =>
+  'an OBJ with invalid numbers': obj((lines) =>
     encode([...lines, 'v nan 0 -nan(ind)', 'vn inf 0 1.#QNAN', 'vt nan nan'].join('\n')),
   ),
   'an OBJ with materials': obj(
     (lines) => encode(['mtllib a.mtl', 'usemtl red', ...lines].join('\n')),
     { 'a.mtl': encode('newmtl red\nKd 1 0 0\n') },
   ),
-  'an OBJ whose materials are not there': withLines('mtllib a.mtl', 'usemtl red'),
+  'an OBJ whose materials are missing': withLines('mtllib a.mtl', 'usemtl red'),
   'a text STL': textStl(),
   'a text STL with CR LF': textStl('0 1 0', '\r\n'),
-  'a text STL with normals that are none': textStl('nan nan nan'),
+  'a text STL with invalid normals': textStl('nan nan nan'),
   'a binary STL': binaryStl('by a test'),
   'a binary STL that begins with "solid"': binaryStl('solid by a test', [0, 1, 0]),
-  'a binary STL with normals that are none': binaryStl('', [NaN, 0, 0]),
+  'a binary STL with invalid normals': binaryStl('', [NaN, 0, 0]),
 }

@@ -1,4 +1,4 @@
-// Loads model files by three.js' own loaders: the triangles of the scene.
+// Loads model files with three.js' own loaders, and returns the triangles of the scene.
 import { LoadingManager, Matrix4, Vector3 } from 'three'
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js'
 import { OBJLoader } from 'three/examples/jsm/loaders/OBJLoader.js'

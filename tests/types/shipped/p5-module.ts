@@ -1,4 +1,4 @@
-// The shipped types together with p5's own, in a project with modules.
+// Uses the shipped types together with p5's own, in a project with modules.
 import p5 from 'p5'
 import type { Distort, Loading, Warping } from 'warpjet/p5'
 

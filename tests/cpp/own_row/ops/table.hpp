@@ -1,5 +1,5 @@
-// A copy of the table with three more rows. The core is built once more with this file in place of
-// src/ops/table.hpp, and nothing else changed.
+// A copy of the table with three more rows. The core is built a second time with this file in place
+// of src/ops/table.hpp, and nothing else changed.
 #pragma once
 
 #include <tuple>

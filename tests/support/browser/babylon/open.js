@@ -6,7 +6,7 @@ import { servePages } from '../server.js'
 
 const root = fileURLToPath(new URL('../../../../', import.meta.url))
 
-/** Opens a script beside this file → { page, messages, close }; `messages` collects what the page prints. */
+/** Opens a page that runs a script of this folder → { page, messages, close }; `messages` collects the console messages of the page. */
 export async function openBabylonPage(script) {
   const project = `.build/babylon/${script.replace('.js', '')}`
   await build({

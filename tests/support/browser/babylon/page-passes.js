@@ -1,4 +1,4 @@
-// Passes that Babylon.js draws with shaders of its own: each of a warped mesh, and of one that a matrix moves likewise.
+// Passes that Babylon.js draws with its own shaders: each draws a warped mesh, and a mesh that a matrix moves the same way.
 import '@babylonjs/core/Engines/WebGPU/Extensions/engine.multiRender.js'
 import '@babylonjs/core/Layers/effectLayerSceneComponent.js'
 import '@babylonjs/core/Materials/colorCurves.js'
@@ -68,7 +68,7 @@ export function warpByMotion(material, matrix = motion) {
   )
 }
 
-/** Warps by the same motion, and reads the normal and the uv without effect. */
+/** Warps with the same motion, and reads the normal and the uv without effect. */
 const warpByAll = (material) => {
   const { m } = motion
   return new BabylonWarp(
@@ -101,7 +101,7 @@ async function sceneOn(backend) {
   return scene
 }
 
-/** The last scene stays until the next one is drawn: Babylon.js would compile its shaders anew. */
+/** Disposes of a scene only after the next one is drawn: otherwise Babylon.js would recompile its shaders. */
 let retired
 function retire(scene) {
   retired?.dispose()
@@ -120,7 +120,7 @@ function knotIn(scene, material) {
   return knot
 }
 
-/** Draws frames until all shaders are there. */
+/** Draws some frames, after all shaders have been compiled. */
 async function drawFrames(scene, count = 4) {
   const engine = scene.getEngine()
   await scene.whenReadyAsync()
@@ -132,40 +132,40 @@ async function drawFrames(scene, count = 4) {
   }
 }
 
-/** Numbers from 0 to 1, in channels of `channels`. */
-const picture = async (texture, scale = 1 / 255) => {
+/** Reads a texture as numbers from 0 to 1. */
+const readTexture = async (texture, scale = 1 / 255) => {
   const pixels = await texture.readPixels()
   return Array.from(pixels, (x) => x * scale)
 }
 
-const colorOf = (scene) => {
+const renderColor = (scene) => {
   const target = new RenderTargetTexture('target', size, scene)
   scene.activeCamera.outputRenderTarget = target
   return async () => {
     await drawFrames(scene)
-    return picture(target)
+    return readTexture(target)
   }
 }
 
-/** Maps the name of a pass → what it shows of a scene: numbers of which four belong to a pixel, or one. */
+/** Maps the name of a pass → function that returns its picture of a scene: four numbers per pixel, or one. */
 const passes = {
   depth(scene) {
     const map = scene.enableDepthRenderer(scene.activeCamera, false, true).getDepthMap()
     return async () => {
       await drawFrames(scene)
-      return picture(map, 1)
+      return readTexture(map, 1)
     }
   },
   outline(scene, knot) {
     Object.assign(knot, { renderOutline: true, outlineWidth: 0.08, outlineColor: Color3.Red() })
-    return colorOf(scene)
+    return renderColor(scene)
   },
   highlight(scene, knot) {
     const layer = new HighlightLayer('highlight', scene, { mainTextureFixedSize: size })
     layer.addMesh(knot, Color3.Green())
     return async () => {
       await drawFrames(scene)
-      return picture(layer._mainTexture)
+      return readTexture(layer._mainTexture)
     }
   },
   glow(scene, knot) {
@@ -173,7 +173,7 @@ const passes = {
     knot.material.emissiveColor = new Color3(0.8, 0.4, 0.2)
     return async () => {
       await drawFrames(scene)
-      return picture(layer._mainTexture)
+      return readTexture(layer._mainTexture)
     }
   },
   'G-buffer, normals': (scene) => gBuffer(scene, 1),
@@ -184,14 +184,14 @@ const passes = {
     picker.setPickingList([knot])
     return async () => {
       await drawFrames(scene)
-      // A rectangle 64 wide: Babylon.js 9.34 reads others wrongly with WebGPU, whose rows are a multiple of 256 bytes.
+      // A rectangle with a width of 64: in WebGPU, where rows are a multiple of 256 bytes, Babylon.js 9.34 reads other widths wrongly.
       const points = Array.from({ length: 22 * 22 }, (_, i) => ({
         x: 16 + 3 * (i % 22),
         y: 16 + 3 * Math.floor(i / 22),
       }))
       let result
       void picker.multiPickAsync(points).then((found) => (result = found))
-      // The picker answers after one of the next frames.
+      // The picker returns its result after one of the next frames.
       for (let i = 0; i < 100 && !result; i++) await drawFrames(scene, 1)
       if (!result) throw new Error('GPUPicker gave no answer in 100 frames')
       picker.dispose()
@@ -205,7 +205,7 @@ function gBuffer(scene, index) {
   renderer.enablePosition = true
   return async () => {
     await drawFrames(scene)
-    return picture(renderer.getGBuffer().textures[index], 1)
+    return readTexture(renderer.getGBuffer().textures[index], 1)
   }
 }
 
@@ -215,15 +215,15 @@ function prepass(scene, type) {
   const renderer = scene.prePassRenderer
   return async () => {
     await drawFrames(scene)
-    return picture(renderer.defaultRT.textures[renderer.getIndex(type)], 1)
+    return readTexture(renderer.defaultRT.textures[renderer.getIndex(type)], 1)
   }
 }
 
-/** Maps a name → changes that a scene's knot and its material get after the warp, or without it. */
+/** Maps a name → changes to a scene, its knot and the material, applied after the warp, or to the scene without a warp. */
 const variants = {
   plain: {},
   'with normal and uv': { warp: warpByAll },
-  // A mesh of the same kind of material beside the warped one, which comes first or second.
+  // Two meshes with the same kind of material next to the warped one: one has another warp, the other has none.
   'beside others': {
     add(scene, make) {
       for (const [i, matrix] of [Matrix.Translation(-0.8, 0, 0), Matrix.Identity()].entries()) {
@@ -232,7 +232,7 @@ const variants = {
         other.position = new Vector3(0.9, 0.9 - 1.8 * i, 0)
         if (i) continue
         const { m } = matrix
-        // Its code is another: the shift is a constant.
+        // The code of this warp differs, since the shift is a constant.
         new BabylonWarp(other.material, ({ glsl }) => glsl.vec3(m[12], m[13], m[14]))
       }
     },
@@ -250,15 +250,15 @@ const variants = {
   },
 }
 
-/** Pictures that several variants share. */
-const known = new Map()
+/** Caches pictures that several variants share. */
+const cache = new Map()
 
-function show(backend, kind, passName, way, variantName) {
+function drawCached(backend, kind, passName, way, variantName) {
   const { add, change } = variants[variantName]
   if (way === 'warped' || add || change) return draw(backend, kind, passName, way, variantName)
   const key = [backend, kind, passName, way].join()
-  if (!known.has(key)) known.set(key, draw(backend, kind, passName, way, variantName))
-  return known.get(key)
+  if (!cache.has(key)) cache.set(key, draw(backend, kind, passName, way, variantName))
+  return cache.get(key)
 }
 
 async function draw(backend, kind, passName, way, variantName) {
@@ -299,15 +299,15 @@ window.rows = Object.keys(passes).flatMap((pass, i) =>
 
 window.compare = async (backend, kind, pass, variant) => {
   const [still, moved, warped] = [
-    await show(backend, kind, pass, 'still', variant),
-    await show(backend, kind, pass, 'moved', variant),
-    await show(backend, kind, pass, 'warped', variant),
+    await drawCached(backend, kind, pass, 'still', variant),
+    await drawCached(backend, kind, pass, 'moved', variant),
+    await drawCached(backend, kind, pass, 'warped', variant),
   ]
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-/** A warp of a copy of a material, by `clone` or by its own data. */
-window.copied = async (backend, kind, how) => {
+/** Draws a copy of a warped material, made by `clone` or from its serialized data. */
+window.compareCopy = async (backend, kind, how) => {
   const pictures = []
   for (const way of ['still', 'moved', 'warped']) {
     const scene = await sceneOn(backend)
@@ -325,14 +325,14 @@ window.copied = async (backend, kind, how) => {
       // The copy does not follow the original.
       warp.values.shift = [5, 5, 5]
     }
-    pictures.push(await colorOf(scene)())
+    pictures.push(await renderColor(scene)())
     retire(scene)
   }
   const [still, moved, warped] = pictures
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-/** Data of a page that is gone: the material comes without the warp, and says so. */
+/** Parses data that another page has serialized → whether the material has no warp. */
 window.parseForeign = async () => {
   const scene = await sceneOn('webgl')
   const material = materials.Standard(scene)
@@ -348,8 +348,8 @@ window.parseForeign = async () => {
 const [radius, tube] = [0.9, 0.35]
 const height = (u, v) => 0.1 * Math.sin(12 * Math.PI * u) * Math.cos(8 * Math.PI * v)
 
-/** The place of a torus around y whose tube varies. */
-function place(u, v) {
+/** Returns a point of a torus around y, the radius of whose tube varies. */
+function pointAt(u, v) {
   const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
   const r = tube + height(u, v)
   const ring = radius + r * Math.cos(b)
@@ -358,14 +358,14 @@ function place(u, v) {
 
 function normalAt(u, v) {
   const step = 1e-5
-  const across = (f) => f(step).subtract(f(-step))
+  const difference = (f) => f(step).subtract(f(-step))
   return Vector3.Cross(
-    across((h) => place(u, v + h)),
-    across((h) => place(u + h, v)),
+    difference((h) => pointAt(u, v + h)),
+    difference((h) => pointAt(u + h, v)),
   ).normalize()
 }
 
-/** A grid of the torus, bare or with its waves; its uvs are u and v. */
+/** Makes a mesh of the torus, with or without the waves; its uvs are u and v. */
 function torusIn(scene, { isMoved }) {
   const [columns, rows] = [160, 96]
   const [positions, normals, uvs, indices] = [[], [], [], []]
@@ -373,12 +373,16 @@ function torusIn(scene, { isMoved }) {
     for (let i = 0; i <= columns; i++) {
       const [u, v] = [i / columns, j / rows]
       const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
-      const bare = new Vector3(Math.cos(a) * Math.cos(b), Math.sin(b), Math.sin(a) * Math.cos(b))
+      const unitNormal = new Vector3(
+        Math.cos(a) * Math.cos(b),
+        Math.sin(b),
+        Math.sin(a) * Math.cos(b),
+      )
       const at = isMoved
-        ? place(u, v)
-        : bare.scale(tube).add(new Vector3(radius * Math.cos(a), 0, radius * Math.sin(a)))
+        ? pointAt(u, v)
+        : unitNormal.scale(tube).add(new Vector3(radius * Math.cos(a), 0, radius * Math.sin(a)))
       positions.push(...at.asArray())
-      normals.push(...(isMoved ? normalAt(u, v) : bare).asArray())
+      normals.push(...(isMoved ? normalAt(u, v) : unitNormal).asArray())
       uvs.push(u, v)
       if (i === columns || j === rows) continue
       const k = j * (columns + 1) + i
@@ -393,7 +397,7 @@ function torusIn(scene, { isMoved }) {
   return mesh
 }
 
-/** A wave of uv along the normal. */
+/** Moves points along the normal, as far as a wave over uv is high. */
 const alongNormal = ({ normal, uv }) => {
   const [u, v] = [uv.x().mult(12 * Math.PI), uv.y().mult(8 * Math.PI)]
   return normal.mult(u.sin().mult(v.cos()).mult(0.1))
@@ -416,13 +420,13 @@ window.torus = async (backend, kind, isExact) => {
         isExact || !addSurfaceVariation ? {} : { surfaceVariation: false },
       )
     }
-    pictures.push(await colorOf(scene)())
+    pictures.push(await renderColor(scene)())
     retire(scene)
   }
   const [still, moved, warped] = pictures
   return { differing: countDiffering(warped, moved), moved: countDiffering(still, moved) }
 }
 
-// Without somebody who holds it, the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'

@@ -53,7 +53,7 @@ export function vertexParts({ code, inputs, outputs }, width) {
  * Binds `points`, `size` floats each, to the attributes, four floats one after the other → a function that unbinds them. An
  * attribute that stays enabled without its buffer would break the next draw.
  */
-export function feed(gl, program, attributes, points, size) {
+export function bindPoints(gl, program, attributes, points, size) {
   const buffer = gl.createBuffer()
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer)
   gl.bufferData(gl.ARRAY_BUFFER, points, gl.STREAM_DRAW)
@@ -106,7 +106,7 @@ export function showImages(gl, program, images) {
 }
 
 /** Collects four floats of each point at a time, from `take(point, vector)` → all the floats of each point. */
-export function gather(count, size, take) {
+export function collectResults(count, size, take) {
   const results = new Float32Array(count * size)
   for (let point = 0; point < count; point++)
     for (let k = 0; k < size; k++) results[point * size + k] = take(point, k >> 2, k & 3)

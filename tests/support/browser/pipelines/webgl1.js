@@ -1,7 +1,14 @@
 // The vertex shader of WebGL 1, which can only draw: each point is a pixel of a float texture, which is then read. A draw returns
 // four floats of each point. An infinite float is returned as NaN, since the rasterizer multiplies it by zero. Runs in the page.
 import { totalSize } from './text.js'
-import { declareImages, feed, gather, link, showImages, vertexParts } from './webgl.js'
+import {
+  declareImages,
+  bindPoints,
+  collectResults,
+  link,
+  showImages,
+  vertexParts,
+} from './webgl.js'
 
 const width = 1024
 
@@ -63,8 +70,8 @@ function run(gl, program, points) {
   const indices = Float32Array.from({ length: count }, (_, i) => i)
   const fed = [
     showImages(gl, linked, program.images),
-    feed(gl, linked, parts.attributes, points, size),
-    feed(gl, linked, ['pointIndex'], indices, 1),
+    bindPoints(gl, linked, parts.attributes, points, size),
+    bindPoints(gl, linked, ['pointIndex'], indices, 1),
   ]
   const uniform = (name) => gl.getUniformLocation(linked, name)
   gl.uniform1f(uniform('pointCount'), count)
@@ -79,7 +86,7 @@ function run(gl, program, points) {
   if (error) throw new Error(`WebGL 1 reports the error ${error}.`)
   for (const discard of [...fed, discardTarget]) discard()
   gl.deleteProgram(linked)
-  return gather(
+  return collectResults(
     count,
     totalSize(program.outputs),
     (point, vector, k) => pixels[4 * (vector * count + point) + k],

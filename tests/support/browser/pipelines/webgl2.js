@@ -1,6 +1,13 @@
 // The vertex shader of WebGL 2, read by transform feedback. Runs in the page.
 import { totalSize } from './text.js'
-import { declareImages, feed, gather, link, showImages, vertexParts } from './webgl.js'
+import {
+  declareImages,
+  bindPoints,
+  collectResults,
+  link,
+  showImages,
+  vertexParts,
+} from './webgl.js'
 
 /** The number of vec4s that a draw returns for each point. More take SwiftShader longer to compile than additional draws. */
 const width = 2
@@ -38,7 +45,7 @@ function run(gl, program, points) {
   )
   gl.useProgram(linked)
   const discardImages = showImages(gl, linked, program.images)
-  const discardInputs = feed(gl, linked, parts.attributes, points, size)
+  const discardInputs = bindPoints(gl, linked, parts.attributes, points, size)
   const taken = gl.createBuffer()
   gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, taken)
   const results = new Float32Array(parts.passes * count * width * 4)
@@ -58,7 +65,7 @@ function run(gl, program, points) {
   discardImages()
   gl.deleteBuffer(taken)
   gl.deleteProgram(linked)
-  return gather(count, totalSize(program.outputs), (point, vector, k) => {
+  return collectResults(count, totalSize(program.outputs), (point, vector, k) => {
     const row = Math.floor(vector / width) * count + point
     return results[4 * (row * width + (vector % width)) + k]
   })

@@ -36,8 +36,8 @@ export async function open() {
   return (program, points) => run(device, program, points)
 }
 
-/** Runs `work`; throws WebGPU's errors, with the source. */
-async function checked(device, source, work) {
+/** Runs `work`, and throws WebGPU's errors with the source. */
+async function throwErrors(device, source, work) {
   device.pushErrorScope('validation')
   const [outcome] = await Promise.allSettled([work()])
   const invalid = await device.popErrorScope()
@@ -47,7 +47,7 @@ async function checked(device, source, work) {
 }
 
 const pipelineOf = (device, source) =>
-  checked(device, source, async () => {
+  throwErrors(device, source, async () => {
     const module = device.createShaderModule({ code: source })
     const { messages } = await module.getCompilationInfo()
     const errors = messages.filter(({ type }) => type === 'error')
@@ -60,7 +60,7 @@ async function run(device, program, points) {
   const count = points.length / totalSize(program.inputs)
   const source = computeSource(program)
   const pipeline = await pipelineOf(device, source)
-  return checked(device, source, async () => {
+  return throwErrors(device, source, async () => {
     const bytes = count * vectorCount(program.outputs) * 16
     const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage
     const given = device.createBuffer({ size: points.byteLength, usage: STORAGE | COPY_DST })

@@ -1,6 +1,6 @@
 /**
- * The bytes of JavaScript's heap in use when all that can go is gone; the browser runs with --expose-gc. What a weak
- * reference was asked for lives until the turn ends, and what hangs on it goes with the next collection.
+ * Returns the size of JavaScript's heap in bytes after garbage collection; the browser runs with --expose-gc. Collects several times,
+ * since an object read from a weak reference lives until the end of the task, and what it refers to until the next collection.
  */
 export async function settledHeap() {
   for (let turn = 0; turn < 4; turn++) {

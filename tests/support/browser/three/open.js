@@ -1,8 +1,8 @@
-// Opens a page with three.js, of a version, and 'warpjet/three'.
+// Opens a page with a version of three.js and 'warpjet/three'.
 import { launchBrowser, openPage } from '../browser.js'
 import { servePages } from '../server.js'
 
-/** `versions` name folders of node_modules. */
+/** The versions of three.js, as folders of node_modules. */
 export const versions = ['three', 'three-oldest']
 
 const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
@@ -24,7 +24,7 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
   },
 })}</script>`
 
-/** → { open(version, script), listing(code), close() }; what a page prints is in its `messages`. */
+/** Starts a browser and a server → { open(version, script), listing(code), close() }. An opened page has its console `messages`. */
 export async function threePages(flags) {
   const browser = await launchBrowser(flags)
   const pages = await servePages()
@@ -40,7 +40,7 @@ export async function threePages(flags) {
         })
       return opened
     },
-    /** A page of what a document shows. */
+    /** Opens a page that runs a listing of the docs. */
     listing: (code) =>
       openPage(browser, pages.page(`${html('three')}<script type="module">${code}</script>`)),
     async close() {

@@ -1,4 +1,4 @@
-// Frame times of a warped mesh and of one with the same motion and its derivatives by hand, for `npm run bench -- three`.
+// Measures frame times of a warped mesh, and of one with the same motion and derivatives written by hand, for `npm run bench -- three`.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 
@@ -14,7 +14,7 @@ camera.position.z = 4
 const mesh = () =>
   new THREE.Mesh(new THREE.SphereGeometry(1, 400, 300), new THREE.MeshStandardMaterial())
 
-/** Sines along y and x; millis makes them run. */
+/** Sines along y and x, the first of which moves with the time. */
 const offset = ({ glsl, position, millis }) =>
   glsl.vec3(
     position.y().mult(4).add(millis.div(500)).sin().mult(0.15),
@@ -24,8 +24,8 @@ const offset = ({ glsl, position, millis }) =>
 
 const time = { value: 0 }
 
-/** With M = I + J, whose cofactors turn the normal. */
-function byHand(object) {
+/** Writes the motion into the shader by hand; the normal is transformed by the cofactors of M = I + J. */
+function warpByHand(object) {
   object.material.onBeforeCompile = (shader) => {
     shader.uniforms.time = time
     shader.vertexShader = shader.vertexShader
@@ -57,21 +57,21 @@ function draw() {
 
 const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
 
-/** How often both are made anew, and how many frames each then draws. */
+/** Each round creates both materials again, and draws this number of frames. */
 const rounds = 100
 const frames = 4
 
 window.bench = () => {
-  const ways = { warped: (object) => warp(object, offset), byHand }
+  const ways = { warped: (object) => warp(object, offset), byHand: warpByHand }
   const times = { 'first frame': [], frame: [] }
   for (let round = 0; round < rounds; round++) {
     const made = Object.entries(ways).map(([name, way]) => {
       const object = mesh()
-      // Nothing is known of a text that is new.
+      // A new key makes three.js compile a new program.
       object.material.customProgramCacheKey = () => `${name} ${round}`
       return { name, object, ...way(object) }
     })
-    // In turn, so that what else the machine does counts for both.
+    // Alternates between both, so that other load on the machine affects them equally.
     if (round % 2) made.reverse()
     for (let i = 0; i < frames; i++) {
       const pair = {}
@@ -92,7 +92,7 @@ window.bench = () => {
   return Object.fromEntries(Object.entries(times).map(([name, pairs]) => [name, summary(pairs)]))
 }
 
-/** Medians, and that of the quotients of neighbours. */
+/** Returns the medians of both, and the median of their quotients. */
 const summary = (pairs) => ({
   warped: median(pairs.map(({ warped }) => warped)),
   byHand: median(pairs.map(({ byHand }) => byHand)),

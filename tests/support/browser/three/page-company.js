@@ -1,4 +1,4 @@
-// Warps beside the code of others, with WebGPURenderer: each row draws a warped object and the same motion without a warp.
+// Combines warps with other people's code, with WebGPURenderer: each row draws a warped object and the same motion without a warp.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { addSurfaceVariation, warpMaterial, warpNode } from 'warpjet/three/webgpu'
@@ -42,7 +42,7 @@ const makeBatch = (geometry, material) => {
   return mesh
 }
 
-/** A displacement by the user's own node. */
+/** A node with which the user displaces vertices. */
 const userNode = () => {
   const { positionLocal, vec3 } = TSL
   return positionLocal.add(vec3(positionLocal.y.mul(5).sin().mul(0.15), 0, 0))
@@ -59,17 +59,17 @@ const variants = (make) => ({
   still: make(knot()),
 })
 
-/** Draws normals in place of the materials. */
+/** Overrides the materials with one that shows normals. */
 const overrideMaterials = (scene) => (scene.overrideMaterial = new THREE.MeshNormalNodeMaterial())
 
-/** Maps a name → a warped `object`, a `reference` that has the motion without a warp, and `still`, which has none. */
+/** Maps a name → { object, reference, still }: the object to warp, one that is moved without a warp, and one that is not moved. */
 const rows = {
   'positionNode on an InstancedMesh': () =>
     variants((geometry) => makeInstances(geometry, standard({ positionNode: userNode() }))),
   'positionNode on a BatchedMesh': () =>
     variants((geometry) => makeBatch(geometry, standard({ positionNode: userNode() }))),
   'positionNode set after warp': () => ({
-    // The user's node comes first, the motion after it.
+    // The user's node applies before the motion.
     object: new THREE.Mesh(knot(), standard()),
     reference: new THREE.Mesh(knot(), standard()),
     still: new THREE.Mesh(knot(), standard({ positionNode: userNode() })),
@@ -119,11 +119,11 @@ const rows = {
     return { ...all, warped: all.object.children[1] }
   },
   'a skinned mesh at rest': () => ({
-    ...restOf(scenes.shapes.skin),
+    ...variantsAtRest(scenes.shapes.skin),
     options: { space: 'rest' },
   }),
   'morph targets at rest': () => ({
-    ...restOf(scenes.shapes.morphs),
+    ...variantsAtRest(scenes.shapes.morphs),
     options: { space: 'rest' },
   }),
   'instances with morph targets': () => {
@@ -151,7 +151,7 @@ const rows = {
     const all = variants((geometry) =>
       makeInstances(geometry, standard({ positionNode: userNode() })),
     )
-    return { ...all, warp: (mesh) => putMaterial(mesh, (material) => material) }
+    return { ...all, warp: (mesh) => replaceMaterial(mesh) }
   },
   'warpNode on an InstancedMesh': () => ({
     ...variants((geometry) => makeInstances(geometry, standard())),
@@ -174,19 +174,19 @@ const rows = {
 const points = () =>
   new THREE.Points(knot(), new THREE.PointsNodeMaterial({ positionNode: userNode() }))
 
-function putMaterial(mesh) {
+function replaceMaterial(mesh) {
   const made = warpMaterial(mesh.material, scenes.offset, { uniforms: scenes.uniforms() })
   made.update(1000)
   mesh.material = made.material
 }
 
-function restOf(make) {
+function variantsAtRest(make) {
   const reference = make()
   reference.geometry.applyMatrix4(motion)
   return { object: make(), reference, still: make() }
 }
 
-/** A knot with a morph target, which is a displacement: three.js throws for any other on an InstancedMesh. */
+/** Makes a knot with a relative morph target: three.js throws for others on an InstancedMesh. */
 function withMorphs(isMoved) {
   const geometry = knot()
   const [position, normal] = ['position', 'normal'].map((name) => {
@@ -234,7 +234,7 @@ window.company = {
   velocities: Object.keys(velocities.rows),
   velocity: velocities.measure,
   torus: (backend, settings) => torus.compare(backend, settings, addSurfaceVariation),
-  refusals: async () => {
+  errors: async () => {
     const errors = []
     const attempt = (object) => {
       try {
@@ -260,6 +260,6 @@ window.company = {
     return errors
   },
 }
-// Without somebody who holds it, the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'

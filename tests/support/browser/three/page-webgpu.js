@@ -14,7 +14,7 @@ const { size } = scenes
 const { normalLocal, normalGeometry } = THREE.TSL
 
 const sabotages = {
-  // Three.js makes a material of nodes of this one, with its methods.
+  // Three.js converts this material to a node material that inherits its methods.
   normals: ({ material }) => {
     material.setupPosition = function (builder) {
       const result = THREE.NodeMaterial.prototype.setupPosition.call(this, builder)
@@ -46,15 +46,15 @@ async function compare(name, { backend, light = 'directional', space, sabotage, 
   }
 }
 
-/** As in page.js. */
+/** Does the same as `mirror` in page.js. */
 async function mirror(name, { backend, light = 'directional', space, isKnown = false }) {
   const renderer = await rendererFor(backend)
   const make = scenes.shapes[name]
-  const { mirroredMotion, doubleSided } = scenes
+  const { mirroredMotion, makeDoubleSided } = scenes
   const pictureOf = (object) => draw(renderer, scenes.sceneOf(object, light))
-  const before = await pictureOf(doubleSided(scenes.unmoved(make)))
-  const expected = await pictureOf(doubleSided(scenes.moved(make, space, mirroredMotion)))
-  const object = doubleSided(scenes.unmoved(make))
+  const before = await pictureOf(makeDoubleSided(scenes.unmoved(make)))
+  const expected = await pictureOf(makeDoubleSided(scenes.moved(make, space, mirroredMotion)))
+  const object = makeDoubleSided(scenes.unmoved(make))
   const warped = isKnown
     ? warp(object, scenes.constantOffset(mirroredMotion), { space })
     : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
@@ -64,7 +64,7 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
   return { differing: differing(shown, expected), moved: differing(shown, before) }
 }
 
-/** As in page.js. Of a target with floats: the material's colours are made linear there. */
+/** Does the same as `normals` in page.js, with a float target, for which three.js converts colours to linear ones. */
 async function normals({ backend, asNode }) {
   const renderer = await rendererFor(backend)
   const { scene, camera, mesh, size } = wave.waveScene(
@@ -130,7 +130,7 @@ async function amounts(all, { backend }) {
   return covered
 }
 
-/** Mirrors `sampling` of page.js. */
+/** Does the same as `sampling` in page.js. */
 async function sampling(name, kind, { backend }) {
   const renderer = await rendererFor(backend)
   const { warped, expected, still } = scenesOf(name, kind)
@@ -140,7 +140,7 @@ async function sampling(name, kind, { backend }) {
   return { differing: differing(shown, wanted), moved: differing(wanted, before) }
 }
 
-/** A plane of twice its size that an offset moves along its normal, in the world, and by its place. */
+/** Compares two planes scaled by 2: a warp moves one along its normal in world space, the other is placed there. */
 async function alongNormal({ backend }) {
   const renderer = await rendererFor(backend)
   const plane = () => {
@@ -150,8 +150,8 @@ async function alongNormal({ backend }) {
     return mesh
   }
   const [object, moved] = [plane(), plane()]
-  const way = new THREE.Vector3(0, 0, 0.3).applyEuler(moved.rotation)
-  moved.position.add(way)
+  const shift = new THREE.Vector3(0, 0, 0.3).applyEuler(moved.rotation)
+  moved.position.add(shift)
   const before = await draw(renderer, scenes.sceneOf(plane(), 'directional'))
   const expected = await draw(renderer, scenes.sceneOf(moved, 'directional'))
   const scene = scenes.sceneOf(object, 'directional')
@@ -162,7 +162,7 @@ async function alongNormal({ backend }) {
   return { differing: differing(shown, expected), moved: differing(shown, before) }
 }
 
-/** One object, warped once, drawn by both renderers, each against the motion as it draws it. */
+/** Warps an object once, draws it with both renderers, and compares each picture with the motion without a warp in the same renderer. */
 async function both({ backend }) {
   const renderer = await rendererFor(backend)
   const other = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
@@ -200,7 +200,7 @@ async function both({ backend }) {
   return found
 }
 
-/** Warps and disposes many times → what three.js counts and the heap, before and after. */
+/** Warps and disposes many times → the counts of three.js and the size of the heap, before and after. */
 async function churn({ backend, times }) {
   const renderer = await rendererFor(backend)
   const object = scenes.shapes.plain()
@@ -233,7 +233,7 @@ window.three = {
   samplings: Object.keys(samplings),
   alongNormal,
 }
-// Without somebody who holds it, the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 window.lib = { THREE, warp, warpNode, rendererFor, draw, scenes }
 document.title = 'ready'

@@ -11,7 +11,7 @@ const { size } = scenes
 
 const renderers = {}
 
-/** One for each set of options, such as logarithmicDepthBuffer. */
+/** Returns the renderer for a set of options, such as logarithmicDepthBuffer. */
 function rendererFor(options) {
   const key = JSON.stringify(options)
   if (renderers[key]) return renderers[key]
@@ -37,7 +37,7 @@ export function draw(scene, camera = scenes.camera()) {
   return pixels
 }
 
-/** Materials stay, and their programs with them, which take longest to make. */
+/** Frees geometries and shadow maps, but not materials, since their programs take the longest to make. */
 function free(scene) {
   scene.traverse((part) => {
     part.geometry?.dispose()
@@ -45,7 +45,7 @@ function free(scene) {
   })
 }
 
-/** Statements that are left out of the shaders, to see that a test would notice. */
+/** Removes statements from the shaders, to show that the tests would detect that. */
 const sabotages = {
   normals: (source) =>
     source.replaceAll('objectNormal = warpjetNormal', 'objectNormal = warpjetRestNormal'),
@@ -55,7 +55,7 @@ const sabotages = {
       : source,
 }
 
-/** A renderer whose shaders lack something. */
+/** Returns a renderer with sabotaged shaders. */
 function sabotagedRenderer(sabotage) {
   const made = rendererFor({ sabotage })
   const gl = made.getContext()
@@ -64,7 +64,7 @@ function sabotagedRenderer(sabotage) {
   return made
 }
 
-/** Counts the pixels that differ between the warp and the motion → { differing, moved, covered }. */
+/** Counts the pixels that differ between the warp and the motion → { differing, moved, afterwards }. */
 export function compare(
   name,
   { light = 'directional', space, sabotage, map = 'PCF', options = {} },
@@ -93,10 +93,7 @@ export function compare(
   }
 }
 
-/**
- * The same where the motion mirrors, of materials that show both sides, the matrix known when the warp is made or by uniforms
- * alone → also how many pixels differ with normals on the inner side.
- */
+/** Does the same for a mirroring motion and double-sided materials, with a constant matrix if `isKnown`, otherwise with uniforms. */
 export function mirror(name, { light = 'directional', space, isKnown = false }) {
   const make = scenes.shapes[name]
   renderer = rendererFor({})
@@ -107,11 +104,11 @@ export function mirror(name, { light = 'directional', space, isKnown = false }) 
     free(scene)
     return picture
   }
-  const { mirroredMotion, doubleSided } = scenes
-  const before = pictureOf(doubleSided(scenes.unmoved(make)))
+  const { mirroredMotion, makeDoubleSided } = scenes
+  const before = pictureOf(makeDoubleSided(scenes.unmoved(make)))
   const reference = scenes.moved(make, space, mirroredMotion)
-  const expected = pictureOf(scenes.withOtherBitangents(doubleSided(reference)))
-  const object = doubleSided(scenes.unmoved(make))
+  const expected = pictureOf(scenes.flipBitangents(makeDoubleSided(reference)))
+  const object = makeDoubleSided(scenes.unmoved(make))
   const warped = isKnown
     ? warp(object, scenes.constantOffset(mirroredMotion), { space })
     : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
@@ -121,7 +118,7 @@ export function mirror(name, { light = 'directional', space, isKnown = false }) 
   return { differing: differing(shown, expected), moved: differing(shown, before) }
 }
 
-/** How wrong the normals of a wave are shown, in 255ths; without the warp's, for comparison. */
+/** Measures the error of the shown normals of a wave, in 255ths → { worst, unwarped }, the latter without the warp. */
 export function normals() {
   renderer = rendererFor({})
   const { scene, camera, mesh, size } = wave.waveScene()
@@ -148,7 +145,7 @@ export function normals() {
   return { worst, unwarped }
 }
 
-/** A shift whose amount an image holds, against the same by a matrix → how many pixels differ. */
+/** Compares a translation that a warp reads from an image with the same translation through a matrix. */
 export function image() {
   renderer = rendererFor({})
   const make = { warped: scenes.shapes.plain, moved: scenes.shapes.plain }
@@ -165,7 +162,7 @@ export function image() {
   return { differing: differing(shown, draw(scene)), moved: differing(shown, before) }
 }
 
-/** A sphere whose heights a texture holds, sampled as the texture is set, against vertices that were moved in double. */
+/** Compares a sphere whose heights a warp reads from a texture with vertices moved in double precision. */
 export function sampling(name, kind) {
   renderer = rendererFor({})
   const { warped, expected, still } = scenesOf(name, kind)
@@ -173,10 +170,10 @@ export function sampling(name, kind) {
   return { differing: differing(shown, wanted), moved: differing(wanted, before) }
 }
 
-/** The ten lines of web/docs/three.md, with three-custom-shader-material, against the motion by three.js. */
+/** Compares the example for three-custom-shader-material of web/docs/three.md with the motion by three.js. */
 export async function custom() {
   renderer = rendererFor({})
-  // Variance shadows draw also what only receives them.
+  // Not variance shadows, for which three.js also draws objects that only receive shadows.
   renderer.shadowMap.type = THREE.PCFShadowMap
   const { default: CustomShaderMaterial } = await import('three-custom-shader-material/vanilla')
   const { compileWarp } = await import('warpjet')
@@ -217,9 +214,8 @@ export async function custom() {
 }
 
 /**
- * Warps and disposes a mesh in a scene many times → what three.js counts and the heap, before and after. Beside another that
- * stays warped, programs are shared with that one, and not compiled each time, which takes a tenth of a second. What is drawn
- * is a handful of pixels.
+ * Warps and disposes a mesh many times → the counts of three.js and the size of the heap, before and after. With `isBeside`, another
+ * mesh stays warped and shares its programs, which otherwise are compiled each time, for a tenth of a second. Draws few pixels.
  */
 export async function churn(times, { isBeside = false } = {}) {
   renderer = rendererFor({})
@@ -232,9 +228,9 @@ export async function churn(times, { isBeside = false } = {}) {
     beside.castShadow = beside.receiveShadow = true
     scene.add(beside)
   }
-  // The programs of shadows in a scene's first frame know nothing of its lights, and would be like no others.
+  // In the first frame of a scene, three.js compiles shadow programs without its lights, which are not shared later.
   renderer.render(scene, scenes.camera())
-  const kept = beside && warp(beside, scenes.offset, { uniforms: scenes.uniforms() })
+  const besideWarp = beside && warp(beside, scenes.offset, { uniforms: scenes.uniforms() })
   const once = () => {
     const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
     warped.update(1000)
@@ -247,12 +243,12 @@ export async function churn(times, { isBeside = false } = {}) {
     const { memory, programs } = renderer.info
     return { ...memory, programs: programs.length, heap }
   }
-  // Until all code is compiled and all caches are as large as they get.
+  // Runs until all code is compiled and all caches have their final size.
   for (let i = 0; i < 20; i++) once()
   const before = await state()
   for (let i = 0; i < times; i++) once()
   const after = await state()
-  kept?.dispose()
+  besideWarp?.dispose()
   renderer.setSize(size, size)
   return { before, after }
 }

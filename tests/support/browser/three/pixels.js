@@ -1,4 +1,4 @@
-/** How many pixels of two pictures, bytes of red, green, blue and alpha, differ by more than `tolerance` in a colour. */
+/** Counts the pixels of two RGBA pictures that differ by more than `tolerance` in a channel. */
 export function differing(a, b, tolerance = 12) {
   let count = 0
   for (let i = 0; i < a.length; i += 4)

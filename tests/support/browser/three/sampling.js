@@ -1,12 +1,12 @@
-// A sphere whose heights an image holds: moved by a warp, and moved vertex by vertex by the interpolant in double, at the
-// place that three.js gives by the texture's matrix.
+// A sphere displaced by the heights in an image: once with a warp, and once vertex by vertex with an interpolation in double precision, at
+// the coordinates that the matrix of three's texture gives.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { glslOffset } from 'warpjet/glsl'
 import { randomImage, sample } from '../../../operations/textures.js'
 
 const image = randomImage(7, 5, 3)
-/** Texture coordinates go far beyond 1, so that wrapping decides. */
+/** Texture coordinates go far beyond 1, so that the wrap mode matters. */
 const reach = 2.3
 
 export function textureOf({ wrapS, wrapT, magFilter, ...transform }) {
@@ -30,7 +30,7 @@ export const heights = {
     vec3 offset(vec3 position, vec2 uv) { return position * texture(map, uv * ${reach}).r * 0.4; }`),
 }
 
-const ways = {
+const wrapModes = {
   ClampToEdgeWrapping: 'clamp',
   RepeatWrapping: 'repeat',
   MirroredRepeatWrapping: 'mirror',
@@ -44,7 +44,7 @@ function heightAt(texture, { wrapS, wrapT, magFilter }, place, isTransformed) {
     place.applyMatrix3(texture.matrix)
   }
   const filter = magFilter === 'NearestFilter' ? 'nearest' : 'bilinear'
-  return sample(image, place.x, place.y, { filter, wrap: [ways[wrapS], ways[wrapT]] })[0]
+  return sample(image, place.x, place.y, { filter, wrap: [wrapModes[wrapS], wrapModes[wrapT]] })[0]
 }
 
 export function bakeGeometry(settings, isTransformed) {
@@ -59,7 +59,7 @@ export function bakeGeometry(settings, isTransformed) {
   return made
 }
 
-/** Settings of a texture by title. */
+/** Maps a title → the settings of a texture. */
 export const samplings = {
   'repeat across, mirror down': {
     wrapS: 'RepeatWrapping',
@@ -87,7 +87,7 @@ export const samplings = {
   },
 }
 
-/** The scenes of both, and one without a warp. */
+/** Makes three scenes: warped, moved vertex by vertex, and unmoved. */
 export function scenesOf(name, kind) {
   const settings = samplings[name]
   const sceneOf = (shape) => {

@@ -1,16 +1,16 @@
-// Scenes for the tests of 'warpjet/three', in a page: each drawn warped, and with the same motion done by three.js itself.
+// Scenes for the tests of 'warpjet/three': each is drawn with a warp, and with the same motion through matrices of three.js itself.
 import * as THREE from 'three'
 
-/** A rotation, a shear and a shift, as a matrix. */
+/** The motion: a rotation, a shear and a translation, as a matrix. */
 export const motion = new THREE.Matrix4()
   .makeRotationFromEuler(new THREE.Euler(0.4, 0.7, -0.3))
   .multiply(new THREE.Matrix4().makeShear(0.3, 0, 0, 0.2, 0, 0))
   .setPosition(0.2, 0.1, -0.15)
 
-/** The same of what a mirror shows. */
+/** The same motion after a reflection in x. */
 export const mirroredMotion = motion.clone().multiply(new THREE.Matrix4().makeScale(-1, 1, 1))
 
-/** The offset that does it. The matrix is a uniform, and the shift a function of the time. */
+/** The motion as an offset. The linear part is a uniform, and the translation depends on the time. */
 export const offset = ({ position, uniforms, millis }) =>
   uniforms.linear
     .mult(position)
@@ -22,7 +22,7 @@ export const uniforms = (matrix = motion) => ({
   shift: new THREE.Vector3().setFromMatrixPosition(matrix),
 })
 
-/** The same offset where the matrix is known when the warp is made. */
+/** The same offset with a constant matrix. */
 export const constantOffset =
   ({ elements: e }) =>
   ({ glsl, position }) =>
@@ -32,16 +32,16 @@ export const constantOffset =
       .sub(position)
       .add(glsl.vec3(e[12], e[13], e[14]))
 
-/** Both sides are seen, so that nothing depends on which of them the renderer takes for the front. */
-export function doubleSided(object) {
+/** Makes materials double-sided, so that the picture does not depend on which side the renderer considers the front. */
+export function makeDoubleSided(object) {
   object.traverse(({ material }) => {
     for (const each of [material ?? []].flat()) each.side = THREE.DoubleSide
   })
   return object
 }
 
-/** Of a mirror of three.js itself, whose shaders take the side of the bitangent from the attribute. */
-export function withOtherBitangents(object) {
+/** Flips the bitangents: under a mirroring matrix, three.js itself uses the sign in the attribute unchanged. */
+export function flipBitangents(object) {
   object.traverse(({ geometry }) => {
     const { tangent } = geometry?.attributes ?? {}
     for (let i = 0; i < (tangent?.count ?? 0); i++) tangent.setW(i, -tangent.getW(i))
@@ -70,18 +70,18 @@ function withTangents(geometry) {
 
 function withMorphs(geometry) {
   const { position, normal } = geometry.attributes
-  const grown = (attribute, by) => {
+  const scaleAttribute = (attribute, by) => {
     const made = attribute.clone()
     for (let i = 0; i < made.count; i++)
       made.setXYZ(i, made.getX(i) * by, made.getY(i) + 0.2 * made.getX(i), made.getZ(i))
     return made
   }
-  geometry.morphAttributes.position = [grown(position, 1.3), grown(position, 0.6)]
-  geometry.morphAttributes.normal = [grown(normal, 0.8), grown(normal, 1.5)]
+  geometry.morphAttributes.position = [scaleAttribute(position, 1.3), scaleAttribute(position, 0.6)]
+  geometry.morphAttributes.normal = [scaleAttribute(normal, 0.8), scaleAttribute(normal, 1.5)]
   return geometry
 }
 
-function skinned(material, geometry = new THREE.CylinderGeometry(0.25, 0.25, 1.4, 12, 12)) {
+function makeSkinnedMesh(material, geometry = new THREE.CylinderGeometry(0.25, 0.25, 1.4, 12, 12)) {
   const { position } = geometry.attributes
   const [indices, weights] = [[], []]
   for (let i = 0; i < position.count; i++) {
@@ -120,13 +120,13 @@ const places = [
 const standard = (more) =>
   new THREE.MeshStandardMaterial({ color: 0xff9060, roughness: 0.5, ...more })
 
-function instanced(material) {
+function makeInstances(material) {
   const mesh = new THREE.InstancedMesh(knot(), material, places.length)
   places.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
   return mesh
 }
 
-function batched(material) {
+function makeBatch(material) {
   const [a, b] = [knot(), new THREE.SphereGeometry(0.4, 16, 12)]
   const isOld = !THREE.BatchedMesh?.prototype.addInstance
   const count = a.attributes.position.count + b.attributes.position.count
@@ -144,7 +144,7 @@ function batched(material) {
   return mesh
 }
 
-const separate = (material, geometries) => {
+const makeSeparateMeshes = (material, geometries) => {
   const group = new THREE.Group()
   places.forEach((matrix, i) => {
     const mesh = new THREE.Mesh(geometries[i % geometries.length], material)
@@ -154,7 +154,7 @@ const separate = (material, geometries) => {
   return group
 }
 
-/** By name what is warped, and where three.js has nothing of the kind that shears, what is moved instead. */
+/** Maps a name → function that makes the object to warp, or { warped, moved } if three.js cannot shear such an object: `moved` makes its replacement. */
 export const shapes = {
   plain: () => new THREE.Mesh(knot(), standard()),
   'normal map': () =>
@@ -176,11 +176,14 @@ export const shapes = {
     mesh.morphTargetInfluences = [0.4, 0.3]
     return mesh
   },
-  skin: () => skinned(standard()),
-  instances: { warped: () => instanced(standard()), moved: () => separate(standard(), [knot()]) },
+  skin: () => makeSkinnedMesh(standard()),
+  instances: {
+    warped: () => makeInstances(standard()),
+    moved: () => makeSeparateMeshes(standard(), [knot()]),
+  },
   batch: {
-    warped: () => batched(standard()),
-    moved: () => separate(standard(), [knot(), new THREE.SphereGeometry(0.4, 16, 12)]),
+    warped: () => makeBatch(standard()),
+    moved: () => makeSeparateMeshes(standard(), [knot(), new THREE.SphereGeometry(0.4, 16, 12)]),
   },
   group: () => {
     const group = new THREE.Group()
@@ -218,7 +221,7 @@ export const shapes = {
     material.envMap.mapping = THREE.EquirectangularReflectionMapping
     return new THREE.Mesh(knot(), material)
   },
-  'a shader that is changed already': () => {
+  'a shader that the user has changed': () => {
     const material = standard()
     const isRed = { value: 1 }
     material.onBeforeCompile = (shader) => {
@@ -243,7 +246,7 @@ export const shapes = {
     const alphaMap = normalMap()
     return new THREE.Mesh(knot(), standard({ alphaMap, alphaTest: 0.5 }))
   },
-  'materials of shadows of its own': () => {
+  'its own shadow materials': () => {
     const mesh = new THREE.Mesh(knot(), standard())
     const holes = { alphaMap: normalMap(), alphaTest: 0.5 }
     mesh.customDepthMaterial = new THREE.MeshDepthMaterial({
@@ -273,13 +276,14 @@ export const shapes = {
 
 const amount = [0.3, -0.2, 0.25]
 
-/** An image that has one shift everywhere, and that shift as a matrix. */
+/** An image with the same translation in every texel. */
 export function shiftMap() {
   const data = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
   const map = new THREE.DataTexture(data, 2, 2, THREE.RGBAFormat, THREE.FloatType)
   map.needsUpdate = true
   return map
 }
+/** That translation as a matrix. */
 export const shiftMatrix = () => new THREE.Matrix4().makeTranslation(...amount)
 
 function light(kind) {
@@ -301,7 +305,7 @@ function light(kind) {
 
 export const size = 96
 
-/** A scene with a floor and a wall behind `object`, lit with shadows. */
+/** Makes a scene of the object, a floor and a wall behind it, and a light with shadows. */
 export function sceneOf(object, kind) {
   const scene = new THREE.Scene()
   scene.add(new THREE.HemisphereLight(0xffffff, 0x404060, 0.4), light(kind), object)
@@ -313,7 +317,7 @@ export function sceneOf(object, kind) {
   wall.receiveShadow = floor.receiveShadow = true
   scene.add(wall, floor)
   scene.fog = new THREE.Fog(0x8080ff, 3, 14)
-  // The size of points is not defined in the shaders that draw their shadows.
+  // Points have no defined size in the shaders of shadows.
   object.traverse((part) =>
     Object.assign(part, { castShadow: !part.isPoints, receiveShadow: true }),
   )
@@ -327,7 +331,7 @@ export const camera = () => {
   return made
 }
 
-/** The object's own place, which is neither even nor the origin. */
+/** The object's own matrix: not the identity, with a nonuniform scale. */
 export const place = new THREE.Matrix4().compose(
   new THREE.Vector3(0.1, 0.1, 0),
   new THREE.Quaternion().setFromEuler(new THREE.Euler(0.2, -0.4, 0.1)),
@@ -336,7 +340,7 @@ export const place = new THREE.Matrix4().compose(
 
 const plainMotion = motion
 
-/** The motion by three's own matrices; `space` says before or after the object's place. */
+/** Moves an object with three's own matrices, before or after its own matrix, depending on `space`. */
 export function moved(make, space, motion = plainMotion) {
   const object = (make.moved ?? make)()
   const set = (part, before = new THREE.Matrix4()) => {
@@ -346,7 +350,7 @@ export function moved(make, space, motion = plainMotion) {
     for (const each of matrix) part.matrix.multiply(each)
   }
   if (space === 'rest') {
-    // This leaves morph targets as they are.
+    // applyMatrix4 does not transform morph targets.
     object.geometry.applyMatrix4(motion)
     object.matrixAutoUpdate = false
     object.matrix.copy(place)

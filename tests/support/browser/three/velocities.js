@@ -1,4 +1,4 @@
-// Velocities as passes for motion blur and TRAA have them, of a warped object and of the same motion without a warp.
+// Velocities for motion blur and TRAA, of a warped object and of the same motion without a warp.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import * as scenes from './scenes.js'
@@ -41,7 +41,7 @@ const setMotion = ({ uniforms }, matrix) => {
   uniforms.shift.value = new THREE.Vector3().setFromMatrixPosition(matrix)
 }
 
-/** Maps a name → an object, the space of the warp, and whether the warp moves it between frames. */
+/** Maps a name → { make, space, isMoving }: makes the object; the space of the warp; true if the warp moves between frames. */
 export const rows = {
   'a still mesh': { make: () => new THREE.Mesh(knot(), standard()) },
   'a still mesh of a classic material': {
@@ -82,7 +82,7 @@ async function velocitiesOf(renderer, scene, move) {
   const camera = scenes.camera()
   renderer.setMRT(mrt({ output, velocity }))
   renderer.setRenderTarget(target)
-  // Three.js knows the frame before from the second on.
+  // Three.js has a previous frame only from the second frame on.
   for (let i = 0; i < 3; i++) {
     if (i === 2) move()
     renderer.render(scene, camera)
@@ -98,7 +98,7 @@ async function velocitiesOf(renderer, scene, move) {
   return { colors: [...colors], numbers: [...numbers] }
 }
 
-/** Counts pixels whose velocity is not that of the motion without a warp, and those that are drawn. */
+/** Counts pixels with a wrong velocity, drawn pixels, and moving pixels. */
 export async function measure(name, backend) {
   const renderer = await rendererFor(backend)
   const { make, space, isMoving } = rows[name]
@@ -131,7 +131,7 @@ export async function measure(name, backend) {
   const all = Array.from({ length: size * size }, (_, i) => i)
   const isDrawn = (i) => shown.colors[4 * i] > 0
   return {
-    // A tenth of a pixel, in units of half the picture.
+    // The tolerance is a tenth of a pixel; half the picture's width is 1.
     wrong: all.filter((i) => isDrawn(i) && !(distance(i) < 0.2 / size)).length,
     drawn: all.filter(isDrawn).length,
     moving: all.filter(

@@ -3,16 +3,16 @@ import * as THREE from 'three'
 
 const size = 64
 
-/** Its offset, and where it is a moment of the time. */
+/** The wave as an offset, which depends on the time. */
 export const offset = ({ glsl, position, millis }) => {
   const x = position.x().mult(4).add(millis.div(1000)).sin().mult(0.15)
   return glsl.vec3(0, 0, x.add(position.y().mult(5).cos().mult(0.1)))
 }
-/** At first, and after a week. */
+/** Times in milliseconds: at the start, and after a week. */
 export const moments = [700, 6e8 + 700]
 
-/** The red, green and blue that a pixel should have, from 0 to 1. */
-function expected(x, y, millis) {
+/** Returns the expected red, green and blue of a pixel, from 0 to 1. */
+function expectedColor(x, y, millis) {
   const normal = [-0.6 * Math.cos(4 * x + millis / 1000), 0.5 * Math.sin(5 * y), 1]
   const length = Math.hypot(...normal)
   return normal.map((part) => (part / length) * 0.5 + 0.5)
@@ -28,14 +28,14 @@ export function waveScene(material = new THREE.MeshNormalMaterial()) {
   return { scene, camera, mesh, size }
 }
 
-/** The greatest difference in 255ths; `pixels` are colours from 0 to 1 from the bottom left, or from the top. */
+/** Returns the max difference in 255ths. `pixels` are colours from 0 to 1, whose first row is at the bottom if `isUpwards`. */
 export function worstOf(pixels, { isUpwards = true, millis = moments[0] } = {}) {
   let worst = 0
   for (let j = 0; j < size; j++)
     for (let i = 0; i < size; i++) {
       const [x, y] = [(i + 0.5) / (size / 2) - 1, (j + 0.5) / (size / 2) - 1]
       const row = isUpwards ? j : size - 1 - j
-      expected(x, y, millis).forEach((part, k) => {
+      expectedColor(x, y, millis).forEach((part, k) => {
         worst = Math.max(worst, 255 * Math.abs(pixels[4 * (row * size + i) + k] - part))
       })
     }

@@ -1,4 +1,4 @@
-// A torus whose vertices move along their normals by a wave of their uv, against one that is made so, in double precision.
+// A torus whose vertices a warp moves along their normals by a wave over uv, compared with vertices moved in double precision.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { differing } from './pixels.js'
@@ -7,7 +7,7 @@ import { draw, rendererFor } from './webgpu-renderer.js'
 
 const [radius, tube] = [0.7, 0.3]
 
-/** The distance that a place of the torus moves; `u` goes around the ring, `v` around the tube. */
+/** The distance by which a point of the torus moves; `u` goes around the ring, `v` around the tube. */
 const height = (u, v) => 0.12 * Math.sin(12 * Math.PI * u) * Math.cos(8 * Math.PI * v)
 
 const offset = ({ normal, uv }) =>
@@ -25,7 +25,7 @@ const offset = ({ normal, uv }) =>
       .mult(0.12),
   )
 
-function place(u, v) {
+function pointAt(u, v) {
   const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
   const r = tube + height(u, v)
   return new THREE.Vector3(
@@ -35,11 +35,11 @@ function place(u, v) {
   )
 }
 
-/** Computes the normal by differences of places. */
+/** Computes the normal by finite differences. */
 function normalAt(u, v) {
   const step = 1e-5
-  const along = place(u + step, v).sub(place(u - step, v))
-  return along.cross(place(u, v + step).sub(place(u, v - step))).normalize()
+  const along = pointAt(u + step, v).sub(pointAt(u - step, v))
+  return along.cross(pointAt(u, v + step).sub(pointAt(u, v - step))).normalize()
 }
 
 function torus({ isMoved, hasTangents }) {
@@ -49,7 +49,7 @@ function torus({ isMoved, hasTangents }) {
     for (let i = 0; i < uv.count; i++) {
       // Three's u goes around the ring, its v around the tube.
       const [u, v] = [uv.getX(i), uv.getY(i)]
-      position.setXYZ(i, ...place(u, v))
+      position.setXYZ(i, ...pointAt(u, v))
       normal.setXYZ(i, ...normalAt(u, v))
     }
   if (hasTangents) {
@@ -59,7 +59,7 @@ function torus({ isMoved, hasTangents }) {
   return geometry
 }
 
-/** Counts pixels that differ. With tangents there is a second uv, too, and the material reads both. */
+/** Counts differing pixels. With tangents, the geometry also has a second uv, and the material reads both. */
 export async function compare(backend, { hasTangents, exact = true }, addSurfaceVariation) {
   const renderer = await rendererFor(backend)
   const ao = new THREE.DataTexture(new Uint8Array([200, 255, 220, 255]), 1, 1)

@@ -1,4 +1,4 @@
-// Each row of the company tests is drawn three times: as it is, with vertices that were moved here, and with a warp.
+// Draws each row of the company tests three times: without motion, with vertices moved on the CPU, and with a warp.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 
@@ -9,7 +9,7 @@ const amount = 0.2
 export const offset = ({ glsl, position }) =>
   glsl.vec3(0, 0, position.x().mult(4).sin().mult(amount))
 
-/** Does the same on the CPU: z grows by a · sin 4x, whose slope turns the normal. */
+/** Moves vertices by the same offset on the CPU: z increases by a · sin 4x, and the normal follows its slope. */
 export function moveByHand(object) {
   const done = new Set()
   object.traverse(({ geometry }) => {
@@ -21,15 +21,15 @@ export function moveByHand(object) {
       const slope = 4 * amount * Math.cos(4 * x)
       position.setZ(i, position.getZ(i) + amount * Math.sin(4 * x))
       if (!normal) continue
-      const turned = new THREE.Vector3().fromBufferAttribute(normal, i)
-      turned.x -= slope * turned.z
-      normal.setXYZ(i, ...turned.normalize())
+      const warpedNormal = new THREE.Vector3().fromBufferAttribute(normal, i)
+      warpedNormal.x -= slope * warpedNormal.z
+      normal.setXYZ(i, ...warpedNormal.normalize())
     }
     geometry.computeBoundingSphere()
   })
 }
 
-/** F of the user's own shaders in these tests: x grows by 0.3 y². Its authors leave normals as they are. */
+/** The motion in the user's own shaders in these tests: x increases by 0.3 y², and normals do not change. */
 export const userMotion = 'transformed.x += 0.3 * transformed.y * transformed.y;'
 export function userMotionByHand(geometry) {
   const { position } = geometry.attributes
@@ -95,7 +95,7 @@ export function pixelsOf(from = renderer) {
   return pixels
 }
 
-/** The ways to treat an object. */
+/** The ways in which a row moves its object. */
 const ways = {
   none: () => {},
   byHand: moveByHand,
@@ -103,8 +103,8 @@ const ways = {
 }
 
 /**
- * A row draws something with whatever `put` does to the objects, and may prepare it by `way`: by hand, the user's own motion is
- * done on the CPU, too. Passes of three.js make noise, which must be the same each time.
+ * Draws a row: a function of { put, way, renderer } that makes objects and calls `put` to move them. With the way 'byHand', the row
+ * applies the user's own motion on the CPU, too. Random numbers are the same each time, since passes of three.js use them.
  */
 function draw(row, way) {
   let state = 1
@@ -138,7 +138,7 @@ function compare(a, b) {
   return { count, worst }
 }
 
-/** → { differing, moved, worst } */
+/** Compares a row's three pictures → { differing, moved, worst }. */
 export async function run(row) {
   const none = await draw(row, 'none')
   const byHand = await draw(row, 'byHand')
@@ -147,7 +147,7 @@ export async function run(row) {
   return { differing: count, moved: compare(none, byHand).count, worst }
 }
 
-/** A row of one object: `after` runs once it is warped, `then` after the first frame, which is followed by another. */
+/** Makes a row of one object: `after` runs after it is warped, `then` after the first frame, before a second one. */
 export const one =
   (make, { after, then, shadow = false, view = camera } = {}) =>
   ({ put, way, renderer }) => {
@@ -160,12 +160,12 @@ export const one =
     })
     scene.add(object)
     put(object)
-    const given = { object, scene, renderer, way }
-    const seen = after?.(given) ?? view()
-    renderer.render(scene, seen)
+    const context = { object, scene, renderer, way }
+    const camera = after?.(context) ?? view()
+    renderer.render(scene, camera)
     if (!then) return undefined
-    then(given)
-    renderer.render(scene, seen)
+    then(context)
+    renderer.render(scene, camera)
     return undefined
   }
 
@@ -175,14 +175,14 @@ export const mesh = (material = standard(), geometry = torus()) =>
 
 let changes = 0
 
-/** A material with an `onBeforeCompile`. Two with one source and other constants are one program for three.js, but for the key. */
-export function changed(onBeforeCompile, material = standard()) {
+/** Adds an `onBeforeCompile` to a material. Without its own key, three.js would share the program of materials with the same source. */
+export function withOnBeforeCompile(onBeforeCompile, material = standard()) {
   const key = `row ${++changes}`
   material.onBeforeCompile = onBeforeCompile
   material.customProgramCacheKey = () => key
   return material
 }
 
-/** The user's own motion, by shader or by hand. */
+/** Makes a mesh with the user's own motion, in its shader or on the CPU. */
 export const withMotion = (way, inShader) =>
   way === 'byHand' ? mesh(standard(), userMotionByHand(torus())) : mesh(inShader())

@@ -1,4 +1,4 @@
-// Rows: pipelines of other packages, bundled by Vite for libraries.browser.test.js.
+// Rows for the pipelines of other packages, bundled by Vite for libraries.browser.test.js.
 import { createElement as e, act } from 'react'
 import { createRoot, extend } from '@react-three/fiber'
 import { MeshDistortMaterial } from '@react-three/drei/core/MeshDistortMaterial'
@@ -29,12 +29,12 @@ import {
   torus,
   userMotionByHand,
 } from './lib.js'
-import { straightCamera, twistedByHand } from './twisted.js'
+import { straightCamera, twistByHand } from './twisted.js'
 
 globalThis.IS_REACT_ACT_ENVIRONMENT = true
 extend(THREE)
 
-/** A material that a component of React creates. */
+/** Returns the material that a React component creates. */
 async function materialOf(component, props) {
   const canvas = document.createElement('canvas')
   const root = createRoot(canvas)
@@ -55,7 +55,7 @@ const wobble = await materialOf(MeshWobbleMaterial, { speed: 0, factor: 1, rough
 wobble.time = 1
 const distort = await materialOf(MeshDistortMaterial, { speed: 0, distort: 0.5, roughness: 0.6 })
 
-/** The tests' warp after drei's own motion, written into its shader by hand. */
+/** Returns drei's material with the warp of these tests written into its shader by hand, after its own motion. */
 function distortByHand() {
   const material = distort.clone()
   for (const name of ['time', 'distort', 'radius']) material[name] = distort[name]
@@ -76,8 +76,8 @@ function distortByHand() {
   return material
 }
 
-/** A composer of postprocessing; `makePasses` gets the scene, the camera and the object. */
-const composed =
+/** Makes a row that draws with a composer of postprocessing; `makePasses` receives the scene, the camera and the object. */
+const composerRow =
   (makePasses) =>
   ({ put, renderer }) => {
     const scene = litScene()
@@ -99,7 +99,7 @@ const font = new URL(
   location,
 )
 
-/** Text is made of a square per letter, so it is moved linearly: a shear and a shift, by the warp and by a matrix. */
+/** Draws text with a linear motion (shear and translation), through the warp or a matrix: each letter is a square, which cannot bend. */
 async function text({ way, renderer }) {
   const scene = litScene()
   const made = new Text()
@@ -170,7 +170,7 @@ const custom = (options) =>
   )
 
 export const rows = {
-  'postprocessing NormalPass and SSAOEffect': composed((scene, view) => {
+  'postprocessing NormalPass and SSAOEffect': composerRow((scene, view) => {
     const normals = new NormalPass(scene, view)
     const ssao = new SSAOEffect(view, normals.texture, {
       intensity: 4,
@@ -182,7 +182,7 @@ export const rows = {
     })
     return [normals, new EffectPass(view, ssao)]
   }),
-  'postprocessing OutlineEffect': composed((scene, view, object) => {
+  'postprocessing OutlineEffect': composerRow((scene, view, object) => {
     const outline = new OutlineEffect(scene, view, { edgeStrength: 5, visibleEdgeColor: 0xff0000 })
     outline.selection.set([object])
     return [new EffectPass(view, outline)]
@@ -206,13 +206,13 @@ export const rows = {
     const geometry = torus()
     const { normal } = geometry.attributes
     for (let i = 0; i < normal.count; i++) {
-      const bent = new THREE.Vector3().fromBufferAttribute(normal, i)
-      bent.y += 0.5
-      normal.setXYZ(i, ...bent.normalize())
+      const sum = new THREE.Vector3().fromBufferAttribute(normal, i)
+      sum.y += 0.5
+      normal.setXYZ(i, ...sum.normalize())
     }
     return mesh(standard({ color: 'red' }), geometry)
   }),
-  "drei's wobble": one((way) => (way === 'byHand' ? twistedByHand() : mesh(wobble)), {
+  "drei's wobble": one((way) => (way === 'byHand' ? twistByHand() : mesh(wobble)), {
     view: straightCamera,
   }),
   "drei's distort": ({ put, way, renderer }) => {
@@ -224,7 +224,7 @@ export const rows = {
   },
 }
 
-/** Rays meet instances of @three.ez/instanced-mesh where a warp lifts them: → the heights of the hits, by space. */
+/** Casts rays at instances of @three.ez/instanced-mesh that a warp lifts → the heights of the hits, by space. */
 function heights() {
   const result = {}
   for (const space of ['local', 'world']) {

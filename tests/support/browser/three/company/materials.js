@@ -1,7 +1,7 @@
-// Rows: what users do with materials and their shaders.
+// Rows for changes that users make to materials and their shaders.
 import * as THREE from 'three'
 import {
-  changed,
+  withOnBeforeCompile,
   checker,
   mesh,
   one,
@@ -11,7 +11,7 @@ import {
   userMotion,
   withMotion,
 } from './lib.js'
-import { straightCamera, twistedByHand } from './twisted.js'
+import { straightCamera, twistByHand } from './twisted.js'
 
 const redden = (shader, when = 'true') => {
   shader.fragmentShader = shader.fragmentShader.replace(
@@ -24,10 +24,10 @@ const inVertex = (from, to) => (shader) => {
   shader.vertexShader = shader.vertexShader.replace(from, to)
 }
 
-const beginReplaced = `vec3 transformed = vec3( position );\n${userMotion}`
+const userBeginVertex = `vec3 transformed = vec3( position );\n${userMotion}`
 
-/** Adds a uniform and keeps the shader, as three's examples do. */
-const tinted = () => {
+/** Makes a material that adds a uniform and stores the shader, like three's examples. */
+const makeTinted = () => {
   const material = standard()
   material.onBeforeCompile = function (shader) {
     shader.uniforms.tint = { value: 0 }
@@ -40,8 +40,8 @@ const tinted = () => {
   return material
 }
 
-/** A mesh that one bone turns; by hand, its vertices. */
-function boned(way, material) {
+/** Makes a mesh that a bone rotates, or whose vertices are rotated by hand. */
+function makeSkinned(way, material) {
   const turn = new THREE.Matrix4().makeRotationY(0.6)
   if (way === 'byHand') return mesh(standard(), torus().applyMatrix4(turn))
   const geometry = torus()
@@ -60,8 +60,8 @@ function boned(way, material) {
   return made
 }
 
-/** A mesh that a morph target moves and whose normals another one turns; by hand, its vertices. */
-function morphed(way, material) {
+/** Makes a mesh with morph targets for positions and normals, or whose vertices are morphed by hand. */
+function makeMorphed(way, material) {
   const geometry = torus()
   const targets = ['position', 'normal'].map((name) => {
     const target = geometry.attributes[name].clone()
@@ -90,9 +90,9 @@ function morphed(way, material) {
   return made
 }
 
-const kinds = { skin: boned, morp: morphed, disp: displaced }
+const kinds = { skin: makeSkinned, morp: makeMorphed, disp: makeDisplaced }
 
-/** Chunks of three.js that a user may replace by their own source. */
+/** Shader chunks of three.js that a user may replace. */
 const chunks = [
   'begin_vertex',
   'beginnormal_vertex',
@@ -108,12 +108,12 @@ const chunks = [
   'worldpos_vertex',
 ]
 
-/** The example materials_modified turns position and normal about y by an angle that grows with y. */
-const twisted = (way) =>
+/** The example materials_modified, which rotates positions and normals about y by an angle that depends on y. */
+const makeTwisted = (way) =>
   way === 'byHand'
-    ? twistedByHand()
+    ? twistByHand()
     : mesh(
-        changed(
+        withOnBeforeCompile(
           inVertex(
             '#include <begin_vertex>',
             `float theta = sin( 1.0 + position.y ) / 2.0;
@@ -155,7 +155,7 @@ function targetTexture() {
   return target.texture
 }
 
-function cachedByKey() {
+function withCacheKey() {
   const material = standard()
   material.userData.isRed = false
   material.onBeforeCompile = (shader) => redden(shader, String(material.userData.isRed))
@@ -165,7 +165,7 @@ function cachedByKey() {
 
 function withAccessor() {
   const base = standard()
-  // Troika-three-text derives materials like this.
+  // Troika-three-text derives its materials like this.
   return Object.create(base, {
     isDerivedMaterial: { value: true },
     onBeforeCompile: {
@@ -181,7 +181,7 @@ function withAccessor() {
   })
 }
 
-function displaced(way, material = standard()) {
+function makeDisplaced(way, material = standard()) {
   const map = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
   map.needsUpdate = true
   if (way !== 'byHand')
@@ -197,32 +197,41 @@ function displaced(way, material = standard()) {
 }
 
 export const rows = {
-  'begin_vertex replaced': one((way) =>
-    withMotion(way, () => changed(inVertex('#include <begin_vertex>', beginReplaced))),
-  ),
-  'begin_vertex appended to': one((way) =>
+  'begin_vertex is replaced': one((way) =>
     withMotion(way, () =>
-      changed(inVertex('#include <begin_vertex>', `#include <begin_vertex>\n${userMotion}`)),
+      withOnBeforeCompile(inVertex('#include <begin_vertex>', userBeginVertex)),
     ),
   ),
-  'motion in front of project_vertex': one((way) =>
+  'code is appended to begin_vertex': one((way) =>
     withMotion(way, () =>
-      changed(inVertex('#include <project_vertex>', `${userMotion}\n#include <project_vertex>`)),
+      withOnBeforeCompile(
+        inVertex('#include <begin_vertex>', `#include <begin_vertex>\n${userMotion}`),
+      ),
     ),
   ),
-  'materials_modified of three.js': one(twisted, { view: straightCamera }),
+  'a motion is inserted before project_vertex': one((way) =>
+    withMotion(way, () =>
+      withOnBeforeCompile(
+        inVertex('#include <project_vertex>', `${userMotion}\n#include <project_vertex>`),
+      ),
+    ),
+  ),
+  'materials_modified of three.js': one(makeTwisted, { view: straightCamera }),
   ...Object.fromEntries(
     chunks.map((name) => [
-      `${name} replaced by its own text`,
+      `${name} is replaced by its own source`,
       one((way) => {
         const make = kinds[name.slice(0, 4)] ?? ((_, material) => mesh(material))
-        return make(way, changed(inVertex(`#include <${name}>`, THREE.ShaderChunk[name])))
+        return make(
+          way,
+          withOnBeforeCompile(inVertex(`#include <${name}>`, THREE.ShaderChunk[name])),
+        )
       }),
     ]),
   ),
-  'an accessor on onBeforeCompile': one(() => mesh(withAccessor())),
-  'defines from the start': one(() => {
-    const material = changed((shader) => {
+  'onBeforeCompile is an accessor property': one(() => mesh(withAccessor())),
+  'the material has defines': one(() => {
+    const material = withOnBeforeCompile((shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
         '#include <dithering_fragment>',
         '#ifdef RED\ngl_FragColor.r = 1.0;\n#endif',
@@ -231,28 +240,28 @@ export const rows = {
     material.defines.RED = ''
     return mesh(material)
   }),
-  'color, map and flatShading that change': one(() => mesh(), {
+  'color, map and flatShading change': one(() => mesh(), {
     then({ object: { material } }) {
       material.color.set('orange')
       Object.assign(material, { map: checker(), flatShading: true, needsUpdate: true })
     },
   }),
-  'customProgramCacheKey that changes': one(() => mesh(cachedByKey()), {
+  'customProgramCacheKey changes': one(() => mesh(withCacheKey()), {
     then({ object: { material } }) {
       material.userData.isRed = true
       material.needsUpdate = true
     },
   }),
-  'onBeforeCompile that is replaced': one(() => mesh(), {
+  'onBeforeCompile is replaced': one(() => mesh(), {
     then({ object: { material } }) {
       material.onBeforeCompile = (shader) => redden(shader)
       material.needsUpdate = true
     },
   }),
-  'userData.shader': one(() => mesh(tinted()), {
+  'userData.shader is set by onBeforeCompile': one(() => mesh(makeTinted()), {
     then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
   }),
-  'userData.shader, the material also on another mesh': one(() => mesh(tinted()), {
+  'userData.shader is set, and another mesh shares the material': one(() => mesh(makeTinted()), {
     after({ object, scene }) {
       const box = new THREE.Mesh(new THREE.BoxGeometry(0.5, 0.5, 0.5), object.material)
       box.position.set(1, 1, 0)
@@ -260,17 +269,17 @@ export const rows = {
     },
     then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
   }),
-  'material.onBeforeRender': one(() => {
+  'material.onBeforeRender changes the color': one(() => {
     const material = standard()
     material.onBeforeRender = function () {
       this.color.set('lime')
     }
     return mesh(material)
   }),
-  'a field that is private': one(() => mesh(new WithPrivateField())),
-  'constructor arguments, own fields and circular userData': one(() =>
+  'the class has a private field': one(() => mesh(new WithPrivateField())),
+  'the class has constructor arguments, fields and circular userData': one(() =>
     mesh(new WithArguments({ color: 'orange' })),
   ),
-  'the texture of a render target': one(() => mesh(standard({ map: targetTexture() }))),
-  displacementMap: one((way) => displaced(way)),
+  'the map is the texture of a render target': one(() => mesh(standard({ map: targetTexture() }))),
+  'the material has a displacementMap': one((way) => makeDisplaced(way)),
 }

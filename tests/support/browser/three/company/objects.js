@@ -1,4 +1,4 @@
-// Rows: what users do with objects after they are warped, and with clones.
+// Rows for changes that users make to warped objects, and for clones.
 import * as THREE from 'three'
 import * as SkeletonUtils from 'three/addons/utils/SkeletonUtils.js'
 import {
@@ -14,20 +14,20 @@ import {
   camera,
 } from './lib.js'
 
-const small = (x = -0.7) => {
+const makeSmallMesh = (x = -0.7) => {
   const made = mesh()
   made.scale.setScalar(0.6)
   made.position.x = x
   return made
 }
 
-const inGroup = (...parts) => {
+const makeGroup = (...parts) => {
   const group = new THREE.Group()
   group.add(...parts)
   return group
 }
 
-function instanced() {
+function makeInstances() {
   const made = new THREE.InstancedMesh(torus(), standard(), 1)
   made.setMatrixAt(0, new THREE.Matrix4().makeScale(0.6, 0.6, 0.6))
   made.position.x = -0.7
@@ -43,10 +43,10 @@ const addClone =
     scene.add(made)
   }
 
-const shadowed = (after) => ({ shadow: true, after })
+const withShadow = (after) => ({ shadow: true, after })
 
-/** Each instance has a morph target that moves it far to the right of the geometry. */
-function morphing(way) {
+/** Makes instances with a morph target that moves them far to the right of the geometry. */
+function makeMorphingInstances(way) {
   const geometry = new THREE.SphereGeometry(0.4, 32, 24)
   const shift = geometry.attributes.position.clone()
   for (let i = 0; i < shift.count; i++) shift.setXYZ(i, 6, 0, 0)
@@ -70,10 +70,10 @@ function morphing(way) {
 }
 
 export const rows = {
-  'another material after a frame': one(() => mesh(), {
+  'a new material is assigned after a frame': one(() => mesh(), {
     then: ({ object }) => (object.material = new THREE.MeshPhongMaterial({ color: 'orange' })),
   }),
-  'a material array after a frame': one(() => mesh(), {
+  'a material array is assigned after a frame': one(() => mesh(), {
     then({ object }) {
       object.geometry.clearGroups()
       object.geometry.addGroup(0, 9000, 0)
@@ -81,10 +81,10 @@ export const rows = {
       object.material = [standard({ color: 'red' }), standard({ color: 'lime' })]
     },
   }),
-  'scene.overrideMaterial': one(() => mesh(), {
+  'scene.overrideMaterial is set': one(() => mesh(), {
     after: ({ scene }) => void (scene.overrideMaterial = new THREE.MeshNormalMaterial()),
   }),
-  'customDepthMaterial afterwards': one(() => mesh(standard({ color: 'white' })), {
+  'customDepthMaterial is set after the warp': one(() => mesh(standard({ color: 'white' })), {
     shadow: true,
     after({ object }) {
       object.customDepthMaterial = new THREE.MeshDepthMaterial({
@@ -94,25 +94,25 @@ export const rows = {
       })
     },
   }),
-  'mesh.onBeforeRender afterwards': one(() => mesh(), {
+  'mesh.onBeforeRender is set after the warp': one(() => mesh(), {
     after({ object }) {
       object.onBeforeRender = (...given) => given[4].color.set('cyan')
     },
   }),
-  'a child that is added': one(() => inGroup(small()), {
+  'a child is added to a group': one(() => makeGroup(makeSmallMesh()), {
     shadow: true,
     after({ object, way }) {
-      const child = small(0.7)
+      const child = makeSmallMesh(0.7)
       child.castShadow = child.receiveShadow = true
       object.add(child)
       if (way === 'byHand') child.geometry = object.children[0].geometry
     },
   }),
-  'share with other meshes of the material': ({ put, way, renderer }) => {
+  'the option share warps other meshes of the material': ({ put, way, renderer }) => {
     renderer.shadowMap.enabled = true
     const scene = litScene()
     const [first, second, late] = [-0.9, 0, 0.9].map((x) => {
-      const made = small(x)
+      const made = makeSmallMesh(x)
       made.castShadow = made.receiveShadow = true
       return made
     })
@@ -124,14 +124,20 @@ export const rows = {
     scene.add(late)
     renderer.render(scene, camera())
   },
-  'mesh.clone': one(() => small(), shadowed(addClone((object) => object.clone()))),
-  'group.clone': one(() => inGroup(small()), shadowed(addClone((object) => object.clone()))),
-  'SkeletonUtils.clone': one(
-    () => inGroup(small()),
-    shadowed(addClone((object) => SkeletonUtils.clone(object))),
+  'a mesh is cloned': one(() => makeSmallMesh(), withShadow(addClone((object) => object.clone()))),
+  'a group is cloned': one(
+    () => makeGroup(makeSmallMesh()),
+    withShadow(addClone((object) => object.clone())),
   ),
-  'InstancedMesh.clone': one(instanced, shadowed(addClone((object) => object.clone()))),
-  ArrayCamera: one(() => mesh(), {
+  'a group is cloned by SkeletonUtils': one(
+    () => makeGroup(makeSmallMesh()),
+    withShadow(addClone((object) => SkeletonUtils.clone(object))),
+  ),
+  'an InstancedMesh is cloned': one(
+    makeInstances,
+    withShadow(addClone((object) => object.clone())),
+  ),
+  'an ArrayCamera draws it': one(() => mesh(), {
     after() {
       const cameras = [0, 1].map((i) => {
         const made = camera()
@@ -146,7 +152,7 @@ export const rows = {
       return made
     },
   }),
-  CubeCamera: one(() => mesh(), {
+  'a CubeCamera draws it': one(() => mesh(), {
     after({ scene, renderer }) {
       const target = new THREE.WebGLCubeRenderTarget(64)
       const made = new THREE.CubeCamera(0.1, 20, target)
@@ -157,9 +163,9 @@ export const rows = {
     },
   }),
   ...(THREE.InstancedMesh.prototype.setMorphAt && {
-    'instances with morph targets of their own': one(morphing),
+    'instances have their own morph targets': one(makeMorphingInstances),
   }),
-  'two renderers': ({ put }) => {
+  'two renderers draw it': ({ put }) => {
     const scene = litScene()
     const object = mesh()
     scene.add(object)
@@ -172,7 +178,7 @@ export const rows = {
     other.forceContextLoss()
     return pixels
   },
-  compile: one(() => mesh(), {
+  'renderer.compile is called': one(() => mesh(), {
     then: ({ scene, renderer }) => renderer.compile(scene, camera()),
   }),
 }

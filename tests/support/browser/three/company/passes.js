@@ -1,4 +1,4 @@
-// Rows: passes that draw the scene with materials of their own.
+// Rows for passes that draw the scene with their own materials.
 import * as THREE from 'three'
 import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js'
 import { OutputPass } from 'three/addons/postprocessing/OutputPass.js'
@@ -13,7 +13,7 @@ import { camera, floor, litScene, mesh, size } from './lib.js'
 
 const { GTAOPass } = await import('three/addons/postprocessing/GTAOPass.js').catch(() => ({}))
 
-/** A composer with one pass, which `make` creates. */
+/** Makes a row that draws with a composer with one pass, which `make` creates. */
 const pass =
   (make, { isFirst = false } = {}) =>
   ({ put, renderer }) => {

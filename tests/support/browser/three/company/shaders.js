@@ -1,4 +1,4 @@
-// Rows: materials whose shaders are the user's.
+// Rows for materials with the user's own shaders.
 import * as THREE from 'three'
 import { checker, mesh, one, torus } from './lib.js'
 
@@ -8,15 +8,15 @@ varying vec3 vN;
 varying vec2 vUv;
 void main() { gl_FragColor = vec4( tint, normalize( vN ).z, texture2D( map, vUv ).b, 1.0 ); }`
 
-const shader = (vertexShader) =>
+const makeMaterial = (vertexShader) =>
   new THREE.ShaderMaterial({
     uniforms: { tint: { value: 0.2 }, map: { value: checker() } },
     vertexShader: `varying vec3 vN;\nvarying vec2 vUv;\n${vertexShader}`,
     fragmentShader,
   })
 
-const plain = () =>
-  shader(`struct Bend { vec3 position; };
+const withoutChunks = () =>
+  makeMaterial(`struct Bend { vec3 position; };
 uniform mat3 unused;
 void main() {
   vUv = uv;
@@ -26,8 +26,8 @@ void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4( bend.position, 1.0 );
 }`)
 
-const ofChunks = () =>
-  shader(`#include <common>
+const withChunks = () =>
+  makeMaterial(`#include <common>
 void main() {
   vUv = uv;
   vN = normalMatrix * normal;
@@ -35,7 +35,7 @@ void main() {
   #include <project_vertex>
 }`)
 
-const raw = (glslVersion) => {
+const makeRaw = (glslVersion) => {
   const [attribute, varying, read, out] = glslVersion
     ? ['in', 'out', 'in', 'out vec4 color;']
     : ['attribute', 'varying', 'varying', '']
@@ -58,9 +58,9 @@ void main() { ${glslVersion ? 'color' : 'gl_FragColor'} = vec4( normalize( n ) *
   })
 }
 
-/** Two meshes of one material, whose uniform each of them sets. */
-function pair() {
-  const material = plain()
+/** Makes two meshes that share a material, and set its uniform before each is drawn. */
+function makePair() {
+  const material = withoutChunks()
   const group = new THREE.Group()
   for (const i of [0, 1]) {
     const made = new THREE.Mesh(torus(), material)
@@ -76,11 +76,11 @@ function pair() {
 }
 
 export const rows = {
-  'a ShaderMaterial without chunks, uniforms by reference': one(() => mesh(plain()), {
+  'a ShaderMaterial without chunks, whose uniforms change': one(() => mesh(withoutChunks()), {
     then: ({ object }) => (object.material.uniforms.tint.value = 0.9),
   }),
-  'a ShaderMaterial of chunks with its own normal': one(() => mesh(ofChunks())),
-  'a RawShaderMaterial': one(() => mesh(raw(THREE.GLSL3))),
-  'a RawShaderMaterial in GLSL ES 1.00': one(() => mesh(raw(null))),
-  'uniformsNeedUpdate of two meshes': one(pair),
+  'a ShaderMaterial with chunks and its own normal': one(() => mesh(withChunks())),
+  'a RawShaderMaterial': one(() => mesh(makeRaw(THREE.GLSL3))),
+  'a RawShaderMaterial in GLSL ES 1.00': one(() => mesh(makeRaw(null))),
+  'two meshes that set a shared uniform with uniformsNeedUpdate': one(makePair),
 }

@@ -1,9 +1,9 @@
-// Rows: shadows, also cascaded ones.
+// Rows for shadows, including cascaded ones.
 import * as THREE from 'three'
 import { CSM } from 'three/addons/csm/CSM.js'
 import { camera, floor, litScene, mesh, one, standard } from './lib.js'
 
-/** Cascades for the object's material and the floor's, set up before the warp, after it, or after the first frame. */
+/** Sets up cascades for the materials of the object and the floor before the warp, after it, or after the first frame. */
 const cascades =
   (when, { isShared = false } = {}) =>
   ({ put, renderer }) => {
@@ -44,7 +44,7 @@ const cascades =
     csm.dispose()
   }
 
-const byPoint = () =>
+const pointLightRow = () =>
   one(() => mesh(), {
     shadow: true,
     after({ scene }) {
@@ -58,11 +58,15 @@ const byPoint = () =>
   })
 
 export const rows = {
-  'a directional light': one(() => mesh(), { shadow: true }),
-  'a point light': byPoint(),
-  'holes by alphaTest': one(() => mesh(standard({ alphaTest: 0.5, opacity: 1 })), { shadow: true }),
-  'cascades before': cascades('before'),
-  'cascades after': cascades('after'),
-  'cascades after a frame': cascades('after a frame'),
-  'cascades on a material that an unwarped mesh has, too': cascades('after', { isShared: true }),
+  'a directional light casts shadows': one(() => mesh(), { shadow: true }),
+  'a point light casts shadows': pointLightRow(),
+  'alphaTest cuts holes': one(() => mesh(standard({ alphaTest: 0.5, opacity: 1 })), {
+    shadow: true,
+  }),
+  'cascades are set up before the warp': cascades('before'),
+  'cascades are set up after the warp': cascades('after'),
+  'cascades are set up after a frame': cascades('after a frame'),
+  'cascades are set up on a material that an unwarped mesh shares': cascades('after', {
+    isShared: true,
+  }),
 }

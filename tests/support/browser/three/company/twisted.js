@@ -1,9 +1,9 @@
-// The motion of three's example materials_modified and of drei's wobble, on the CPU: position and normal are turned about y by an
-// angle that grows with y. Their shaders turn the normal in view space; with a camera that looks along -z this is the object's.
+// The motion of three's example materials_modified and of drei's wobble, on the CPU: rotates positions and normals about y by an
+// angle that depends on y. Their shaders rotate the normal in view space, which equals local space for a camera that looks along -z.
 import * as THREE from 'three'
 import { mesh, standard, torus } from './lib.js'
 
-export function twistedByHand() {
+export function twistByHand() {
   const geometry = torus()
   const { position, normal } = geometry.attributes
   for (let i = 0; i < position.count; i++) {

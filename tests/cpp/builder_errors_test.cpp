@@ -1,0 +1,406 @@
+// Errors of the builder: their messages, and that it continues to work afterwards.
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+
+namespace warpjet {
+namespace {
+
+class BuilderErrors : public testing::Test, protected Bench {
+ protected:
+  void TearDown() override {
+    if (builder.graph().isFull()) return;
+    EXPECT_EQ(text(call("sin", {x})), "sin(x)");
+  }
+
+  // An invalid handle; the builder continues to work afterwards.
+  void expectRejected(int handle, const std::string& message) {
+    EXPECT_EQ(handle, Builder::failed) << message;
+    EXPECT_EQ(builder.problem(), message);
+    EXPECT_GE(call("sin", {x}), 0) << "after: " << message;
+  }
+  // There is no shader code, but there would be without the last result.
+  void expectCodeRejected(const Bench& bench, const std::string& message) {
+    EXPECT_FALSE(bench.writeResults().text) << message;
+    EXPECT_EQ(bench.problemOfText(), message);
+  }
+  // Something of this method can't be written in GLSL.
+  template <class Change>
+  void expectWriteRejected(Change change, const std::string& message) {
+    Bench bench;
+    bench.builder.output("gen", "fine", bench.x);
+    EXPECT_TRUE(bench.writeResults().text) << bench.problemOfText();
+    change(bench);
+    expectCodeRejected(bench, message);
+  }
+};
+
+TEST_F(BuilderErrors, RejectsWrongArgumentCounts) {
+  expectRejected(call("sin", {}), "sin: expected 1 argument, got 0.");
+  expectRejected(method("sin", {x, x}), "sin: expected no arguments, got 1.");
+  expectRejected(call("mix", {x, x}), "mix: expected 3 arguments, got 2.");
+  expectRejected(method("mix", {x, x}), "mix: expected 2 arguments, got 1.");
+  expectRejected(call("add", {}), "add: expected 2 arguments, got 0.");
+  expectRejected(method("add", {x}), "add: expected 1 argument, got 0.");
+  expectRejected(call("atan", {x, x, x}), "atan: expected 1 argument, got 3.");
+  expectRejected(call("dot", {v3}), "dot: expected 2 arguments, got 1.");
+  expectRejected(method("column", {m2}), "column: expected 1 argument, got 0.");
+  expectRejected(method("derivative", {x}), "derivative: expected 1 argument, got 0.");
+  expectRejected(call("derivative", {}), "derivative: expected 2 arguments, got 0.");
+}
+
+TEST_F(BuilderErrors, RejectsIncompatibleShapes) {
+  expectRejected(
+      call("add", {v2, v3}),
+      "add: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  expectRejected(
+      call("clamp", {v2, x, v3}),
+      "clamp: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  expectRejected(
+      call("dot", {v4, v3}),
+      "dot: a vec4 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  expectRejected(
+      call("smoothstep", {x, v2, v3}),
+      "smoothstep: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  expectRejected(
+      call("add", {m2, m3}),
+      "add: a mat2 and a mat3 do not fit together; use matrices and vectors of one size.");
+  expectRejected(
+      call("add", {m2, v2}),
+      "add: a mat2 and a vec2 do not fit together; use matrices and vectors of one size.");
+  expectRejected(
+      call("mult", {m2, v3}),
+      "mult: a mat2 and a vec3 do not fit together; use matrices and vectors of one size.");
+  expectRejected(
+      call("mult", {v2, m23}),
+      "mult: a vec2 and a matrix of 2 columns and 3 rows do not fit together; use matrices and "
+      "vectors of one size.");
+  expectRejected(
+      call("mult", {m2, x, m3}),
+      "mult: a mat2 and a mat3 do not fit together; use matrices and vectors of one size.");
+}
+
+TEST_F(BuilderErrors, RejectsMatricesInScalarAndVectorOperations) {
+  expectRejected(call("sin", {m2}),
+                 "sin: it does not work on matrices; use their columns, such as m.column(0).");
+  expectRejected(call("max", {x, m2}),
+                 "max: it does not work on matrices; use their columns, such as m.column(0).");
+  expectRejected(call("div", {x, m2}), "div: a matrix cannot divide; multiply by its inverse().");
+  expectRejected(method("div", {m2, m2}),
+                 "div: a matrix cannot divide; multiply by its inverse().");
+}
+
+TEST_F(BuilderErrors, RejectsOperandsOfTheWrongKind) {
+  expectRejected(call("length", {x}),
+                 "length: expected a vector as argument 1, got a single number.");
+  expectRejected(method("length", {m2}),
+                 "length: expected a vector as the value it is called on, got a mat2.");
+  expectRejected(method("cross", {v3, v2}), "cross: expected a vec3 as argument 1, got a vec2.");
+  expectRejected(call("cross", {v3, v2}), "cross: expected a vec3 as argument 2, got a vec2.");
+  expectRejected(call("refract", {v3, v3, v3}),
+                 "refract: expected a single number as argument 3, got a vec3.");
+  expectRejected(call("radians", {m3}),
+                 "radians: expected a number or a vector as argument 1, got a mat3.");
+  expectRejected(method("transpose", {v2}),
+                 "transpose: expected a matrix as the value it is called on, got a vec2.");
+  expectRejected(
+      method("inverse", {m23}),
+      "inverse: expected a square matrix as the value it is called on, got a matrix of 2 columns "
+      "and 3 rows.");
+  expectRejected(call("determinant", {v4}),
+                 "determinant: expected a square matrix as argument 1, got a vec4.");
+  expectRejected(call("rotate", {v2, x}), "rotate: expected a vec3 as argument 1, got a vec2.");
+  expectRejected(call("gradient", {v2, v2}),
+                 "gradient: expected a single number as argument 1, got a vec2.");
+  expectRejected(call("jacobian", {x, v2}),
+                 "jacobian: expected a vector as argument 1, got a single number.");
+}
+
+TEST_F(BuilderErrors, RejectsDerivativesWithRespectToNonInputs) {
+  expectRejected(
+      method("derivative", {x, v3}),
+      "derivative: expected a single input (such as position.x()) as argument 1, got a vec3.");
+  expectRejected(
+      call("derivative", {x, call("sin", {x})}),
+      "derivative: argument 2 must be an input such as millis or position.x(), not something "
+      "computed.");
+  expectRejected(
+      call("derivative", {x, number(2)}),
+      "derivative: argument 2 must be an input such as millis or position.x(), not something "
+      "computed.");
+  expectRejected(
+      call("gradient", {x, x}),
+      "gradient: expected a vector of inputs (such as position) as argument 2, got a single "
+      "number.");
+  expectRejected(call("jacobian", {v2, call("vec2", {x, x})}),
+                 "jacobian: argument 2 must have different components.");
+  expectRejected(
+      call("jacobian", {v2, call("vec2", {x, number(1)})}),
+      "jacobian: argument 2 must be an input such as millis or position.x(), not something "
+      "computed.");
+  expectRejected(
+      call("adjustNormal", {v3, v3, v2}),
+      "adjustNormal: expected a vec3 of inputs (such as position) as argument 3, got a vec2.");
+}
+
+TEST_F(BuilderErrors, RejectsVectorsAndMatricesBuiltFromWrongParts) {
+  expectRejected(call("vec3", {x, x}), "vec3: expected 3 components, got 2.");
+  expectRejected(call("vec3", {}), "vec3: expected 3 components, got 0.");
+  expectRejected(call("vec3", {v2, v2}), "vec3: expected 3 components, got 4.");
+  expectRejected(call("vec4", {m2}),
+                 "vec4: expected a vector or a number as argument 1, got a mat2.");
+  expectRejected(call("mat2", {}), "mat2: expected 4 components, got 0.");
+  expectRejected(call("mat2", {x, x, x}), "mat2: expected 4 components, got 3.");
+  expectRejected(call("mat2", {v3, x}), "mat2: expected 2 columns of 2 components, got a vec3.");
+  expectRejected(call("mat3Rows", {v3, v2, v4}),
+                 "mat3Rows: expected 3 rows of 3 components, got a vec2.");
+  expectRejected(call("mat3", {v3, v3}), "mat3: expected 9 components, got 6.");
+  expectRejected(call("mat3", {v3, m3}),
+                 "mat3: expected a vector or a number as argument 2, got a mat3.");
+}
+
+TEST_F(BuilderErrors, RejectsComponentsThatDoNotExist) {
+  expectRejected(method("column", {v3, number(0)}),
+                 "column: expected a matrix as the value it is called on, got a vec3.");
+  expectRejected(method("column", {m23, number(2)}),
+                 "column: argument 1 must be a whole number from 0 to 1.");
+  expectRejected(method("row", {m23, number(3)}),
+                 "row: argument 1 must be a whole number from 0 to 2.");
+  expectRejected(method("row", {m23, number(0.5)}),
+                 "row: argument 1 must be a whole number from 0 to 2.");
+  expectRejected(method("column", {m23, v2}),
+                 "column: expected a single number as argument 1, got a vec2.");
+  expectRejected(call("row", {m23, x}), "row: argument 2 must be a whole number from 0 to 2.");
+  expectRejected(builder.swizzle(v2, 1, 2), "a vec2 has no such components.");
+  expectRejected(builder.swizzle(v3, 3, 0b11'00'00), "a vec3 has no such components.");
+  expectRejected(builder.swizzle(x, 1, 0), "a single number has no such components.");
+  expectRejected(builder.swizzle(m2, 1, 0), "a mat2 has no such components.");
+}
+
+TEST_F(BuilderErrors, RejectsConstantsWhoseResultNoShaderCanHold) {
+  const std::string message = "the result of these constants is not a finite float32 number.";
+  const std::string divides = "it divides by zero, or by a number too close to zero for float32.";
+  expectRejected(call("log", {number(0)}), "log: " + message);
+  expectRejected(call("sqrt", {number(-1)}), "sqrt: " + message);
+  expectRejected(call("div", {number(1), number(0)}), "div: " + divides);
+  expectRejected(call("div", {x, number(0)}), "div: " + divides);
+  expectRejected(call("div", {x, call("mult", {number(1e-30), number(1e-30)})}), "div: " + divides);
+  expectRejected(call("mod", {v3, number(0)}), "mod: " + divides);
+  expectRejected(call("pow", {number(0), number(-1)}), "pow: " + divides);
+  expectRejected(call("mult", {number(1e30), number(1e30)}), "mult: " + message);
+  expectRejected(call("acosh", {number(0.5)}), "acosh: " + message);
+  expectRejected(call("smoothstep", {number(1), number(1), x}), "smoothstep: " + divides);
+  expectRejected(call("atan", {number(0), number(0)}), "atan: the point (0, 0) has no angle.");
+  expectRejected(method("inverse", {call("mat2", {number(1), number(2), number(2), number(4)})}),
+                 "inverse: the determinant of this matrix is 0, so that it has no inverse.");
+  expectRejected(call("inverse", {call("mat2", {x, x, number(0), number(0)})}),
+                 "inverse: the determinant of this matrix is 0, so that it has no inverse.");
+  expectRejected(call("rotate", {call("vec3", {number(0)}), x}),
+                 "rotate: the axis is zero, so that it has no direction.");
+}
+
+TEST_F(BuilderErrors, RejectsInputsThatNoShaderCanRead) {
+  expectRejected(input("x", vectorOf(2)),
+                 "glsl: \"x\" was read as a single number before, and now as a vec2.");
+  expectRejected(
+      input("m2", matrixOf(2, 3)),
+      "glsl: \"m2\" was read as a mat2 before, and now as a matrix of 2 columns and 3 rows.");
+  expectRejected(input("a +"),
+                 "glsl: \"a +\" cannot be read in a shader: an operand is missing in it.");
+  expectWriteRejected(
+      [](Bench& bench) { EXPECT_GE(bench.input("for"), 0); },
+      "glsl: \"for\" cannot be read in a shader: \"for\" is a reserved word of GLSL.");
+  expectRejected(
+      input("a\nb"),
+      "glsl: \"a b\" cannot be read in a shader: only ASCII characters are allowed in it.");
+  EXPECT_GE(input("p.x"), 0);
+  expectRejected(input("p", vectorOf(3)),
+                 "glsl: \"p.x\" was read before \"p\", whose part it is; read the vector first.");
+  expectRejected(input(""), "glsl: \"\" cannot be read in a shader: it is empty.");
+}
+
+TEST_F(BuilderErrors, RejectsHostFunctionsThatTheSourceDoesNotDefine) {
+  const std::string problem =
+      "fn: \"noise\" is not in the source, which must define a function with that name.";
+  for (const char* source : {"float other(float x) { return x; }", "float noise;",
+                             "float mynoise(float x) { return x; }", ""})
+    expectWriteRejected([&](Bench& bench) { EXPECT_GE(bench.hostFunction("noise", source, 1), 0); },
+                        problem);
+}
+
+TEST_F(BuilderErrors, RejectsInvalidNamesAndArgumentCountsOfHostFunctions) {
+  expectRejected(hostFunction("noise", "float noise() { return 1.0; }", 0),
+                 "fn: \"noise\" must have at least one argument.");
+  const auto expectNameRejected = [&](const std::string& name, const std::string& reason) {
+    expectWriteRejected(
+        [&](Bench& bench) {
+          EXPECT_GE(bench.hostFunction(name, "float " + name + "(float x) { return x; }", 1), 0);
+        },
+        "fn: \"" + name + "\" cannot name a function: " + reason);
+  };
+  expectNameRejected(
+      "2d", "a name consists of letters, digits and underscores and does not start with a digit.");
+  expectNameRejected("sin", "\"sin\" is a function of GLSL.");
+  expectNameRejected("for", "\"for\" is a reserved word of GLSL.");
+}
+
+TEST_F(BuilderErrors, RejectsHostFunctionsWithReservedNames) {
+  const auto expectNameRejected = [&](const std::string& name, const std::string& reason) {
+    expectWriteRejected(
+        [&](Bench& bench) {
+          EXPECT_GE(bench.hostFunction(name, "float " + name + "(float x) { return x; }", 1), 0);
+        },
+        "fn: \"" + name + "\" cannot name a function: " + reason);
+  };
+  expectNameRejected("main", "it is the entry point of a shader.");
+  expectNameRejected("radians", "\"radians\" is a function of GLSL.");
+  expectRejected(
+      hostFunction("warpjetHash", "float warpjetHash(float x) { return x; }", 1),
+      "fn: \"warpjetHash\" cannot name a function: such names are reserved for warpjet; rename "
+      "it.");
+}
+
+TEST_F(BuilderErrors, RejectsAStructVariableNamedLikeAFunction) {
+  const int inputs = hostFunction("inputs", "float inputs(float x) {}", 1);
+  builder.output("gen", "y", callFunction(inputs, {input("inputs.height")}));
+  expectCodeRejected(*this, "\"inputs\" is both a variable and a function; rename one.");
+}
+
+TEST_F(BuilderErrors, AcceptsAHostExpressionThatCallsTheFunction) {
+  const int wave = hostFunction("wave", "float wave(float x) {}", 1);
+  builder.output("gen", "y", callFunction(wave, {input("wave(uTime)")}));
+  EXPECT_TRUE(writeResults().text) << problemOfText();
+}
+
+TEST_F(BuilderErrors, RejectsASecondFunctionWithTheSameName) {
+  const std::string source = "float noise(float x) { return x; }";
+  const int noise = hostFunction("noise", source, 1);
+  EXPECT_EQ(hostFunction("noise", source, 1), noise) << "the same one again is fine";
+  const std::string problem = "fn: \"noise\" is already the name of another function; rename one.";
+  expectRejected(hostFunction("noise", source + ' ', 1), problem);
+  expectRejected(hostFunction("noise", source, 2), problem);
+  EXPECT_EQ(text(callFunction(noise, {x})), "noise(x)");
+}
+
+TEST_F(BuilderErrors, RejectsHostFunctionCallsWithWrongArguments) {
+  const int noise = hostFunction("noise", "float noise(float x, float y) {}", 2);
+  expectRejected(callFunction(noise, {x}), "noise: expected 2 arguments, got 1.");
+  expectRejected(
+      callFunction(noise, {v2, v3}),
+      "noise: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  expectRejected(callFunction(noise, {m2, x}),
+                 "noise: expected a number or a vector as argument 1, got a mat2.");
+  EXPECT_EQ(text(callFunction(noise, {x, x})), "noise(x, x)");
+}
+
+TEST_F(BuilderErrors, RejectsAFunctionWithoutSourceInTheTargetLanguage) {
+  builder.addFunction("noise", {{"wgsl", "fn noise(x: f32) -> f32 { return x; }"}}, 1);
+  expectCodeRejected(
+      *this,
+      "fn: the option \"source\" of noise must be a source in GLSL for the target glsl300, or "
+      "an object { glsl: … } with one.");
+}
+
+TEST_F(BuilderErrors, RejectsInvalidResultNames) {
+  const auto expectNameRejected = [&](const std::string& name, const std::string& message) {
+    expectWriteRejected([&](Bench& bench) { bench.builder.output("gen", name, bench.x); }, message);
+  };
+  expectNameRejected(
+      "a b",
+      "gen: \"a b\" cannot name a result: a name consists of letters, digits and underscores "
+      "and does not start with a digit.");
+  expectNameRejected("cos", "gen: \"cos\" cannot name a result: \"cos\" is a function of GLSL.");
+  expectNameRejected("fine", "gen: there are two results named \"fine\"; rename one.");
+}
+
+TEST_F(BuilderErrors, RejectsRectangularMatrixResultsInWebGl1) {
+  Bench old(glsl100);
+  old.builder.output("gen", "j", old.m23);
+  expectCodeRejected(
+      old,
+      "gen: the result \"j\" is a matrix of 2 columns and 3 rows, but WebGL 1 has only "
+      "square matrices; use its columns, such as .column(0).");
+  Bench square(glsl100);
+  square.builder.output("gen", "j", square.m3);
+  EXPECT_TRUE(square.writeResults().text);
+  builder.output("gen", "j", m23);
+  EXPECT_TRUE(writeResults().text) << "WebGL 2 has them";
+}
+
+TEST_F(BuilderErrors, RejectsResultsThatHideAVariable) {
+  const int uv = input("inputs.uv * scale", vectorOf(2));
+  builder.output("gen", "uv", uv);  // a member isn't hidden
+  builder.output("gen", "v2", x);   // v2 isn't read
+  ASSERT_TRUE(writeResults().text) << problemOfText();
+  builder.output("gen", "scale", uv);
+  expectCodeRejected(
+      *this,
+      "The result \"scale\" has the name of a variable or function that its code reads "
+      "(\"inputs.uv * scale\"); rename the result.");
+}
+
+TEST_F(BuilderErrors, RejectsResultsThatHideAFunction) {
+  const int noise = hostFunction("noise", "float noise(float x) {}", 1);
+  builder.output("gen", "noise", callFunction(noise, {x}));
+  expectCodeRejected(
+      *this,
+      "The result \"noise\" has the name of a variable or function that its code reads "
+      "(\"noise\"); rename the result.");
+}
+
+TEST_F(BuilderErrors, RejectsAVariableNamedLikeAFunction) {
+  const int noise = hostFunction("noise", "float noise(float x) {}", 1);
+  builder.output("gen", "y", callFunction(noise, {input("noise")}));
+  expectCodeRejected(*this, "\"noise\" is both a variable and a function; rename one.");
+}
+
+// An input and a component of it were separate inputs while the function ran.
+TEST_F(BuilderErrors, RejectsNamesThatMergeTwoInputs) {
+  builder.output("gen", "y", call("mult", {x, v2}));
+  for (const char* name : {"v2", "v2.x", "( v2 ) [1]"}) {
+    const ShaderTextResult made = write(builder.module(), glsl300, {.inputs = {{0, name}}});
+    EXPECT_EQ(made.problem,
+              "glsl: \"" + std::string(name) +
+                  "\" is already the name of another input (\"v2\"), but was not when "
+                  "the function was compiled; rename one, or compile it with these "
+                  "names.");
+  }
+  const ShaderTextResult made = write(builder.module(), glsl300, {.inputs = {{0, "v22.x"}}});
+  EXPECT_TRUE(made.text) << made.problem;
+}
+
+// Equal nodes are interned, so a rejected node can occur again below an existing node; searching
+// all of it at each call would take long.
+TEST_F(BuilderErrors, ReportsARejectedNodeThatOccursAgainWhenFinishing) {
+  const auto make = [&] { return call("smoothstep", {number(1), number(1), x}); };
+  ASSERT_EQ(make(), Builder::failed);
+  const int again = make();
+  ASSERT_GE(again, 0);
+  builder.output("gen", "y", again);
+  EXPECT_FALSE(builder.finish());
+  EXPECT_EQ(builder.problem(),
+            "A result: it divides by zero, or by a number too close to zero for float32.");
+}
+
+TEST_F(BuilderErrors, RejectedOperationsLeaveNoTraceInTheCode) {
+  EXPECT_EQ(call("log", {number(0)}), Builder::failed);
+  builder.output("gen", "y", call("sin", {x}));
+  ASSERT_TRUE(builder.finish()) << builder.problem();
+  EXPECT_EQ(code(), "float y;\n{\n  y = sin(x);\n}\n");
+}
+
+// Four at a time, to be faster.
+TEST_F(BuilderErrors, RejectsMoreThanFourMillionOperations) {
+  int value = v4;
+  std::size_t calls = 0;
+  for (; value != Builder::failed && calls <= Graph::maxNodes; ++calls)
+    value = method("sin", {value});
+  EXPECT_EQ(value, Builder::failed);
+  EXPECT_GT(calls, Graph::maxNodes / 4 - 100);
+  EXPECT_EQ(builder.problem(),
+            "sin: these are more than four million operations; does a loop never end, or is a "
+            "derivative of a very high order?");
+}
+
+}  // namespace
+}  // namespace warpjet
