@@ -1,4 +1,4 @@
-/** Decides where the normals of a warp are computed: for each mesh, as Babylon.js has its shader. */
+/** Decides for each mesh of a material whether its normals are computed at pixels. */
 import type { Effect } from '@babylonjs/core/Materials/effect.js'
 import type { MaterialDefines } from '@babylonjs/core/Materials/materialDefines.js'
 import type { NormalStage, NormalsOption } from '../compile/hosts.js'
@@ -17,24 +17,24 @@ export class NormalStages {
     private readonly texts: PixelTexts | undefined,
   ) {}
 
-  /** `'vertex'` as soon as a shader cannot compute them at pixels. */
+  /** `'vertex'` once a shader could not compute them at pixels. */
   get stage(): NormalStage {
     return this.texts && !this.obstacle ? 'pixel' : 'vertex'
   }
 
-  /** Sets the defines of a mesh whose others are set. */
+  /** Sets our defines for a mesh, after those of Babylon.js. */
   prepare(defines: MaterialDefines, maxVaryings: number) {
     const given = defines as unknown as Record<string, unknown>
-    const hasFrame =
-      !!given['NORMAL'] && !!given['TANGENT'] && mapDefines.some((name) => given[name])
-    const hasPixels = this.fits(given, hasFrame, maxVaryings)
+    const hasNormals = !!given['WARPJET'] && !!given['NORMAL']
+    const hasFrame = hasNormals && !!given['TANGENT'] && mapDefines.some((name) => given[name])
     given[normalDefines.frame] = hasFrame
+    const hasPixels = hasNormals && this.fits(given, maxVaryings)
     given[normalDefines.pixel] = hasPixels
-    // The diffuse light of the surroundings follows.
+    // Otherwise a PBRMaterial computes the diffuse light of its environment at vertices.
     if (hasPixels && given['USESPHERICALINVERTEX']) given['USESPHERICALINVERTEX'] = false
   }
 
-  /** Looks into the shader of a mesh: Babylon.js says nothing if it has not found the place for the code. */
+  /** Checks that the shader contains our code: Babylon.js ignores code for a place that it does not find. */
   check(effect: Effect | null) {
     if (!this.texts || !effect?.defines.includes(normalDefines.pixel) || this.known.has(effect))
       return
@@ -43,9 +43,9 @@ export class NormalStages {
       this.fallBack('its fragment shader does not compute the normal as Babylon.js does')
   }
 
-  private fits(defines: Defines, hasFrame: boolean, maxVaryings: number): boolean {
-    if (!this.texts || !defines['NORMAL'] || !defines['WARPJET']) return false
-    const own = varyingsOf(hasFrame ? this.texts.frame : this.texts.normal)
+  private fits(defines: Defines, maxVaryings: number): boolean {
+    if (!this.texts) return false
+    const own = varyingsOf(defines[normalDefines.frame] ? this.texts.frame : this.texts.normal)
     const free = maxVaryings - varyingsOfMaterial(defines)
     if (own <= free) return true
     this.fallBack(`it passes ${own} vectors to pixels, of which this engine has ${free} left`)
@@ -76,7 +76,7 @@ const mapDefines = [
 const varyingDefines: [RegExp, number | ((defines: Defines, index: string) => number)][] = [
   [/^(VERTEXCOLOR|INSTANCESCOLOR|MAINUV\d|CLIPPLANE\d?|FOG|LOGARITHMICDEPTH)$/, 1],
   [/^REFLECTIONMAP_(SKYBOX|(MIRRORED)?EQUIRECTANGULAR_FIXED)$/, 1],
-  [/^(WARPJET_FRAME)$/, 3],
+  [/^WARPJET_FRAME$/, 3],
   [/^PREPASS_(LOCAL_POSITION|DEPTH|NORMALIZED_VIEW_DEPTH)$/, 1],
   [/^PREPASS_VELOCITY(_LINEAR)?$/, 2],
   [/^SHADOW\d+$/, (defines, name) => varyingsOfShadow(defines, name.replace('SHADOW', ''))],

@@ -1,6 +1,6 @@
 /**
- * What the vertex stage does for normals at pixels: it passes the inputs of the warp, in front of it, as varyings. The fragment stage,
- * in fragment-normals.ts, runs the same warp on their interpolated values, but computes only the normal and, for maps, the tangent.
+ * The vertex stage of normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts, runs the
+ * same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
  */
 import type { HostText } from '../compile/hosts.js'
 import { type Language, ifDefined, languageOf } from './language.js'
@@ -82,10 +82,13 @@ export function passInputs(texts: PixelTexts | undefined, isWGSL: boolean) {
   )
 }
 
-/** Returns statements for the end of the vertex stage. Without them, a normal that is zero would become NaN. */
+/**
+ * Returns statements for the end of the vertex stage. Babylon.js normalizes a zero normal to NaN; they replace it by zero, for which the
+ * fragment stage tests.
+ */
 export function vertexEnd(texts: PixelTexts | undefined, isWGSL: boolean) {
   const { local, linear, choose: pick, output, isZero, type, clearFrame } = languageOf(isWGSL)
-  // The matrix may belong to an instance, and be weighted by bones.
+  // The matrix includes instances and bones, which the fragment stage does not know.
   const columns = [
     '{',
     local('mat3', 'warpjetColumns', `warpjetCofactors(${linear('finalWorld')})`),
@@ -109,6 +112,6 @@ export function vertexEnd(texts: PixelTexts | undefined, isWGSL: boolean) {
   )
 }
 
-/** Returns -1 if a matrix mirrors, and else 1, from its first column and that of its cofactors. */
+/** Returns an expression that is -1 for a matrix that mirrors and otherwise 1, from the first column of it and of its cofactors. */
 export const sideOf = (column: string, cofactors: string, pick: Language['choose']) =>
   pick(`dot(${column}, ${cofactors}) < 0.0`, '-1.0', '1.0')

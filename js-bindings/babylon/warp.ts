@@ -99,7 +99,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
       )
   }
 
-  /** Where normals are computed. `'vertex'`, whatever the option, if a shader of the material cannot compute them at pixels. */
+  /** The stage that computes normals. It changes to `'vertex'` if a shader of the material cannot compute them at pixels. */
   get normals(): NormalStage {
     return this.stages.stage
   }

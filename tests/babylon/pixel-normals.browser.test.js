@@ -17,7 +17,7 @@ before(async () => {
 })
 after(() => opened.close())
 
-const printed = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))
+const takeMessages = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))
 
 /** Maps a shape → the warps that it is drawn with. */
 const shapes = {
@@ -96,7 +96,7 @@ const at = (picture, pixel, count = 3) => [...picture.subarray(4 * pixel, 4 * pi
 const coveredIn = (picture) => [...picture.keys()].filter((i) => picture[4 * i + 3] > 0)
 
 /** Counts pixels whose colours or normals differ. */
-const differing = (a, b) =>
+const countDiffering = (a, b) =>
   [...Array(size * size).keys()].filter(
     (i) => !at(a, i, 4).every((x, k) => Math.abs(x - at(b, i, 4)[k]) < 0.02),
   ).length
@@ -111,7 +111,7 @@ for (const backend of ['webgl', 'webgpu'])
           assertExact(shape, found)
           assert.equal(found.normals, 'pixel')
         }
-        assert.deepEqual(printed(), [])
+        assert.deepEqual(takeMessages(), [])
       })
 
     test('PBRMaterial', async () => {
@@ -122,16 +122,17 @@ for (const backend of ['webgl', 'webgpu'])
         const found = await compare(backend, { kind: 'PBR', shape, warp, normals: 'pixel' })
         assertExact(shape, found)
       }
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
 
-    test('thin instances and meshes that mirror, with uneven scale', async () => {
-      for (const how of ['thin instance', 'mirrored']) {
-        const what = { kind: 'Standard', shape: 'sphere', warp: 'simplex', normals: 'pixel', how }
+    test('thin instances, bones, and meshes that mirror, with uneven scale', async () => {
+      for (const how of ['thin instance', 'bone', 'mirrored']) {
+        const shape = how === 'bone' ? 'sphere with a bone' : 'sphere'
+        const what = { kind: 'Standard', shape, warp: 'simplex', normals: 'pixel', how }
         const found = await compare(backend, what)
         assertExact(how, found)
       }
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
 
     test('facets stay facets', async () => {
@@ -182,8 +183,11 @@ for (const backend of ['webgl', 'webgpu'])
           }
         })
         const { most } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
-        assert.ok(most < 0.1, `${most} degrees off`)
-        assert.deepEqual(printed(), [])
+        assert.ok(most < bound, `${most} degrees off`)
+        const off = await draw(backend, { ...what, normals: 'pixel', shows, isOff: true })
+        const still = await draw(backend, { ...what, warp: 'still', normals: 'vertex', shows })
+        assert.equal(countDiffering(off.pictures.normal, still.pictures.normal), 0)
+        assert.deepEqual(takeMessages(), [])
       })
 
     test('a surface that collapses is lit, and nothing is NaN', async () => {
@@ -212,7 +216,7 @@ for (const backend of ['webgl', 'webgpu'])
               const facing = covered.filter((i) => pictures.normal[4 * i + 2] < 1e-3)
               assert.ok(facing.length > 0.99 * covered.length, `${name}: ${facing.length} facing`)
             }
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
 
     test('warps that mirror, of both sides, and uniforms of all kinds: as at vertices', async () => {
@@ -225,30 +229,29 @@ for (const backend of ['webgl', 'webgpu'])
           ]
           for (const each of what.shows)
             assert.equal(
-              differing(pixel.pictures[each], vertex.pictures[each]),
+              countDiffering(pixel.pictures[each], vertex.pictures[each]),
               0,
               `${warp} ${each}`,
             )
         }
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
 
-    test('uniforms, millis and an image', async () => {
-      const what = { kind: 'Standard', shape: 'plane', warp: 'wave by uniforms', normals: 'pixel' }
-      const { pictures, world } = await draw(backend, { ...what, shows: ['normal', ...rest] })
-      // As the page sets them: a height of 0.1, 100 milliseconds, and an image that is 1.
-      const offset = ([x, y]) => [0.1 * Math.sin(7 * y + 0.2), 0.1 * Math.sin(6 * x), 0]
-      const exact = coveredIn(pictures.normal)
-        .filter((_, i) => i % 23 === 0)
-        .map((pixel) => {
-          const place = at(pictures.restPosition, pixel)
-          const columns = jacobian((p) => m.add(p, offset(p)), place, 1e-4)
-          const n = m.cross(columns[0], columns[1]).map((each) => -each)
-          return { pixel, normal: m.turnNormal(fromBabylon(world), n) }
-        })
-      const { most, count } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
-      assert.ok(count > 200 && most < bound, `${most} degrees off at ${count} pixels`)
-      assert.deepEqual(printed(), [])
+    test('diffuse light of the surroundings, which Babylon.js computes at vertices', async () => {
+      const what = { kind: 'PBR', shape: 'sphere', warp: 'simplex', normals: 'pixel' }
+      const shows = ['color']
+      const [shown, expected] = [
+        await draw(backend, { ...what, shows, irradiance: 'by default' }),
+        await draw(backend, { ...what, shows, irradiance: 'fragment' }),
+      ]
+      assert.equal(countDiffering(shown.pictures.color, expected.pictures.color), 0)
+      const { pictures } = await draw(backend, {
+        ...what,
+        shows,
+        normals: 'vertex',
+        irradiance: 'by default',
+      })
+      assert.ok(countDiffering(pictures.color, expected.pictures.color) > 500)
     })
 
     test('a material that cannot: normals at vertices, and a message if pixels are asked for', async () => {
@@ -262,13 +265,37 @@ for (const backend of ['webgl', 'webgpu'])
         ],
       ]) {
         assert.deepEqual(await ask('auto', why), ['pixel', 'vertex'])
-        assert.deepEqual(printed(), [])
+        assert.deepEqual(takeMessages(), [])
         assert.deepEqual(await ask('pixel', why), ['pixel', 'vertex'])
-        const [said, ...others] = printed()
+        const [said, ...others] = takeMessages()
         assert.match(said, message)
         assert.deepEqual(others, [])
       }
       assert.deepEqual(await ask('pixel'), ['pixel', 'pixel'])
-      assert.deepEqual(printed(), [])
+      assert.deepEqual(takeMessages(), [])
     })
+  })
+
+for (const backend of ['webgl', 'webgl without uniform buffers', 'webgpu'])
+  test(`uniforms, millis, colours and an image, ${backend}`, async () => {
+    const what = {
+      kind: 'Standard',
+      shape: 'plane with colors',
+      warp: 'wave by uniforms',
+      normals: 'pixel',
+    }
+    const { pictures, world } = await draw(backend, { ...what, shows: ['normal', ...rest] })
+    // As the page sets them: a height of 0.2, a red of 0.5, 100 milliseconds, and an image that is 1.
+    const offset = ([x, y]) => [0.1 * Math.sin(7 * y + 0.2), 0.1 * Math.sin(6 * x), 0]
+    const exact = coveredIn(pictures.normal)
+      .filter((_, i) => i % 23 === 0)
+      .map((pixel) => {
+        const place = at(pictures.restPosition, pixel)
+        const columns = jacobian((p) => m.add(p, offset(p)), place, 1e-4)
+        const n = m.cross(columns[0], columns[1]).map((each) => -each)
+        return { pixel, normal: m.turnNormal(fromBabylon(world), n) }
+      })
+    const { most, count } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
+    assert.ok(count > 200 && most < bound, `${most} degrees off at ${count} pixels`)
+    assert.deepEqual(takeMessages(), [])
   })

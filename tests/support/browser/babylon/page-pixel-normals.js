@@ -1,8 +1,11 @@
 // Draws meshes with a warped material into float pictures: the normal that is shown at each pixel, and the rest place there.
 import '@babylonjs/core/Engines/Extensions/engine.readTexture.js'
 import '@babylonjs/core/Engines/WebGPU/Extensions/engine.readTexture.js'
+import '@babylonjs/core/Materials/Textures/baseTexture.polynomial.js'
 import '@babylonjs/core/Meshes/thinInstanceMesh.js'
 import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
+import { Bone } from '@babylonjs/core/Bones/bone.js'
+import { Skeleton } from '@babylonjs/core/Bones/skeleton.js'
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Constants } from '@babylonjs/core/Engines/constants.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
@@ -12,15 +15,17 @@ import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
 import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
 import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { RawCubeTexture } from '@babylonjs/core/Materials/Textures/rawCubeTexture.js'
 import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js'
 import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
 import { Color4 } from '@babylonjs/core/Maths/math.color.js'
 import { Matrix, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { SphericalPolynomial } from '@babylonjs/core/Maths/sphericalPolynomial.js'
 import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 import { Scene } from '@babylonjs/core/scene.js'
 import { BabylonWarp, addSurfaceVariation } from 'warpjet/babylon'
 
-/** What `Shown` writes in place of the colour. */
+/** Maps names of values that `Shown` writes in place of the colour to their numbers in the shader. */
 const shownValues = { color: 0, normal: 1, restPosition: 2, restNormal: 3, restUv: 4 }
 
 /** Shows a value of the shader in place of the colour, as `shown` says. Rest places are those in front of a warp. */
@@ -91,7 +96,11 @@ const engines = {}
 async function engineFor(backend) {
   if (engines[backend]) return engines[backend]
   const canvas = document.body.appendChild(document.createElement('canvas'))
-  if (backend === 'webgl') return (engines[backend] = new Engine(canvas, false))
+  if (backend.startsWith('webgl')) {
+    const engine = (engines[backend] = new Engine(canvas, false))
+    engine.disableUniformBuffers = backend === 'webgl without uniform buffers'
+    return engine
+  }
   const engine = new WebGPUEngine(canvas, { antialias: false })
   await engine.initAsync()
   return (engines[backend] = engine)
@@ -110,6 +119,9 @@ async function sceneOn(backend) {
   return (scenes[backend] = scene)
 }
 
+/** The matrix of an instance, or of a bone. */
+const uneven = Matrix.Scaling(0.9, 0.5, 1.2).multiply(Matrix.RotationYawPitchRoll(0.3, 0.2, 0.5))
+
 /** Maps a name → a function that makes a mesh of about radius 1. */
 const shapes = {
   sphere: (scene) => MeshBuilder.CreateSphere('sphere', { diameter: 2, segments: 10 }, scene),
@@ -117,9 +129,29 @@ const shapes = {
   torus: (scene) =>
     MeshBuilder.CreateTorus('torus', { diameter: 1.8, thickness: 0.5, tessellation: 24 }, scene),
   plane: (scene) => MeshBuilder.CreatePlane('plane', { size: 1.6 }, scene),
+  'plane with colors'(scene) {
+    const mesh = shapes.plane(scene)
+    const colors = Array.from({ length: mesh.getTotalVertices() }, () => [0.5, 1, 1, 1])
+    mesh.setVerticesData(VertexBuffer.ColorKind, colors.flat())
+    return mesh
+  },
   facets(scene) {
     const mesh = shapes.sphere(scene)
     mesh.convertToFlatShadedMesh()
+    return mesh
+  },
+  // With one bone, whose matrix comes in front of that of the mesh.
+  'sphere with a bone'(scene) {
+    const mesh = shapes.sphere(scene)
+    const numbers = (weight) =>
+      Array.from({ length: 4 * mesh.getTotalVertices() }, (_, i) => (i % 4 ? 0 : weight))
+    mesh.setVerticesData(VertexBuffer.MatricesIndicesKind, numbers(0))
+    mesh.setVerticesData(VertexBuffer.MatricesWeightsKind, numbers(1))
+    mesh.numBoneInfluencers = 1
+    mesh.skeleton = new Skeleton('skeleton', 'skeleton', scene)
+    const bone = new Bone('bone', mesh.skeleton, null, Matrix.Identity())
+    bone.getLocalMatrix().copyFrom(uneven)
+    bone.markAsDirty()
     return mesh
   },
   // Its tangents are along u.
@@ -148,9 +180,9 @@ const offsets = {
   'mirror by uniforms': ({ position, glsl, uniforms }) =>
     glsl.vec3(position.x().mult(uniforms.factor), 0, 0),
   still: ({ position }) => position.mult(0),
-  'wave by uniforms': ({ glsl, position, millis, uniforms }) =>
+  'wave by uniforms': ({ glsl, position, color, millis, uniforms }) =>
     glsl.vec3(
-      position.y().mult(7).add(millis.div(500)).sin().mult(uniforms.heights.x()),
+      position.y().mult(7).add(millis.div(500)).sin().mult(uniforms.heights.x()).mult(color.x()),
       glsl.texture(uniforms.map, position.xy()).x().mult(position.x().mult(6).sin()).mult(0.1),
       0,
     ),
@@ -181,16 +213,27 @@ const makeMaterial = (kind, scene) =>
 function uniformsFor(warp, scene) {
   if (warp === 'mirror by uniforms') return { factor: -2 }
   if (warp === 'wave by uniforms')
-    return { heights: new Vector3(0.1, 0, 0), map: constantMap(scene, [255, 0, 0, 255]) }
+    return { heights: new Vector3(0.2, 0, 0), map: constantMap(scene, [255, 0, 0, 255]) }
   return {}
 }
 
 /** The bytes of the normal map, of a normal that leans. */
 const leaning = [190, 100, 225, 255]
 
+/** Surroundings whose diffuse light comes from above; Babylon.js computes it at vertices. */
+function surroundings(scene) {
+  const faces = Array.from({ length: 6 }, () => new Uint8Array([9, 9, 9, 255]))
+  const texture = new RawCubeTexture(scene, faces, 1)
+  texture.sphericalPolynomial = Object.assign(new SphericalPolynomial(), {
+    y: new Vector3(1, 0.5, 0.2),
+    yy: new Vector3(1, 1, 1),
+  })
+  return texture
+}
+
 const made = new Map()
-async function make(backend, { kind, shape, warp, normals, bump, twoSided }) {
-  const key = JSON.stringify([backend, kind, warp, normals, bump, twoSided])
+async function make(backend, { kind, shape, warp, normals, bump, twoSided, irradiance }) {
+  const key = JSON.stringify([backend, kind, warp, normals, bump, twoSided, irradiance])
   const scene = await sceneOn(backend)
   if (!made.has(key)) {
     const material = makeMaterial(kind, scene)
@@ -198,6 +241,8 @@ async function make(backend, { kind, shape, warp, normals, bump, twoSided }) {
     material.backFaceCulling = false
     material.twoSidedLighting = !!twoSided
     if (bump) material.bumpTexture = constantMap(scene, leaning)
+    if (irradiance) material.reflectionTexture = surroundings(scene)
+    if (irradiance === 'fragment') material.forceIrradianceInFragment = true
     const shown = new Shown(material)
     const warped = new BabylonWarp(material, offsets[warp], {
       normals,
@@ -215,16 +260,16 @@ async function make(backend, { kind, shape, warp, normals, bump, twoSided }) {
   return { scene, mesh: made.get(meshKey), ...made.get(key) }
 }
 
-const instance = Matrix.Scaling(0.9, 0.5, 1.2).multiply(Matrix.RotationYawPitchRoll(0.3, 0.2, 0.5))
-
 function place(mesh, how) {
   mesh.rotation.set(0.5, 0.4, 0)
   mesh.scaling.set(1, 0.8, 0.9)
   if (how === 'mirrored') mesh.scaling.x = -1
   mesh.thinInstanceCount = 0
-  if (how === 'thin instance') mesh.thinInstanceAdd(instance)
+  if (how === 'thin instance') mesh.thinInstanceAdd(uneven)
+  mesh.skeleton?.prepare()
   const world = mesh.computeWorldMatrix(true)
-  return [...(how === 'thin instance' ? instance.multiply(world) : world).asArray()]
+  const isMoved = how === 'thin instance' || mesh.skeleton
+  return [...(isMoved ? uneven.multiply(world) : world).asArray()]
 }
 
 const encode = (numbers) => {
@@ -236,7 +281,7 @@ const encode = (numbers) => {
 }
 
 /** Returns pictures in floats, from the top row, of the values `shows`, with the matrices and, if asked for, the mesh. */
-window.draw = async (backend, { shows, how, size = 160, withMesh, ...what }) => {
+window.draw = async (backend, { shows, how, size = 160, withMesh, isOff, ...what }) => {
   const { scene, mesh, material, shown, warped } = await make(backend, what)
   const engine = scene.getEngine()
   const target = new RenderTargetTexture('target', size, scene, {
@@ -249,6 +294,7 @@ window.draw = async (backend, { shows, how, size = 160, withMesh, ...what }) => 
   target.renderList = [mesh]
   mesh.material = material
   mesh.alwaysSelectAsActiveMesh = true
+  if (warped.isEnabled === !!isOff) warped.isEnabled = !isOff
   const world = place(mesh, how)
   await material.forceCompilationAsync(mesh, { useInstances: how === 'thin instance' })
   for (let i = 0; i < 200 && !target.isReadyForRendering(); i++)
