@@ -51,7 +51,9 @@ class Shown extends MaterialPluginBase {
   }
 
   getUniforms() {
-    return { ubo: [{ name: 'shown', size: 1, type: 'float' }] }
+    const ubo = [{ name: 'shown', size: 1, type: 'float' }]
+    // For engines without uniform buffers.
+    return { ubo, fragment: 'uniform float shown;' }
   }
 
   bindForSubMesh(buffer) {
