@@ -201,7 +201,7 @@ for (const backend of ['webgl', 'webgpu'])
                 warp: 'floor',
                 normals,
                 twoSided,
-                bump: shape !== 'sphere',
+                bump: shape !== 'sphere' && (kind === 'PBR' ? 'all' : true),
               }
               const shows = ['color', 'normal']
               const { pictures } = await draw(backend, { ...what, shows })

@@ -243,6 +243,13 @@ async function make(backend, { kind, shape, warp, normals, bump, twoSided, irrad
     material.backFaceCulling = false
     material.twoSidedLighting = !!twoSided
     if (bump) material.bumpTexture = constantMap(scene, leaning)
+    if (bump === 'all') {
+      Object.assign(material.clearCoat, {
+        isEnabled: true,
+        bumpTexture: constantMap(scene, leaning),
+      })
+      material.anisotropy.isEnabled = true
+    }
     if (irradiance) material.reflectionTexture = surroundings(scene)
     if (irradiance === 'fragment') material.forceIrradianceInFragment = true
     const shown = new Shown(material)
