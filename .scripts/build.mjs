@@ -5,7 +5,6 @@ import { declarations, declareTypes } from './lib/declarations.mjs'
 import { bundles, sources as entries } from './lib/entries.mjs'
 import { embindTypes } from './lib/embind-types.mjs'
 import { path, step, walk } from './lib/files.mjs'
-import { inline } from './lib/inline.mjs'
 import { withLock } from './lib/lock.mjs'
 import { reportSizes } from './lib/sizes.mjs'
 import { Stop, isMain, main } from './lib/terminal.mjs'
@@ -100,11 +99,8 @@ function generateModules() {
 }
 
 function writeInlined(name, bytes) {
-  writeGenerated(`${name}-wasm.js`, `export default ${JSON.stringify(inline(bytes))}\n`)
-  writeGenerated(
-    `${name}-wasm.d.ts`,
-    "declare const inlined: import('../wasm/inlined.js').Inlined\nexport default inlined\n",
-  )
+  writeGenerated(`${name}-wasm.js`, `export default ${JSON.stringify(bytes.toString('hex'))}\n`)
+  writeGenerated(`${name}-wasm.d.ts`, 'declare const inlined: string\nexport default inlined\n')
 }
 
 const writeGenerated = (name, text) => writeFileSync(path(generated, name), text)

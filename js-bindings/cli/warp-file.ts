@@ -55,7 +55,10 @@ export async function readWarp(
   values: object = {},
 ): Promise<WarpFile> {
   if (isGlsl(file))
-    return { offset: await readGlsl(file, choice), uniforms: uniformsOfText(values) }
+    return {
+      offset: glslOffset(await readText(file), removeUndefined(choice)),
+      uniforms: uniformsOfText(values),
+    }
   const module: Record<string, unknown> = await load(file)
   const uniforms = module.uniforms as UniformOptions | undefined
   const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
@@ -76,9 +79,6 @@ const uniformsOfText = (values: object) =>
   ) as UniformOptions
 
 const isGlsl = (file: string) => /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
-
-const readGlsl = async (file: string, choice: GlslChoice) =>
-  glslOffset(await readText(file), removeUndefined(choice))
 
 /** Removes options that are `undefined`. */
 export const removeUndefined = (options: object) =>

@@ -10,7 +10,7 @@ export {
   samplingNumbers,
   samplingUniforms,
 } from './image-sampling.js'
-export { type NormalStage, type NormalsOption, normalsKind } from './normal-stage.js'
+export { type NormalStage, type NormalsOption, normalsKind } from './normals-option.js'
 export type { Result } from './recorded-warp.js'
 export { shaderNames } from './shader-names.js'
 export { arraysOf, attributeNumbers, geometryAttributes } from '../core/inputs/geometry.js'

@@ -10,15 +10,8 @@ import {
   makeProgram,
 } from '../core/module/serialized-module.js'
 import { runInDouble } from '../cpu/double.js'
-import { oneOf } from '../options/kinds.js'
+import type { NormalStage } from './normals-option.js'
 import { type RecordedWarp, resultNumber } from './recorded-warp.js'
-
-/** Where normals are computed. */
-export type NormalStage = 'vertex' | 'pixel'
-
-/** The kind of the option `normals` of a host. */
-export const normalsKind = oneOf(['auto', 'vertex', 'pixel'], 'auto')
-export type NormalsOption = 'auto' | NormalStage
 
 /**
  * With `'auto'`, the maximum number of operations on floats per pixel. The normal of a twist takes 40, of simplex noise in 3D 700, of

@@ -6,7 +6,7 @@ import type { UniformOptions, UniformValues } from '../core/types/types.js'
 import { anything, boolean, kind, optional, text } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
-import type { NormalsOption } from './normal-stage.js'
+import type { NormalsOption } from './normals-option.js'
 import { shaderNames } from './shader-names.js'
 
 /** Maps an input → the host shader's expression for it. Default: the input's own name. */

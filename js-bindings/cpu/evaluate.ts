@@ -1,6 +1,6 @@
 // `evaluate` and `evaluateAt`: warp vertices.
 import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
-import { type Vertices, arrayNames, checkVertices, uniformsOf } from '../core/inputs/vertices.js'
+import { type Vertices, arrayNames, countVertices, uniformsOf } from '../core/inputs/vertices.js'
 import { readNumbers } from '../options/numbers.js'
 import { Place } from '../options/place.js'
 import { rejectUnknownOptions } from '../options/schema.js'
@@ -34,7 +34,7 @@ export function evaluate(
   const uniforms = uniformsOf(place, options, evaluateOptions)
   const out = options?.out
   rejectUnknownOptions(out, vertexResults.frame.names, outPlace)
-  const vertices = checkVertices(place, mesh)
+  const vertices = countVertices(place, mesh)
   const results = resultsFor(warp, mesh)
   const sinks = takeSinks(results, vertices, out)
   runOnVertices(warp, place, mesh, vertices, uniforms, results, sinks)

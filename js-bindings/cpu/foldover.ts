@@ -1,5 +1,5 @@
 // `foldover`: finds vertices where a warp turns the surface inside out.
-import { type Vertices, checkVertices, uniformsOf } from '../core/inputs/vertices.js'
+import { type Vertices, countVertices, uniformsOf } from '../core/inputs/vertices.js'
 import { Place } from '../options/place.js'
 import type { EvaluationOptions, Foldover } from './cpu-warp.js'
 import { determinantAlone, resultNumbers } from './results.js'
@@ -15,7 +15,7 @@ export function foldover(
 ): Foldover {
   const uniforms = uniformsOf(place, options)
   rejectWithoutNormals(place, warp)
-  const vertices = checkVertices(place, mesh)
+  const vertices = countVertices(place, mesh)
   const values = new Float32Array(vertices)
   const sinks = [{ values, results: resultNumbers.determinant }]
   runOnVertices(warp, place, mesh, vertices, uniforms, determinantAlone, sinks)

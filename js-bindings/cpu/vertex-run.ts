@@ -23,14 +23,14 @@ export function runOnVertices(
   const program = programOf(place, warp)
   const plan = planInputs(warp, program, results)
   const origins = originsOf(place, warp, plan, uniforms)
-  for (const origin of origins) readFromMesh(warp, place, origin, mesh)
+  for (const origin of origins) bindToMesh(warp, place, origin, mesh)
   copyOverwritten(origins, sinks, vertices)
   if (vertices > 0) runProgram(program, results, vertices, origins, sinks)
   releaseOrigins(plan, origins)
 }
 
 /** Makes an input that differs by vertex read the array of the mesh. */
-function readFromMesh(warp: WarpProgram, place: Place, origin: Origin, mesh: Vertices) {
+function bindToMesh(warp: WarpProgram, place: Place, origin: Origin, mesh: Vertices) {
   const { input, isRead } = origin
   if (!input || !isRead) return
   const values = mesh[arrayNames[input]]

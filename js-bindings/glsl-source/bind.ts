@@ -53,7 +53,7 @@ export function bindExternals(
     const { name, type, isAttribute } = external
     if (!isAttribute && isDeclared(name)) {
       if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
-      return checkDeclared(place, glsl, external, declared[name])
+      return toDeclaredValue(place, glsl, external, declared[name])
     }
     if (isAttribute && name === instanceID)
       return inputNamed(inputs, 'instance') ?? parameterOf(place, glsl, external)
@@ -112,7 +112,7 @@ function rejectInputName(place: Place, glsl: Builder, { name }: Named) {
     throw place.error(`WGSL has no ${root}; pass its value by a uniform.`)
 }
 
-function checkDeclared(
+function toDeclaredValue(
   place: Place,
   glsl: Builder,
   { name, type, shape }: External,

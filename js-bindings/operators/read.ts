@@ -69,7 +69,7 @@ export function operators(
       ? withOperators(reading.make as (operators: Operators) => (inputs: WarpInputs) => unknown, {
           read: (helper, name) => readHelper(helper, name, reader),
           isPlain: needs === 'logic' && !isVector,
-          check: checkThis(parsed.tree, reader.place),
+          check: makeThisCheck(parsed.tree, reader.place),
         })
       : keepUntranslated(reading ? withOperatorMessage(offset, reading.explain) : offset)
   translated.add(result)
@@ -218,7 +218,7 @@ const isCalledIn = (tree: Tree) => {
 }
 
 /** Returns a check of the `this` of a call: a method that was passed without its object has none, and would read `undefined`. */
-function checkThis(tree: Tree, place: Place): (self: unknown) => void {
+function makeThisCheck(tree: Tree, place: Place): (self: unknown) => void {
   const members =
     tree.type === 'ArrowFunctionExpression' ? [] : membersOfThis(freeReferences(tree.body as Tree))
   return (self) => {

@@ -4,11 +4,11 @@ import { WarpError } from '../errors/errors.js'
 import { checkDefs } from './page/defs.js'
 import { readsVariation } from './variation/variation-text.js'
 import { hookStyleOf, isOfLines, namesFor, addWarp } from './hooks/hooks.js'
-import { type PixelCode, obstacleFor, pixelTextOf } from './hooks/pixel-code.js'
+import { obstacleFor, pixelTextOf } from './hooks/pixel-code.js'
 import { type Canvas, type Renderer, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings } from './settings.js'
 import { declaredInputs, declaredUniforms, defsFor, rejectUndeclared } from './sketch-uniforms.js'
-import { type MaterialKind, readsInstance, targetOf } from './hooks/styles.js'
+import { type MaterialKind, type PixelCode, readsInstance, targetOf } from './hooks/styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()

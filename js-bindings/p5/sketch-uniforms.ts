@@ -6,21 +6,19 @@ import {
   type HostText,
   type HostWarp,
   type Target,
-  componentsOf,
   drawInputs,
-  imageFor,
   lazily,
   samplingNumbers,
   samplingUniforms,
   scalarOrArray,
 } from '../compile/hosts.js'
-import { WarpError, describe } from '../errors/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { own } from '../options/guards.js'
-import { Place } from '../options/place.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 import { samplingOf } from './sampling.js'
 import { glslType } from './hooks/styles.js'
 import { type WarpSettings, uniformsIn } from './settings.js'
+import { p5Image, place, toUniformValue } from './uniform-value.js'
 
 export const p5: Host = {
   name: 'p5.js',
@@ -39,8 +37,6 @@ interface Input {
   uniform: string
   read: (canvas: Canvas) => number | number[]
 }
-
-const place = new Place('The function that createWarp returned')
 
 const inputs: Record<string, Input> = {
   millis: {
@@ -189,15 +185,6 @@ function setDeclared(
   }
 }
 
-function p5Image(name: string, value: unknown) {
-  const image = imageFor(place.uniform(name), value)
-  if ('nodeType' in image)
-    throw new WarpError(
-      `The warp's uniform "${name}": expected an image of p5, got an element of the page.`,
-    )
-  return image
-}
-
 /** Sets an image, its sampling and, in WebGL 1, its size in texels. */
 function setImage(shader: Shader, label: string, name: string, image: unknown) {
   shader.setUniform(label, p5Image(name, image))
@@ -222,7 +209,7 @@ export function setUniforms(
   for (const [name, value] of Object.entries(overrides)) {
     if (declared.has(name)) continue
     const uniform = own(shader.uniforms, name) as Uniform | undefined
-    if (uniform) shader.setUniform(name, readValue(name, value, uniform))
+    if (uniform) shader.setUniform(name, toUniformValue(name, value, uniform))
     else if (!words.has(name))
       throw new WarpError(
         declared.size
@@ -230,36 +217,4 @@ export function setUniforms(
           : `The warp has no uniform "${name}"; createWarp's option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }.`,
       )
   }
-}
-
-const mat2 = 0x8b5a
-const sampler2D = 0x8b5e
-
-/** Maps the WebGL enum of a matrix type to its number of components. */
-const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
-
-function readValue(name: string, value: unknown, uniform: Uniform) {
-  const { type, isArray, offset, offsetEnd, packInPlace } = uniform
-  /** Number of components (WebGPU only). */
-  const items = packInPlace ? 9 : (offsetEnd! - offset!) / 4
-  const isList = isArray ?? items > 1
-  if (type === mat2 && !isList)
-    throw new WarpError(
-      `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
-    )
-  if (type === sampler2D) return p5Image(name, value)
-  const wrong =
-    value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
-  if (wrong || (isList && typeof value !== 'object'))
-    throw new WarpError(
-      `The warp's uniform "${name}": expected ${isList ? 'an array of numbers' : 'a number'}, got ${describe(value)}.`,
-    )
-  const size = matrixSizes[type ?? 0] ?? (isList && items)
-  if (size && Array.isArray(value) && !(value.length === size && value.every(Number.isFinite)))
-    throw new WarpError(
-      `The warp's uniform "${name}": expected an array of ${size} numbers${items < 5 ? '' : ', column by column'}, got ${describe(value)}.`,
-    )
-  // p5 1.11 accepts neither its own vectors nor its own colours as the value of a uniform.
-  const list = isList && componentsOf(value as object)
-  return items && isList ? Array.from(list as number[]).slice(0, items) : list || value
 }

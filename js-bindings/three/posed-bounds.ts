@@ -94,17 +94,17 @@ function morphedBox({ geometry }: Warpable, box: Box3, influences: number[]): Bo
   const targets = morphAttributes.position ?? []
   const used = targets.map((_, i) => influences[i] ?? 0)
   const base = morphTargetsRelative ? 1 : 1 - used.reduce((sum, influence) => sum + influence, 0)
-  const grown = scaled(box, base)
+  const grown = scaleBox(box, base)
   targets.forEach((target, i) => {
     if (used[i] === 0) return
-    const by = scaled(boxOf(target as BufferAttribute), used[i]!)
+    const by = scaleBox(boxOf(target as BufferAttribute), used[i]!)
     grown.min.add(by.min)
     grown.max.add(by.max)
   })
   return grown
 }
 
-const scaled = ({ min, max }: Box3, factor: number) => {
+const scaleBox = ({ min, max }: Box3, factor: number) => {
   const [a, b] = [min.clone().multiplyScalar(factor), max.clone().multiplyScalar(factor)]
   return new Box3(a.clone().min(b), a.max(b))
 }

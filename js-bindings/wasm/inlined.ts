@@ -2,24 +2,16 @@
 // `createWarp` works in a plain `setup()`.
 import { WarpError } from '../errors/errors.js'
 
-/** A module as text, by .scripts/lib/inline.mjs: frequent bytes are one letter, others two, which gzip compresses as well as bytes. */
-export interface Inlined {
-  text: string
-  letters: string
-  /** The bytes that are one letter each, in the order of their letters. */
-  frequent: readonly number[]
-}
-
-/** Calls `compile` with the bytes of a module. Throws a `WarpError` that explains why the browser rejects any module. */
+/** Calls `compile` with the bytes of a module, which is inlined as hexadecimal digits. Throws a `WarpError` that explains why the browser rejects any module. */
 export function withBytes<Result>(
-  inlined: Inlined,
+  digits: string,
   compile: (bytes: Uint8Array<ArrayBuffer>) => Result,
 ): Result {
   if (typeof WebAssembly !== 'object')
     throw new WarpError(
       'warpjet needs WebAssembly, which this browser lacks or has switched off, as the Lockdown Mode of iOS does.',
     )
-  const bytes = decode(inlined)
+  const bytes = decode(digits)
   try {
     return compile(bytes)
   } catch (cause) {
@@ -41,22 +33,26 @@ function explainRejection(cause: unknown): string | undefined {
   }
 }
 
-function decode({ text, letters, frequent }: Inlined): Uint8Array<ArrayBuffer> {
-  const ranks = new Uint8Array(128)
-  for (let i = 0; i < letters.length; i++) ranks[letters.charCodeAt(i)] = i
-  const count = letters.length
-  const single = frequent.length
-  const others = Array.from({ length: 256 }, (_, byte) => byte).filter(
-    (byte) => !frequent.includes(byte),
-  )
-  const ordered = Uint8Array.of(...frequent, ...others)
-  // Decodes in place, since there are no more bytes than letters. Typed arrays take half the time of a string and an array.
-  const bytes = new TextEncoder().encode(text)
-  let size = 0
-  for (let i = 0; i < bytes.length; i++) {
-    let rank = ranks[bytes[i]!]!
-    if (rank >= single) rank = single + (rank - single) * count + ranks[bytes[++i]!]!
-    bytes[size++] = ordered[rank]!
-  }
+/**
+ * Browsers have decoded hexadecimal digits natively since 2025, in a hundredth of the time that a loop takes before an engine has
+ * optimized it. Node 20 and 22 have `Buffer`.
+ */
+function decode(digits: string): Bytes {
+  const { Buffer } = globalThis as { Buffer?: { from(text: string, encoding: 'hex'): Bytes } }
+  const { fromHex } = Uint8Array as { fromHex?: (text: string) => Bytes }
+  if (fromHex) return fromHex.call(Uint8Array, digits)
+  return Buffer ? Buffer.from(digits, 'hex') : decodeByLoop(digits)
+}
+
+type Bytes = Uint8Array<ArrayBuffer>
+
+function decodeByLoop(digits: string): Bytes {
+  const values = new Uint8Array(128)
+  for (let i = 0; i < 16; i++) values[i.toString(16).charCodeAt(0)] = i
+  // Decodes in place. Typed arrays take half the time of a string and an array.
+  const bytes = new TextEncoder().encode(digits)
+  const size = bytes.length / 2
+  for (let i = 0; i < size; i++)
+    bytes[i] = (values[bytes[2 * i]!]! << 4) | values[bytes[2 * i + 1]!]!
   return bytes.subarray(0, size)
 }

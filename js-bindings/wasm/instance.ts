@@ -1,6 +1,6 @@
 // The lifetime of a wasm module bound by embind: it starts when it is first used, and is replaced after a failure.
 import { WarpError } from '../errors/errors.js'
-import { type Inlined, withBytes } from './inlined.js'
+import { withBytes } from './inlined.js'
 
 /** The members of every module besides its bindings. The arrays are views of its memory, which are replaced when it grows. */
 export interface Emscripten {
@@ -32,7 +32,7 @@ export type Factory = (options: {
 
 interface Options {
   factory: Factory
-  inlined: Inlined
+  inlined: string
   /** Makes the error to throw when the instance has failed. `megabytes` is the size of its memory. */
   fail: (cause: unknown, megabytes: number) => unknown
   /** Makes the error to throw if the module does not start for a reason that `withBytes` does not explain. */

@@ -225,4 +225,13 @@ Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
   return {Form::Row, row};
 }
 
+int Packs::gainOf(const Lanes& lanes, int length) const {
+  // The length of a statement without its expression: `  float t12 = ;` and the line's end, or
+  // `  vec3 …`.
+  constexpr int frame = 15;
+  int gain = -frame - length;
+  for (const NodeId id : lanes) gain += frame + lengthOfStatement(id);
+  return gain;
+}
+
 }  // namespace warpjet

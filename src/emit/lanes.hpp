@@ -88,6 +88,9 @@ class Packs {
   Layout chooseLayout(const Lanes& lanes, As as, int levels = Lengths::maxLevels) const;
   int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::maxLevels); }
 
+  // The characters saved by one statement of this length in place of one per lane.
+  int gainOf(const Lanes& lanes, int length) const;
+
   // The vector and component that a node is read from, as four times the vector's key plus the
   // component; less than four if it isn't a component of a vector.
   std::uint64_t placeOf(NodeId id) const;

@@ -21,9 +21,9 @@ const { version, license } = JSON.parse(read('package.json'))
 /** The beginning of each inlined wasm, which identifies a file that contains it. */
 const wasm = Object.fromEntries(
   ['core', 'evaluation', 'mesh', 'glsl'].map((name) => {
-    const [, text] = /"text":"([^"]+)"/.exec(read(`js-bindings/generated/${name}-wasm.js`))
+    const [, text] = /export default "([^"]+)"/.exec(read(`js-bindings/generated/${name}-wasm.js`))
     assert.ok(text.length > 1000)
-    return [name, text.slice(0, 200)]
+    return [name, text.slice(0, 400)]
   }),
 )
 

@@ -244,7 +244,7 @@ test('source without #version has the __VERSION__ of a browser', () => {
   )
 })
 
-test('\a single \\r ends a line', () => {
+test('a carriage return alone ends a line', () => {
   assert.match(
     message(() => glslOffset('float a;\rfloat b = c;\r')),
     /line 2, column 11: "c" is not declared\.\n {2}float b = c;\n {12}\^/,

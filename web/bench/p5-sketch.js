@@ -51,7 +51,7 @@ function open(p5, size, millis) {
           const offset = workload.offset(p, { millis })
           return p.map((value, i) => value + offset[i])
         })
-        warp = sketch.createWarp(workload.warp)
+        warp = sketch.createWarp(workload.warp, { normals: 'vertex' })
       }
 
       sketch.draw = () => {

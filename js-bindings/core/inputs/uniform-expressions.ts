@@ -8,7 +8,7 @@ import { lazyObject } from '../lazy-object.js'
 import type { OffsetFunction, WarpInputs } from '../types/types.js'
 import { type DeclaredUniforms, listNames } from './declared-uniforms.js'
 import { markWhole } from './inputs.js'
-import { checkWhole, readAsWhole } from './uniform-values.js'
+import { checkWhole, markAsWhole } from './uniform-values.js'
 
 /**
  * Wraps an offset function: translates its operators, and adds `uniforms` to its inputs. `labelOf` returns the name of a uniform
@@ -56,7 +56,7 @@ function uniformExpressions(
   Object.defineProperty(known, markWhole, {
     value: (name: string) => {
       const { shape, isFunction, numbers } = declared.get(name)!
-      readAsWhole(shape)
+      markAsWhole(shape)
       if (!isFunction) checkWhole(place.uniform(name), numbers(place))
     },
   })

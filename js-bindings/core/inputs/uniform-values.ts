@@ -18,7 +18,7 @@ const shapes: Record<number, Shape> = {
 
 /**
  * Makes the shape of a uniform; `undefined` if no shape has that count of numbers. Each uniform has its own object, by which
- * `readAsWhole` marks it.
+ * `markAsWhole` marks it.
  */
 export function shapeFor(numbers: readonly number[] | undefined): Shape | undefined {
   const shape = numbers && shapes[numbers.length]
@@ -44,7 +44,7 @@ const wholeShapes = new WeakSet<Shape>()
 
 export const isWhole = ({ shape }: { shape: Shape }) => wholeShapes.has(shape)
 
-export const readAsWhole = (shape: Shape) => void wholeShapes.add(shape)
+export const markAsWhole = (shape: Shape) => void wholeShapes.add(shape)
 
 /** Rejects numbers beyond 2^24: uniforms are float32, which cannot represent every larger whole number. */
 export function checkWhole(place: Place, numbers: readonly number[]) {

@@ -79,7 +79,7 @@ export function allowNonFinite(mesh: Vertices): Vertices {
 
 /** Counts the vertices. Throws for arrays of different lengths, and for those that hold anything but finite numbers when they are
  * passed for the first time. */
-export function checkVertices(place: Place, mesh: unknown): number {
+export function countVertices(place: Place, mesh: unknown): number {
   if (typeof mesh !== 'object' || mesh === null || !('positions' in mesh))
     throw place.expected('a mesh with an array of positions', describe(mesh))
   if ('uniforms' in mesh)

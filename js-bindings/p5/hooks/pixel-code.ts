@@ -2,29 +2,10 @@
  * The code that computes a warp's normal at each pixel. The vertex stage passes the inputs of the warp, in the space of the offset, as
  * varyings; the fragment stage runs the same warp on their interpolated values, but computes only the normal.
  */
-import {
-  type Declared,
-  type HostText,
-  type HostWarp,
-  type Target,
-  variationNames,
-} from '../../compile/hosts.js'
+import { type HostWarp, type Target, variationNames } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import { inputUniforms } from '../sketch-uniforms.js'
-
-export interface PixelCode {
-  text: HostText
-  /** The inputs that the code reads, as varyings. */
-  varyings: readonly Varying[]
-  /** Uniforms that the fragment stage must declare. */
-  uniforms: readonly Declared[]
-}
-
-export interface Varying {
-  input: string
-  name: string
-  type: 'float' | 'vec2' | 'vec3' | 'vec4'
-}
+import type { PixelCode, Varying } from './styles.js'
 
 /** Returns the fragment stage's name of an input. */
 export const nameOfPixel = (input: string) => `warpjetPixel_${input}`

@@ -2,7 +2,8 @@
 import type { Declared } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { type PixelCode, nameOfPixel, normalVarying } from './pixel-code.js'
+import { nameOfPixel, normalVarying } from './pixel-code.js'
+import type { PixelCode } from './styles.js'
 
 const types: Partial<Record<Declared['type'], string>> = {
   float: 'f32',

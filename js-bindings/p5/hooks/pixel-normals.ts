@@ -1,8 +1,8 @@
 /** Normals at each pixel in GLSL, for both versions of p5; see pixel-code.ts. */
 import type { Modifications, Shader } from '../host.js'
 import { facingInGlsl } from './facing.js'
-import { type PixelCode, type Varying, nameOfPixel, normalVarying } from './pixel-code.js'
-import { type WarpCode, glslDeclarations } from './styles.js'
+import { nameOfPixel, normalVarying } from './pixel-code.js'
+import { type PixelCode, type Varying, type WarpCode, glslDeclarations } from './styles.js'
 
 /** Transforms normals from the space of the offset to view space, by a matrix of p5 unless both are the same. */
 export interface ToView {

@@ -5,7 +5,6 @@
  */
 import type { Declared, HostText, Target } from '../../compile/hosts.js'
 import type { HookOrder } from './merge-hooks.js'
-import type { PixelCode } from './pixel-code.js'
 import type { Modifications, Shader } from '../host.js'
 import type { WarpSpace, WarpType } from '../settings.js'
 
@@ -22,6 +21,21 @@ export interface WarpCode {
   hooks: 'first' | 'last'
   /** Uniforms that the shader must declare. */
   uniforms: readonly Declared[]
+}
+
+/** The code of the fragment stage that computes the normal at a pixel; see pixel-code.ts. */
+export interface PixelCode {
+  text: HostText
+  /** The inputs that the code reads, as varyings. */
+  varyings: readonly Varying[]
+  /** Uniforms that the fragment stage must declare. */
+  uniforms: readonly Declared[]
+}
+
+export interface Varying {
+  input: string
+  name: string
+  type: 'float' | 'vec2' | 'vec3' | 'vec4'
 }
 
 /** The material that a shader draws; `own` is a shader of the sketch. */
