@@ -3,96 +3,24 @@ import '@babylonjs/core/Engines/Extensions/engine.readTexture.js'
 import '@babylonjs/core/Engines/WebGPU/Extensions/engine.readTexture.js'
 import '@babylonjs/core/Materials/Textures/baseTexture.polynomial.js'
 import '@babylonjs/core/Meshes/thinInstanceMesh.js'
-import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
-import { Bone } from '@babylonjs/core/Bones/bone.js'
-import { Skeleton } from '@babylonjs/core/Bones/skeleton.js'
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Constants } from '@babylonjs/core/Engines/constants.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { ShaderStore } from '@babylonjs/core/Engines/shaderStore.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
 import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
-import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
 import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
 import { RawCubeTexture } from '@babylonjs/core/Materials/Textures/rawCubeTexture.js'
 import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js'
 import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
 import { Color4 } from '@babylonjs/core/Maths/math.color.js'
-import { Matrix, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { SphericalPolynomial } from '@babylonjs/core/Maths/sphericalPolynomial.js'
-import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 import { Scene } from '@babylonjs/core/scene.js'
 import { BabylonWarp, addSurfaceVariation } from 'warpjet/babylon'
-
-/** Maps names of values that `Shown` writes in place of the colour to their numbers in the shader. */
-const shownValues = { color: 0, normal: 1, restPosition: 2, restNormal: 3, restUv: 4 }
-
-/** Shows a value of the shader in place of the colour, as `shown` says. Rest places are those in front of a warp. */
-class Shown extends MaterialPluginBase {
-  shown = 'color'
-
-  constructor(material) {
-    super(material, 'Shown', 300, { SHOWN: true }, false)
-    this._pluginManager._addPlugin(this)
-    this._enable(true)
-  }
-
-  getClassName() {
-    return 'Shown'
-  }
-
-  isCompatible() {
-    return true
-  }
-
-  prepareDefinesBeforeAttributes(defines) {
-    Object.assign(defines, { _needUVs: true, _needNormals: true })
-  }
-
-  getUniforms() {
-    const ubo = [{ name: 'shown', size: 1, type: 'float' }]
-    // For engines without uniform buffers.
-    return { ubo, fragment: 'uniform float shown;' }
-  }
-
-  bindForSubMesh(buffer) {
-    buffer.updateFloat('shown', shownValues[this.shown])
-  }
-
-  getCustomCode(stage, language) {
-    const isWGSL = language === 1
-    const names = ['restPosition', 'restNormal', 'restUv']
-    const declarations = names
-      .map((name) => (isWGSL ? `varying ${name}: vec3f;` : `varying vec3 ${name};`))
-      .join('\n')
-    const output = isWGSL ? 'vertexOutputs.' : ''
-    const input = isWGSL ? 'fragmentInputs.' : ''
-    const vec3 = isWGSL ? 'vec3f' : 'vec3'
-    const shown = isWGSL ? 'uniforms.shown' : 'shown'
-    const color = this._material.getClassName() === 'PBRMaterial' ? 'finalColor' : 'color'
-    if (stage === 'vertex')
-      return {
-        CUSTOM_VERTEX_DEFINITIONS: declarations,
-        CUSTOM_VERTEX_UPDATE_POSITION: `${output}restPosition = positionUpdated;
-${output}restUv = ${vec3}(0.0);
-${output}restNormal = ${vec3}(0.0);
-#ifdef NORMAL
-${output}restNormal = normalUpdated;
-#endif
-#ifdef UV1
-${output}restUv = ${vec3}(uvUpdated, 0.0);
-#endif`,
-      }
-    const write = (value) => `${color} = ${vec3.replace('3', '4')}(${value}, 1.0);`
-    return {
-      CUSTOM_FRAGMENT_DEFINITIONS: declarations,
-      CUSTOM_FRAGMENT_BEFORE_FRAGCOLOR: ['normalW', ...names.map((name) => input + name)]
-        .map((value, i) => `if (abs(${shown} - ${i + 1}.0) < 0.5) { ${write(value)} }`)
-        .join('\n'),
-    }
-  }
-}
+import { shapes, uneven } from './shapes.js'
+import { Shown } from './shown.js'
 
 const engines = {}
 async function engineFor(backend) {
@@ -119,61 +47,6 @@ async function sceneOn(backend) {
   camera.orthoRight = camera.orthoTop = 1.4
   new DirectionalLight('sun', new Vector3(0.5, -0.6, 1), scene)
   return (scenes[backend] = scene)
-}
-
-/** The matrix of an instance, or of a bone. */
-const uneven = Matrix.Scaling(0.9, 0.5, 1.2).multiply(Matrix.RotationYawPitchRoll(0.3, 0.2, 0.5))
-
-/** Maps a name → a function that makes a mesh of about radius 1. */
-const shapes = {
-  sphere: (scene) => MeshBuilder.CreateSphere('sphere', { diameter: 2, segments: 10 }, scene),
-  box: (scene) => MeshBuilder.CreateBox('box', { size: 1 }, scene),
-  torus: (scene) =>
-    MeshBuilder.CreateTorus('torus', { diameter: 1.8, thickness: 0.5, tessellation: 24 }, scene),
-  plane: (scene) => MeshBuilder.CreatePlane('plane', { size: 1.6 }, scene),
-  'plane with colors'(scene) {
-    const mesh = shapes.plane(scene)
-    const colors = Array.from({ length: mesh.getTotalVertices() }, () => [0.5, 1, 1, 1])
-    mesh.setVerticesData(VertexBuffer.ColorKind, colors.flat())
-    return mesh
-  },
-  facets(scene) {
-    const mesh = shapes.sphere(scene)
-    mesh.convertToFlatShadedMesh()
-    return mesh
-  },
-  // With one bone, whose matrix comes in front of that of the mesh.
-  'sphere with a bone'(scene) {
-    const mesh = shapes.sphere(scene)
-    const numbers = (weight) =>
-      Array.from({ length: 4 * mesh.getTotalVertices() }, (_, i) => (i % 4 ? 0 : weight))
-    mesh.setVerticesData(VertexBuffer.MatricesIndicesKind, numbers(0))
-    mesh.setVerticesData(VertexBuffer.MatricesWeightsKind, numbers(1))
-    mesh.numBoneInfluencers = 1
-    mesh.skeleton = new Skeleton('skeleton', 'skeleton', scene)
-    const bone = new Bone('bone', mesh.skeleton, null, Matrix.Identity())
-    bone.getLocalMatrix().copyFrom(uneven)
-    bone.markAsDirty()
-    return mesh
-  },
-  // Its tangents are along u.
-  'plane with tangents'(scene) {
-    const mesh = shapes.plane(scene)
-    const tangents = Array.from({ length: mesh.getTotalVertices() }, () => [1, 0, 0, 1])
-    mesh.setVerticesData(VertexBuffer.TangentKind, tangents.flat())
-    return mesh
-  },
-  'sphere with tangents'(scene) {
-    const mesh = shapes.sphere(scene)
-    const positions = mesh.getVerticesData(VertexBuffer.PositionKind)
-    const tangents = Array.from({ length: positions.length / 3 }, (_, i) => {
-      const [x, , z] = positions.slice(3 * i, 3 * i + 3)
-      const length = Math.hypot(x, z)
-      return length > 1e-6 ? [-z / length, 0, x / length, 1] : [1, 0, 0, 1]
-    })
-    mesh.setVerticesData(VertexBuffer.TangentKind, tangents.flat())
-    return mesh
-  },
 }
 
 const offsets = {
