@@ -7,7 +7,7 @@ add_executable(warpjet_tests ${test_sources})
 target_include_directories(warpjet_tests PRIVATE tests/cpp)
 # Tests also parse JSON.
 target_include_directories(warpjet_tests SYSTEM PRIVATE ${libraries_folder})
-target_link_libraries(warpjet_tests PRIVATE warpjet_mesh warpjet_glsl warpjet_core GTest::gtest_main)
+target_link_libraries(warpjet_tests PRIVATE warpjet_mesh warpjet_source warpjet_core GTest::gtest_main)
 # One process per eighth of the tests, not per test: under the sanitizers a process takes longer to start than most tests.
 set(shards 8)
 foreach(shard RANGE 1 ${shards})
@@ -19,7 +19,7 @@ endforeach()
 
 # Compiles a dozen files at once, since most of the time is spent on headers: this takes a third of the time. The wasm build
 # compiles each file separately, which detects missing includes.
-set_target_properties(warpjet_core warpjet_glsl PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+set_target_properties(warpjet_core warpjet_source PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
 # Files that include the table of formulas are compiled separately, so that a changed formula recompiles only those.
 set_source_files_properties(src/diff/partials.cpp src/emit/lower.cpp src/emit/names.cpp src/ops/ops.cpp src/ops/range.cpp
                             src/ops/spelling.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -74,7 +74,8 @@ function(warpjet_fuzz_target subject library)
 endfunction()
 
 warpjet_fuzz_target(mesh warpjet_mesh tests/fuzz/mesh_fuzz.cpp tests/fuzz/gltf_mutator.cpp tests/fuzz/limits.cpp)
-warpjet_fuzz_target(glsl warpjet_glsl tests/fuzz/glsl_fuzz.cpp)
+warpjet_fuzz_target(glsl warpjet_source tests/fuzz/glsl_fuzz.cpp)
+warpjet_fuzz_target(wgsl warpjet_source tests/fuzz/wgsl_fuzz.cpp)
 warpjet_fuzz_target(graph warpjet_core tests/fuzz/graph_fuzz.cpp tests/fuzz/graph_calls.cpp)
 
 # Writes the seeds of the fuzz targets.

@@ -87,7 +87,7 @@ target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_link_options(warpjet_core_wasm PRIVATE ${without_simd})
 
 # The parser limits the nesting of a source, and each level takes less than 1 KB.
-warpjet_module_without_exceptions(glsl 1048576 warpjet_glsl)
+warpjet_module_without_exceptions(glsl 1048576 warpjet_source)
 target_link_options(warpjet_glsl_wasm PRIVATE ${without_simd} -Wl,--stack-first)
 
 # A malicious file may request any amount of memory and nest arbitrarily deep. tinygltf and its JSON parser throw;

@@ -18,6 +18,7 @@ import { Stop, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
 import { own } from '../tests/glsl/own.js'
 import { blocks, values } from '../tests/glsl/values.js'
+import { own as ownWgsl } from '../tests/wgsl/own.js'
 
 const programs = '.build/sanitize'
 const folder = '.build/fuzz'
@@ -25,12 +26,13 @@ const seeds = 'tests/fuzz/corpus'
 
 /**
  * Maps each target → libFuzzer's options (the max length of an input in bytes, and the words of the format) and `runs`, the inputs of a
- * repeatable search: about 20 s with all three at once on two cores.
+ * repeatable search: about 20 s with all four at once on two cores.
  */
 const targets = {
   mesh: { args: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'], runs: 14_000 },
   graph: { args: ['-max_len=1024'], runs: 1_200 },
   glsl: { args: ['-max_len=4096', '-dict=tests/fuzz/glsl.dict'], runs: 110_000 },
+  wgsl: { args: ['-max_len=4096', '-dict=tests/fuzz/wgsl.dict'], runs: 110_000 },
 }
 
 // One input may take 10 s and 2 GB in total, and allocate 1.5 GB at once: the largest mesh that a file can declare takes 1 GB.
@@ -138,7 +140,6 @@ const count = (text) => Number(text).toLocaleString('en')
 async function writeSeeds() {
   await cmakeBuild('sanitize', 'fuzz_seeds')
   await run(path(programs, 'fuzz_seeds'), [seeds])
-  mkdirSync(path(seeds, 'glsl'), { recursive: true })
   const texts = {
     ...own,
     ...values[300],
@@ -147,8 +148,11 @@ async function writeSeeds() {
     ),
     'a misspelled function': 'float own(float x) { return exAp2(x); }',
   }
-  for (const [name, text] of Object.entries(texts))
-    writeFileSync(path(seeds, 'glsl', slug(name)), text.replaceAll('\n  ', '\n') + '\n')
+  for (const [language, sources] of Object.entries({ glsl: texts, wgsl: ownWgsl })) {
+    mkdirSync(path(seeds, language), { recursive: true })
+    for (const [name, text] of Object.entries(sources))
+      writeFileSync(path(seeds, language, slug(name)), text.replaceAll('\n  ', '\n') + '\n')
+  }
   good(`${walk(seeds).length} files in ${seeds}`)
 }
 
@@ -158,7 +162,7 @@ const help = `npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).jo
 
   --seconds  how long each target runs; 60 by default
   --target   only this one; otherwise all at once
-  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp and tests/glsl, and ends`
+  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp, tests/glsl and tests/wgsl, and ends`
 
 function options() {
   try {

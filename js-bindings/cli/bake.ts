@@ -43,7 +43,7 @@ export async function bake(args: string[]): Promise<void> {
   const { values, files, wrong } = readArguments(
     'bake',
     args,
-    ['a model', 'a warp.js or a file of GLSL'],
+    ['a model', 'a warp.js or a file of GLSL or WGSL'],
     {
       output: { type: 'string', short: 'o' },
       ...glslFlags,

@@ -1,18 +1,19 @@
-// `npx warpjet derive`: prints a function of GLSL with its derivatives.
+// `npx warpjet derive`: prints a function of GLSL or WGSL with its derivatives.
 import { writeFile } from 'node:fs/promises'
 import { differentiate } from '../glsl-source/differentiate.js'
 import { targetKind } from '../core/module/serialized-module.js'
+import { optional } from '../options/kinds.js'
 import { areOneFile, withWriteErrors } from './files.js'
 import { readArguments } from './usage.js'
-import { choiceOf, glslFlags, readText, removeUndefined } from './warp-file.js'
+import { choiceOf, glslFlags, isWgsl, readText, removeUndefined } from './warp-file.js'
 
 export async function derive(args: string[]): Promise<void> {
-  const { values, files, wrong } = readArguments('derive', args, ['a file of GLSL'], {
+  const { values, files, wrong } = readArguments('derive', args, ['a file of GLSL or WGSL'], {
     function: glslFlags.function,
     by: { type: 'string' },
     name: { type: 'string' },
     'max-iterations': glslFlags['max-iterations'],
-    target: { type: 'string', kind: targetKind },
+    target: { type: 'string', kind: optional(targetKind) },
     output: { type: 'string', short: 'o' },
   })
   const [file] = files as [string]
@@ -21,8 +22,9 @@ export async function derive(args: string[]): Promise<void> {
     throw wrong('derive does not overwrite its source.')
   const source = await readText(file)
   const text = differentiate(source, {
-    target: values.target,
     ...removeUndefined({
+      target: values.target,
+      language: isWgsl(file) ? 'wgsl' : undefined,
       ...choiceOf({ ...values, returns: undefined }),
       by: values.by,
       name: values.name,

@@ -8,13 +8,18 @@ import { readArguments } from './usage.js'
 import { withFileInErrors, glslFlags, choiceOf, readWarp } from './warp-file.js'
 
 export async function emit(args: string[]): Promise<void> {
-  const { values, files, wrong } = readArguments('emit', args, ['a warp.js or a file of GLSL'], {
-    target: { type: 'string', kind: targetKind },
-    tangents: { type: 'boolean', default: false },
-    'surface-variation': { type: 'boolean' },
-    ...glslFlags,
-    output: { type: 'string', short: 'o' },
-  })
+  const { values, files, wrong } = readArguments(
+    'emit',
+    args,
+    ['a warp.js or a file of GLSL or WGSL'],
+    {
+      target: { type: 'string', kind: targetKind },
+      tangents: { type: 'boolean', default: false },
+      'surface-variation': { type: 'boolean' },
+      ...glslFlags,
+      output: { type: 'string', short: 'o' },
+    },
+  )
   const [file] = files as [string]
   const { output } = values
   if (output !== undefined && (await areOneFile(output, file)))

@@ -5,7 +5,7 @@ export const help = `warpjet warps 3D models with a function of their vertices.
 
   npx warpjet emit warp.js --target glsl300       prints the warp as shader code
   npx warpjet bake model.glb warp.js -o out.glb   writes the warped model to a file
-  npx warpjet derive scene.glsl --by p            prints a function of GLSL with its derivatives
+  npx warpjet derive scene.glsl --by p            prints a function of GLSL or WGSL with its derivatives
   npx warpjet info model.glb                      describes a model
 
 \`npx warpjet <command> --help\` lists the options. Models are .glb, .gltf, .obj or .stl. Compressed models need the
@@ -16,7 +16,7 @@ warp.js is an ES module that exports an offset function, as for createWarp:
   export default ({ glsl, position, millis }) =>
     glsl.vec3(position.y().mult(4).add(millis.div(500)).sin().mult(0.15), 0, 0)
 
-Instead of warp.js you can pass a GLSL file with a function that returns a vec3: vec3 offset(vec3 position, float millis) { … }
+Instead of warp.js you can pass a GLSL or WGSL file with a function that returns a vec3: vec3 offset(vec3 position, float millis) { … }
 
 warp.js can also export values for \`uniforms\`: export const uniforms = { amount: 0.5 }
 
@@ -31,7 +31,7 @@ Prints shader statements that compute the warped position and normal of a vertex
 warpedNormal; comments above list the uniforms and attributes, which your shader must declare.
 
   --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
-  --function <name>     function in a GLSL file (default: offset, or else the last one)
+  --function <name>     function in a GLSL or WGSL file (default: offset, or else the last one)
   --returns position    the function returns the new position instead of the offset
   --max-iterations <n>  max number of iterations of a loop whose end depends on data
   --tangents            also transforms tangents: declares warpedTangent
@@ -44,7 +44,7 @@ warpedNormal; comments above list the uniforms and attributes, which your shader
 Moves every vertex of the model like the shader, transforms normals and tangents, and writes a GLB file.
 
   -o, --output <file>       output file, always .glb
-  --function <name>         function in a GLSL file (default: offset, or else the last one)
+  --function <name>         function in a GLSL or WGSL file (default: offset, or else the last one)
   --returns position        the function returns the new position instead of the offset
   --max-iterations <n>      max number of iterations of a loop whose end depends on data
   --set <name>=<value>      sets a uniform of the warp: --set millis=1200, --set mouse=10,20; can be repeated, and
@@ -60,7 +60,7 @@ Moves every vertex of the model like the shader, transforms normals and tangents
 
   derive: `npx warpjet derive <file> [options]
 
-Prints a function that returns the derivatives of a function in a GLSL file: for a float, its value and gradient as one
+Prints a function that returns the derivatives of a function in a GLSL or WGSL file: for a float, its value and gradient as one
 vector; for a vector, its Jacobian as a matrix.
 
   --function <name>     function to differentiate (default: offset, or else the last one)

@@ -1,4 +1,4 @@
-// Loads an offset function from a JavaScript or GLSL file.
+// Loads an offset function from a file of JavaScript, GLSL or WGSL.
 import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
@@ -6,7 +6,7 @@ import { maxIterationLimit } from '../glsl-source/options.js'
 import { numeric } from './usage.js'
 import { optional, wholeNumber } from '../options/kinds.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { glslOffset } from '../glsl-source/offset.js'
+import { glslOffset, wgslOffset } from '../glsl-source/offset.js'
 import { inputSizes } from '../core/inputs/inputs.js'
 import type { OffsetFunction, UniformOptions } from '../core/types/types.js'
 
@@ -46,7 +46,7 @@ export const choiceOf = (values: {
 })
 
 /**
- * Imports a JavaScript file, or parses the file if its name is that of a GLSL file: then its uniforms have the types declared in the
+ * Imports a JavaScript file, or parses the file if its name is that of a GLSL or WGSL file: then its uniforms have the types declared in the
  * source, and the values passed here.
  */
 export async function readWarp(
@@ -54,11 +54,13 @@ export async function readWarp(
   choice: GlslChoice = {},
   values: object = {},
 ): Promise<WarpFile> {
-  if (isGlsl(file))
+  if (isSource(file)) {
+    const offsetOf = isWgsl(file) ? wgslOffset : glslOffset
     return {
-      offset: glslOffset(await readText(file), removeUndefined(choice)),
+      offset: offsetOf(await readText(file), removeUndefined(choice)),
       uniforms: uniformsOfText(values),
     }
+  }
   const module: Record<string, unknown> = await load(file)
   const uniforms = module.uniforms as UniformOptions | undefined
   const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
@@ -78,7 +80,9 @@ const uniformsOfText = (values: object) =>
     Object.entries(values).filter(([name]) => !Object.hasOwn(inputSizes, name)),
   ) as UniformOptions
 
-const isGlsl = (file: string) => /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
+export const isWgsl = (file: string) => /\.wgsl$/i.test(file)
+
+const isSource = (file: string) => isWgsl(file) || /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
 
 /** Removes options that are `undefined`. */
 export const removeUndefined = (options: object) =>

@@ -10,7 +10,7 @@ import type { Expression } from '../core/expression/expression.js'
 import { bindExternals } from './bind.js'
 import { type GlslValue, halvesOf } from './halves.js'
 import { type FunctionHead, type Named, withSource } from './listing.js'
-import { type GlslOptions, article, glslKinds, sourceKind } from './options.js'
+import { type GlslOptions, article, glslKinds, sourceKinds } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface GlslSourceOptions extends GlslOptions {
@@ -28,9 +28,9 @@ const sourceOptions = object({
 } satisfies KindsOf<GlslSourceOptions>)
 
 function functionOf(glsl: Builder, source: unknown, given?: GlslSourceOptions): SourceFunction {
-  const text = sourceKind.read(source, place.part('the source'))
+  const text = sourceKinds.glsl.read(source, place.part('the source'))
   const options = sourceOptions.read(given, place)
-  const listing = withSource(place, text, (open) => {
+  const listing = withSource(place, { text, language: 'glsl' }, (open) => {
     const head = open.find(options.function)
     rejectOtherTypes(head)
     return open.list(head, options.maxIterations)

@@ -1,6 +1,6 @@
 // `differentiate`: generates the source of a function that returns the derivatives of another.
 import { compile } from '#text-compiler'
-import { anything, kind, optional, text } from '../options/kinds.js'
+import { anything, kind, oneOf, optional, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
 import type { Builder } from '../core/expression/builder.js'
@@ -10,16 +10,24 @@ import type { Vector } from '../core/types/types.js'
 import { bindExternals, parameterOf } from './bind.js'
 import { functionText } from './function-text.js'
 import { type FunctionHead, type Listing, type Named, withSource } from './listing.js'
-import { type GlslOptions, article, glslKinds, sourceKind } from './options.js'
+import {
+  type GlslOptions,
+  type SourceLanguage,
+  articleIn,
+  glslKinds,
+  sourceKinds,
+} from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface DifferentiateOptions extends GlslOptions {
   /** The parameter to differentiate by, a float or a vector. Default: the first parameter. */
   by?: string
   /**
-   * The language of the new function.
-   * @default 'glsl300'
+   * The language of the source.
+   * @default 'glsl'
    */
+  language?: SourceLanguage
+  /** The language of the new function. Default: `'glsl300'`, or `'wgsl'` for a source in WGSL. */
   target?: Target
   /** The name of the new function. Default: the name of the original, followed by `Gradient` or `Jacobian`. */
   name?: string
@@ -29,7 +37,8 @@ const place = new Place('differentiate')
 const differentiateOptions = object({
   ...glslKinds,
   by: anything<string>(),
-  target: targetKind,
+  language: oneOf<SourceLanguage>(['glsl', 'wgsl'], 'glsl'),
+  target: optional(targetKind),
   name: optional(text('the name of a function', /^[a-z_]\w*$/i)),
 } satisfies KindsOf<DifferentiateOptions>)
 
@@ -42,13 +51,14 @@ const differentiateOptions = object({
  * Uniforms remain uniforms of the shader. Throws a `WarpError` with the line and column of a mistake in the source.
  */
 export function differentiate(source: string, options?: DifferentiateOptions): string {
-  const sourceText = sourceKind.read(source, place.part('the source'))
   const given = differentiateOptions.read(options, place)
-  const { target } = given
-  const { by, shape, listing } = withSource(place, sourceText, (open) => {
+  const { language } = given
+  const text = sourceKinds[language].read(source, place.part('the source'))
+  const target = given.target ?? (language === 'wgsl' ? 'wgsl' : 'glsl300')
+  const { by, shape, listing } = withSource(place, { text, language }, (open) => {
     const head = open.find(given.function)
     const by = parameterNamed(head, given.by)
-    const shape = resultShape(head, by, target)
+    const shape = resultShape(head, by, target, language)
     return { by, shape, listing: open.list(head, given.maxIterations) }
   })
   const { head } = listing
@@ -142,7 +152,9 @@ function resultShape(
   { name, type, parameters }: FunctionHead,
   by: string,
   target: Target,
+  language: SourceLanguage,
 ): ResultShape {
+  const article = (type: string) => articleIn(language, type)
   const reject = (why: string): never => {
     throw place.error(`${why}.`)
   }

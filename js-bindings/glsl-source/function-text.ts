@@ -2,6 +2,7 @@
 import { type Target, targets } from '../core/module/serialized-module.js'
 import { languages } from '../wasm/tables.js'
 import type { Named } from './listing.js'
+import { wgslType } from './options.js'
 
 export interface FunctionParts {
   name: string
@@ -13,12 +14,6 @@ export interface FunctionParts {
   declarations: string
   result: string
 }
-
-/** WGSL's names of types. */
-const wgslTypes: Record<string, string> = { float: 'f32', int: 'i32', uint: 'u32', bool: 'bool' }
-
-const wgslType = (type: string) =>
-  wgslTypes[type] ?? type.replace(/^(mat)(\d)$/, '$1$2x$2').replace(/^(vec\d|mat\dx\d)$/, '$1f')
 
 export function functionText(target: Target, parts: FunctionParts): string {
   const { name, type, parameters, code, declarations, result } = parts

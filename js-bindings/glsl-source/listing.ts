@@ -1,13 +1,14 @@
-// Lowers GLSL source to a plain list of operations, once. The list is independent of any session and of wasm memory.
+// Lowers GLSL or WGSL source to a plain list of operations, once. The list is independent of any session and of wasm memory.
 import type { Place } from '../options/place.js'
 import * as wasm from '../wasm/glsl.js'
+import type { SourceLanguage } from './options.js'
 
 export type FunctionHead = wasm.FunctionHead
 
 /** A uniform or an attribute of the source. */
 export type External = wasm.HostName
 
-/** A name with its type, as GLSL writes it. */
+/** A name with its type, as GLSL writes it, whatever the language of the source. */
 export type Named = Pick<External, 'name' | 'type'>
 
 /** The operations of a function; glsl.hpp describes the words. */
@@ -15,15 +16,20 @@ export interface Listing extends wasm.Listing {
   head: FunctionHead
 }
 
+export interface SourceText {
+  text: string
+  language: SourceLanguage
+}
+
 /** Parses source, passes it to `work` and closes it in any case. Throws a `WarpError` with line, column and a caret. */
 export const withSource = <Result>(
   place: Place,
-  text: string,
+  { text, language }: SourceText,
   work: (source: OpenSource) => Result,
 ): Result =>
   wasm.glsl.use(
-    ({ Source }) => new Source(text),
-    (source) => work(new OpenSource(place, source)),
+    ({ Source }) => new Source(text, language === 'wgsl'),
+    (source) => work(new OpenSource(place, source, language)),
   )
 
 export class OpenSource {
@@ -32,6 +38,7 @@ export class OpenSource {
   constructor(
     private readonly place: Place,
     private readonly source: wasm.Source,
+    readonly language: SourceLanguage,
   ) {
     this.throwProblem()
     this.functions = source.functions()

@@ -1,4 +1,4 @@
-// `glslOffset`: makes an offset function from GLSL source.
+// `glslOffset` and `wgslOffset`: make an offset function from source.
 import { asOwn } from '../errors/operators.js'
 import { nearest } from '../errors/nearest.js'
 import { oneOf } from '../options/kinds.js'
@@ -8,7 +8,13 @@ import type { Builder } from '../core/expression/builder.js'
 import type { UniformValues, Vec3, WarpInputs } from '../core/types/types.js'
 import { bindExternals, inputNamed, inputTypes } from './bind.js'
 import { type FunctionHead, withSource } from './listing.js'
-import { type GlslOptions, article, glslKinds, sourceKind } from './options.js'
+import {
+  type GlslOptions,
+  type SourceLanguage,
+  articleIn,
+  glslKinds,
+  sourceKinds,
+} from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface GlslOffsetOptions extends GlslOptions {
@@ -24,7 +30,9 @@ export type GlslOffset<Uniforms extends UniformValues = {}> = (
   inputs: Pick<WarpInputs<Uniforms>, 'glsl' | 'position' | 'uniforms'>,
 ) => Vec3
 
-const place = new Place('glslOffset')
+export type WgslOffsetOptions = GlslOffsetOptions
+export type WgslOffset<Uniforms extends UniformValues = {}> = GlslOffset<Uniforms>
+
 const offsetOptions = object({
   ...glslKinds,
   returns: oneOf(['offset', 'position'], 'offset'),
@@ -42,11 +50,34 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
   source: string,
   options?: GlslOffsetOptions,
 ): GlslOffset<Uniforms> {
-  const text = sourceKind.read(source, place.part('the source'))
+  return offsetOf(new Place('glslOffset'), 'glsl', source, options)
+}
+
+/**
+ * Makes an offset function from source in WGSL, like `glslOffset` from GLSL. A uniform is an input by its name in the shader, such
+ * as `time` of `var<uniform> time: f32` or `scene.time` of a structure; so is an element of a storage buffer, by a constant index.
+ * Attributes, entry points and functions for fragments may stay in the source; they are ignored unless the function uses them.
+ *
+ * Throws a `WarpError` with the line and column of a mistake in the source.
+ */
+export function wgslOffset<Uniforms extends UniformValues = {}>(
+  source: string,
+  options?: WgslOffsetOptions,
+): WgslOffset<Uniforms> {
+  return offsetOf(new Place('wgslOffset'), 'wgsl', source, options)
+}
+
+function offsetOf<Uniforms extends UniformValues>(
+  place: Place,
+  language: SourceLanguage,
+  source: string,
+  options: GlslOffsetOptions | undefined,
+): GlslOffset<Uniforms> {
+  const text = sourceKinds[language].read(source, place.part('the source'))
   const { function: name, maxIterations, returns } = offsetOptions.read(options, place)
-  const listing = withSource(place, text, (open) => {
+  const listing = withSource(place, { text, language }, (open) => {
     const head = open.find(name)
-    rejectOtherHead(head)
+    rejectOtherHead(place, language, head)
     return open.list(head, maxIterations)
   })
   const { head } = listing
@@ -81,17 +112,22 @@ function unknownParameter(name: string, parameter: string, type: string) {
   return `the parameter ${parameter} of ${name} has no value; ${advice}.`
 }
 
-function rejectOtherHead({ name, type, parameters }: FunctionHead) {
+function rejectOtherHead(
+  place: Place,
+  language: SourceLanguage,
+  { name, type, parameters }: FunctionHead,
+) {
+  const article = (type: string) => articleIn(language, type)
   if (type !== 'vec3')
     throw place.error(
-      `${name}: expected a function that returns a vec3, the offset of a vertex, got one that returns ${type === 'void' ? 'nothing' : article(type)}; ${
+      `${name}: expected a function that returns ${article('vec3')}, the offset of a vertex, got one that returns ${type === 'void' ? 'nothing' : article(type)}; ${
         type === 'void' ? 'return the offset' : 'differentiate accepts other functions'
       }, or name another function by the option "function".`,
     )
   for (const parameter of parameters) {
     if (parameter.isOut)
       throw place.error(
-        `the parameter ${parameter.name} of ${name} is out or inout; an offset function must return its vec3.`,
+        `the parameter ${parameter.name} of ${name} is ${language === 'wgsl' ? 'a pointer' : 'out or inout'}; an offset function must return its ${language === 'wgsl' ? 'vec3f' : 'vec3'}.`,
       )
     if (parameters.length === 1 && parameter.type === 'vec3' && !isInput(parameter.name)) continue
     const expected = inputTypes[parameter.name]

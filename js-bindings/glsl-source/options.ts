@@ -1,4 +1,4 @@
-// The options of all functions that read GLSL source.
+// The options of all functions that read source in GLSL or WGSL.
 import { kind, optional, text, wholeNumber } from '../options/kinds.js'
 import type { KindsOf } from '../options/schema.js'
 
@@ -20,16 +20,38 @@ export const glslKinds = {
 const isFileName = (given: unknown) =>
   typeof given === 'string' && /^[\w./\\-]+\.\w+$/.test(given.trim())
 
-export const sourceKind = kind<string>(
-  'a string of GLSL',
-  (given) => typeof given === 'string' && !isFileName(given),
-  {
-    advice: (given) =>
-      isFileName(given)
-        ? 'this is the name of a file; read the file first, by fetch or loadStrings for instance'
-        : undefined,
-  },
-)
+export type SourceLanguage = 'glsl' | 'wgsl'
+
+const sourceKindOf = (language: string) =>
+  kind<string>(
+    `a string of ${language}`,
+    (given) => typeof given === 'string' && !isFileName(given),
+    {
+      advice: (given) =>
+        isFileName(given)
+          ? 'this is the name of a file; read the file first, by fetch or loadStrings for instance'
+          : undefined,
+    },
+  )
+
+export const sourceKinds: Record<SourceLanguage, ReturnType<typeof sourceKindOf>> = {
+  glsl: sourceKindOf('GLSL'),
+  wgsl: sourceKindOf('WGSL'),
+}
+
+/** WGSL's names of types. */
+const wgslScalars: Record<string, string> = { float: 'f32', int: 'i32', uint: 'u32' }
+
+/** Returns WGSL's name of a type of GLSL. */
+export function wgslType(type: string): string {
+  const [, base, size] = /^([iub]?)vec(\d)$/.exec(type) ?? []
+  if (size) return base === 'b' ? `vec${size}<bool>` : `vec${size}${base || 'f'}`
+  return wgslScalars[type] ?? type.replace(/^(mat)(\d)$/, '$1$2x$2').replace(/^(mat\dx\d)$/, '$1f')
+}
 
 /** Returns the type with an indefinite article, for messages. */
-export const article = (type: string) => `${/^[aeio]/.test(type) ? 'an' : 'a'} ${type}`
+export const article = (type: string) => `${/^[aeio]|^f32/.test(type) ? 'an' : 'a'} ${type}`
+
+/** Returns the type as the language of the source has it, with an indefinite article. */
+export const articleIn = (language: SourceLanguage, type: string) =>
+  article(language === 'wgsl' ? wgslType(type) : type)

@@ -1,6 +1,6 @@
 // The border to JavaScript of the front end for shader source. A source is read once, and its
 // functions are listed in words that JavaScript replays.
-#include "glsl/glsl.hpp"
+#include "source/glsl/glsl.hpp"
 
 #include <malloc.h>
 
@@ -12,15 +12,18 @@
 #include <vector>
 
 #include "embind.hpp"
+#include "source/wgsl/wgsl.hpp"
 
-using namespace warpjet::glsl;
+using namespace warpjet::source;
 
 namespace {
 
 // The builder's name of each code; empty where it is none of its operations.
 std::vector<std::string> codes() { return {std::begin(codeNames), std::end(codeNames)}; }
 
-Source* openSource(std::string_view text) { return new Source(text); }
+Source* openSource(std::string_view text, bool isWgsl) {
+  return new Source(isWgsl ? wgsl::parse(text) : glsl::parse(text));
+}
 
 std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 

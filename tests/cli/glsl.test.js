@@ -42,6 +42,13 @@ vec3 offset(vec3 position, float millis) {
 }
 `,
   )
+  write(
+    'waves.wgsl',
+    `var<uniform> height: f32;
+fn offset(position: vec3f) -> vec3f { return vec3f(0, height * sin(position.x), 0); }
+fn wave(p: vec3f, t: f32) -> f32 { return dot(p, p) * t; }
+`,
+  )
   write('bad.frag', 'vec3 offset(vec3 p) {\n  return q;\n}\n')
 
   test('emit accepts it instead of a warp.js', async () => {
@@ -49,6 +56,26 @@ vec3 offset(vec3 position, float millis) {
     assert.equal(code, 0)
     assert.match(stdout, /uniforms: float height/)
     assert.match(stdout, /offset = vec3f\(0\.0f, height \* sin\(position\.x\), 0\.0f\);/)
+  })
+
+  test('a file of WGSL is read as such, and derived as WGSL', async () => {
+    const emitted = await warpjet('emit', 'waves.wgsl', '--target', 'glsl300')
+    assert.equal(emitted.code, 0, emitted.stderr)
+    assert.match(emitted.stdout, /offset = vec3\(0\.0, height \* sin\(position\.x\), 0\.0\);/)
+    const source = readFileSync(join(folder, 'waves.wgsl'), 'utf8')
+    const derived = await warpjet('derive', 'waves.wgsl', '--function', 'wave')
+    assert.equal(derived.code, 0, derived.stderr)
+    assert.equal(derived.stdout, differentiate(source, { language: 'wgsl', function: 'wave' }))
+    assert.match(derived.stdout, /^fn waveGradient\(p: vec3f, t: f32\) -> vec4f \{/)
+    const inGlsl = await warpjet(
+      'derive',
+      'waves.wgsl',
+      '--function',
+      'wave',
+      '--target',
+      'glsl100',
+    )
+    assert.match(inGlsl.stdout, /^vec4 waveGradient\(vec3 p, float t\) \{/)
   })
 
   test('bake accepts it too, with any function of the file', async () => {

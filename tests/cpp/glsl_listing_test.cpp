@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "glsl/glsl.hpp"
+#include "source/glsl/glsl.hpp"
 
-namespace warpjet::glsl {
+namespace warpjet::source::glsl {
 namespace {
 
 using Numbers = std::vector<double>;
 
 Listing lowerToListing(const std::string& text, int function, int maxIterations = 0) {
-  Source source(text);
+  Source source(parse(text));
   EXPECT_EQ(source.problem(), "");
   Listing listing = source.lower(function, maxIterations);
   EXPECT_EQ(source.problem(), "");
@@ -368,4 +368,4 @@ TEST(GlslListing, IntUniformsAreReadInHalves) {
 }
 
 }  // namespace
-}  // namespace warpjet::glsl
+}  // namespace warpjet::source::glsl

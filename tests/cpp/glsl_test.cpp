@@ -1,14 +1,14 @@
 // The front end for shader source, part by part: tokens, preprocessor, types, and recording.
-#include "glsl/glsl.hpp"
+#include "source/glsl/glsl.hpp"
 
 #include <gtest/gtest.h>
 
-#include "glsl/builtins.hpp"
-#include "glsl/preprocess.hpp"
-#include "glsl/recorder.hpp"
-#include "glsl/typing.hpp"
+#include "source/glsl/built_in_table.hpp"
+#include "source/glsl/preprocess.hpp"
+#include "source/recorder.hpp"
+#include "source/typing.hpp"
 
-namespace warpjet::glsl {
+namespace warpjet::source::glsl {
 namespace {
 
 std::string preprocessToText(std::string_view text) {
@@ -23,7 +23,7 @@ std::string preprocessToText(std::string_view text) {
 }
 
 Listing lowerToListing(const std::string& text) {
-  Source source(text);
+  Source source(parse(text));
   EXPECT_EQ(source.problem(), "");
   Listing listing = source.lower(0, 0);
   EXPECT_EQ(source.problem(), "");
@@ -51,7 +51,7 @@ TEST(GlslTokens, ReadsNumbersNamesAndSymbols) {
 
 // The message without its line, column and caret.
 std::string problemOf(const std::string& text) {
-  const std::string problem = Source(text).problem();
+  const std::string problem = Source(parse(text)).problem();
   const auto start = problem.find(": ");
   return problem.empty() ? "" : problem.substr(start + 2, problem.find('\n') - start - 2);
 }
@@ -173,7 +173,7 @@ TEST(GlslTypes, OperatorsDoNotConvertTypes) {
 TEST(GlslTypes, ResolvesBuiltInFunctionsByOperandTypes) {
   const Type vec3 = vectorType(Base::Float, 3), bvec3 = vectorType(Base::Bool, 3);
   const auto result = [](std::string_view name, std::vector<Type> operands) {
-    const auto found = findBuiltIn(name, operands);
+    const auto found = findBuiltIn(builtIns, name, operands);
     return found ? std::optional(found->result) : std::nullopt;
   };
   EXPECT_EQ(result("mix", {vec3, vec3, floatType}), vec3);
@@ -231,21 +231,22 @@ TEST(GlslRecorder, SimplifiesConditions) {
 TEST(GlslLowering, LimitsSourceLengthAndIterations) {
   std::string sum = "float f(float x) { return x";
   for (int i = 0; i < 10'000; ++i) sum += " + x";
-  EXPECT_EQ(Source(sum + "; }").problem(), "");
-  Source endless("float f(float x) { for (int i = 0; i < 2000000; i++) x = sin(x); return x; }");
+  EXPECT_EQ(Source(parse(sum + "; }")).problem(), "");
+  Source endless(
+      parse("float f(float x) { for (int i = 0; i < 2000000; i++) x = sin(x); return x; }"));
   endless.lower(0, 0);
   EXPECT_NE(endless.problem().find("has not ended after 20000 iterations"), std::string::npos)
       << endless.problem();
   const std::string loops = "for (int i = 0; i < 1000; i++) for (int j = 0; j < 1000; j++) ";
-  Source wide("float f(float x) { " + loops + "x = sin(x); return x; }");
+  Source wide(parse("float f(float x) { " + loops + "x = sin(x); return x; }"));
   wide.lower(0, 0);
   EXPECT_EQ(wide.problem(), "");
   // Integers as states have more bits than a loop of the shader preserves.
-  Source bits("float f(float x) { uint u = uint(x); " + loops +
-              "u = u * 3u + 1u; return float(u); }");
+  Source bits(parse("float f(float x) { uint u = uint(x); " + loops +
+                    "u = u * 3u + 1u; return float(u); }"));
   bits.lower(0, 0);
   EXPECT_NE(bits.problem().find("more than 250,000 steps"), std::string::npos) << bits.problem();
 }
 
 }  // namespace
-}  // namespace warpjet::glsl
+}  // namespace warpjet::source::glsl

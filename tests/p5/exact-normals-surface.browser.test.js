@@ -64,6 +64,37 @@ const inImages = {
   ],
 }
 
+/** Heights by functions of p5.strands; the kinks of % are between vertices of the plane. */
+const heights = {
+  'noise()': 'noise(x * 0.03, y * 0.03) * 25',
+  '%': 'abs(((x + 101) % 30) - 15) + abs(((y + 102) % 50) - 25) * 0.5',
+  'mod()': 'abs(mod(x + 101, 40) - 20) * (0.5 + y * 0.004)',
+  'a condition and a loop': 'hillAt(x, y)',
+}
+const inWorld = (height, normal) => `baseMaterialShader().modify(() => {
+  const slope = uniformFloat(() => 0.3)
+  getWorldInputs((inputs) => {
+    const hillAt = (x, y) => {
+      let s = 0
+      for (let i = 1; i < 4; i++) {
+        if (x > 0) { s += sin(x * 0.05 * i) * 3 } else { s += x * 0.05 * i }
+        s += min(max(y * slope, -10), 10)
+      }
+      return s
+    }
+    const heightAt = (x, y) => ${height}
+    let x = inputs.position.x
+    let y = inputs.position.y
+    ${normal}
+    inputs.position.z += heightAt(x, y)
+    return inputs
+  })
+})`
+const byDifferences = `
+    let byX = (heightAt(x + 0.05, y) - heightAt(x - 0.05, y)) * 10
+    let byY = (heightAt(x, y + 0.05) - heightAt(x, y - 0.05)) * 10
+    inputs.normal = normalize(inputs.normal - [byX, byY, 0] * inputs.normal.z)`
+
 const inOldHooks = {
   'along the normal': [
     `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {
@@ -114,6 +145,36 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           `${name}: wrong light would show`,
         )
     })
+
+    if (!isOld)
+      test('has the light of normals by differences', async () => {
+        const entries = Object.entries(heights)
+        const images = await drawScenes(browsers[renderer], server, [...scripts, ...own], {
+          renderer,
+          setup: entries
+            .map(
+              ([, height], i) =>
+                `warps.plain${i} = ${inWorld(height, '')}; warps.own${i} = exactNormals(warps.plain${i}); warps.byHand${i} = ${inWorld(height, byDifferences)}`,
+            )
+            .join('\n'),
+          scenes: Object.fromEntries(
+            entries.flatMap(([name], i) =>
+              ['own', 'plain', 'byHand'].map((kind) => [
+                `${name}, ${kind}`,
+                scene(`shader(warps.${kind}${i})`, 'plane(150, 150, 80, 80)'),
+              ]),
+            ),
+          ),
+        })
+        for (const [name] of entries) {
+          const right = images[`${name}, byHand`]
+          assert.ok(litPixels(right).length > 4000, name)
+          const differing = differingPixels(images[`${name}, own`], right, 4)
+          assert.ok(differing < 100, `${name}: ${differing} pixels differ`)
+          const wrong = differingPixels(images[`${name}, plain`], right, 8)
+          assert.ok(wrong > 3000, `${name}: wrong light would show, in ${wrong} pixels`)
+        }
+      })
 
     test('messages about unsupported hooks use the names of the sketch', async () => {
       const told = {

@@ -8,6 +8,9 @@ import {
   differentiate,
   exactNormals,
   glslOffset,
+  wgslOffset,
+  type WgslOffset,
+  type WgslOffsetOptions,
 } from '../../js-bindings/glsl.js'
 import { chain, twist } from '../../js-bindings/deformers.js'
 import {
@@ -37,6 +40,17 @@ export const read: string[] = compileWarp(waves).uniforms.map(({ name, type }) =
 // With its uniforms.
 const needing: OffsetFunction<{ amount: number }> = glslOffset<{ amount: number }>('…')
 compileWarp(needing, { uniforms: { amount: 1 } })
+
+const wgslOptions: WgslOffsetOptions = offsetOptions
+export const ridges: WgslOffset = wgslOffset(
+  'fn offset(p: vec3f) -> vec3f { return p; }',
+  wgslOptions,
+)
+differentiate('fn f(x: f32) -> f32 { return x; }', { language: 'wgsl' })
+// @ts-expect-error no such language
+differentiate('', { language: 'hlsl' })
+// @ts-expect-error source is required
+wgslOffset()
 
 // @ts-expect-error source is required
 glslOffset()

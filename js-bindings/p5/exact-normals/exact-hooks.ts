@@ -3,8 +3,8 @@ import { compileWarp } from '#text-compiler'
 import { type OffsetFunction, type Target, drawInputs } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import { asOwn } from '../../errors/operators.js'
-import { glslOffset } from '../../glsl-source/offset.js'
-import { aboveStrands, glslOf } from './strands-wgsl.js'
+import { glslOffset, wgslOffset } from '../../glsl-source/offset.js'
+import { wgslOfHook } from './strands-wgsl.js'
 import { type ModifiedShader, isWgsl } from './modified-shader.js'
 import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
@@ -83,9 +83,13 @@ function makeExactHook(
   checkReadable(shader, name, hook)
   const template = templateOf(name)
   const isOfShape = /Object|Local/.test(word!)
-  const source = `${toGlslSource(shader, `${type} ${own}`, hook, isOfShape)}
-vec3 warpjetMovedPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
-  ${isWgsl(shader) ? '' : attributes.map((each) => each.isSet(isOfShape)).join('')}
+  const moved = 'warpjetMovedPosition'
+  const source = isWgsl(shader)
+    ? wgslOfHook(shader, own, hook, moved)
+    : `${aboveHooks(shader, isOfShape)}
+${type} ${own}${hook}
+vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
+  ${attributes.map((each) => each.isSet(isOfShape)).join('')}
   ${template.moveCode(own)}
 }`
   const options = {
@@ -94,8 +98,8 @@ vec3 warpjetMovedPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     outputs,
     surfaceVariation: true,
   } as const
-  const read = glslOffset(source, {
-    function: 'warpjetMovedPosition',
+  const read = (isWgsl(shader) ? wgslOffset : glslOffset)(source, {
+    function: moved,
     returns: 'position',
     maxIterations: 256,
   })
@@ -143,27 +147,6 @@ const attributes = [
   isSet: (isOfShape: boolean) =>
     isOfShape || attribute.isFree ? `${attribute.name} = ${attribute.value};\n  ` : '',
 }))
-
-/** Returns the hook as a function in GLSL, with the declarations above it. */
-function toGlslSource(
-  shader: ModifiedShader,
-  head: string,
-  hook: string,
-  isOfShape: boolean,
-): string {
-  if (!isWgsl(shader)) return `${aboveHooks(shader, isOfShape)}\n${head}${hook}`
-  const { uniforms, varyingVariables = [], vertex, declarations } = shader.hooks
-  const above = [
-    ...Object.keys(uniforms).map((uniform) => `uniform var ${uniform};`),
-    ...varyingVariables.map((varying) => `var ${varying};`),
-    // p5 puts its noise() and random() above every hook, called or not.
-    vertex.declarations?.replace(/^fn (\w+)[^]*?^\}/gm, (text, called) =>
-      hook.includes(`${called}(`) ? text : '',
-    ),
-    declarations,
-  ].join('\n')
-  return `${aboveStrands}\n${glslOf(above)}\n${head}${glslOf(hook)}`
-}
 
 /** Mirrors the function that p5 puts above its shaders. */
 const getTexture = `vec4 getTexture(sampler2D content, vec2 coord) {

@@ -48,7 +48,7 @@ export function exactNormals<Given extends object>(shader: Given): Given {
   } catch (error) {
     if (!(error instanceof WarpError)) throw error
     console.warn(
-      `exactNormals: the shader stays as it is. ${error.message.replace(/^glslOffset: /, '')}`,
+      `exactNormals: the shader stays as it is. ${error.message.replace(/^(?:glsl|wgsl)Offset: /, '')}`,
     )
     return shader
   }
@@ -141,10 +141,6 @@ ${readsVariation(warp) ? variationInGlsl(matrices[spaceOf(name)]) : ''}${code}
  * p5 there, so a collapsed surface keeps the normal that the sketch's own hook returns.
  */
 function makeWgslHooks(shader: ModifiedShader): NewHooks | undefined {
-  const uniforms = Object.keys(shader.hooks.uniforms)
-    .filter((uniform) => !uniform.endsWith('sampler2D'))
-    .map((uniform) => uniform.split(':')[0]!)
-    .map((name) => `  let ${name} = hooks.${name};\n`)
   const ofCamera = shader.hooks.modified.vertex['Vertex getWorldInputs']
     ? 'camera.uCameraNormalMatrix * model.uModelNormalMatrix'
     : 'model.uNormalMatrix'
@@ -152,7 +148,7 @@ function makeWgslHooks(shader: ModifiedShader): NewHooks | undefined {
     ...structTemplate,
     hook: ({ code, own, normal, warp }) => ({
       [name]: `(warpjetInputs: Vertex) {
-${uniforms.join('')}${variationInWgsl({ text: warp, space: spaceOf(name) }, ofCamera)}${code}
+${variationInWgsl({ text: warp, space: spaceOf(name) }, ofCamera)}${code}
   var warpjetResult = ${own}(warpjetInputs, instanceID);
   if (any(${normal} != vec3<f32>())) { warpjetResult.normal = ${normal}; }
   return warpjetResult;

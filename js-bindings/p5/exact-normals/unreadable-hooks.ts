@@ -49,7 +49,7 @@ export function checkReadable(shader: ModifiedShader, name: string, hook: string
 /** Returns a message about source that p5.strands generated, without line numbers, since no user wrote those lines. */
 export const inStrandsWords = (message: string, word: string) =>
   `p5.strands generates source for ${word} that exactNormals cannot read (${message
-    .replace(/^(?:glslOffset: )?line \d+, column \d+: /, '')
+    .replace(/^(?:(?:glsl|wgsl)Offset: )?line \d+, column \d+: /, '')
     .split('\n')[0]!
     .replace(/[.;]?$/, '')}); write the motion for createWarp.`
 

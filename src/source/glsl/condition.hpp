@@ -1,0 +1,22 @@
+// Evaluates the condition of an `#if`, and the numbers of a `#line`.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "source/glsl/macros.hpp"
+
+namespace warpjet::source::glsl {
+
+bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros& macros,
+                       Problems& problems);
+
+// The number of the next line and, if present, that of the file.
+struct LineNumbers {
+  std::int32_t line = 0;
+  std::optional<std::int32_t> file{};
+};
+LineNumbers evaluateLine(const Token& word, std::span<const Token> tokens, Macros& macros,
+                         Problems& problems);
+
+}  // namespace warpjet::source::glsl

@@ -1,0 +1,87 @@
+// Loops: the loops of the source, and unrolling.
+#include "source/loops.hpp"
+#include "source/lower.hpp"
+
+namespace warpjet::source {
+
+namespace {
+
+// The limit for loops whose end is known.
+constexpr int maxUnrolledIterations = 20'000;
+// The limit for loops that only the shader can end, without the option maxIterations.
+constexpr int maxUnknown = 1'000;
+constexpr const char* endsUnknown =
+    "the number of iterations of this loop is known only when the shader runs; count to a constant "
+    "and break, or set the option maxIterations";
+
+}  // namespace
+
+void Lowering::loop(const Statement& statement) {
+  execute(statement.children[0]);
+  const Id no = number(Base::Bool, 0);
+  const Slot broken = store_.allocate(1, no), continued = store_.allocate(1, no);
+  breakables_.push_back({broken, continued, false});
+  if (!foldLoop(statement)) unroll(statement);
+  breakables_.pop_back();
+}
+
+// True if only a break or a return can end the loop.
+bool Lowering::hasNoEnd(const Statement& statement) const {
+  if (statement.expression == nothing) return true;
+  const Expression& test = tree_.expressions[statement.expression];
+  return test.kind == Expression::Kind::Constant && test.value != 0;
+}
+
+// If it is unknown whether there is another iteration, it and all following ones are in a branch of
+// their own, so that counters remain known. The branches are closed at the end, in reverse order.
+void Lowering::unroll(const Statement& statement) {
+  const Id no = number(Base::Bool, 0);
+  std::vector<Id> conditions;
+  const auto enter = [&](Id condition) {
+    conditions.push_back(condition);
+    store_.open();
+  };
+  const Problems before = problems_;
+  // Iterations that only the shader can end. The first one of a `do` is one of them.
+  int unknown = statement.isLate;
+  const bool isEndless = hasNoEnd(statement);
+  for (int iteration = 0; !isTooMuch(statement.place); ++iteration) {
+    if (iteration > maxUnrolledIterations) {
+      problems_.add(statement.place, "this loop has not ended after " +
+                                         std::to_string(maxUnrolledIterations) + " iterations");
+      break;
+    }
+    if (statement.expression != nothing && (iteration > 0 || !statement.isLate)) {
+      const Id test = condition(statement.expression);
+      if (recorder_.isFalse(test) || recorder_.isUndefined(test)) break;
+      if (!recorder_.isConstant(test)) {
+        if (maxIterations_ == 0) {
+          problems_.add(statement.place, endsUnknown);
+          break;
+        }
+        if (unknown++ == maxIterations_) break;
+        enter(test);
+      }
+    }
+    execute(statement.children[2]);
+    store_.set(breakables_.back().continued, no);
+    const Id isOver = stopCondition();
+    if (recorder_.isTrue(isOver)) break;
+    if (!recorder_.isConstant(isOver)) {
+      if (isEndless && maxIterations_ > 0 && iteration + 1 >= maxIterations_) break;
+      if (isEndless && maxIterations_ == 0 && ++unknown > maxUnknown)
+        problems_.add(statement.place, endsUnknown);
+      enter(recorder_.logicalNot(isOver));
+      resume();
+    }
+    execute(statement.children[1]);
+  }
+  // Reports a loop that ran until it exceeded a limit.
+  if (problems_.any() && !before.any() && isEndless && unknown > 1 && maxIterations_ == 0) {
+    problems_ = before;
+    problems_.add(statement.place, endsUnknown);
+  }
+  for (std::size_t i = conditions.size(); i-- > 0;) merge(conditions[i], store_.close(), {});
+}
+
+}  // namespace warpjet::source

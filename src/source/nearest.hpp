@@ -1,0 +1,24 @@
+// Suggests the name that an unknown name was meant to be.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace warpjet::source {
+
+// Takes candidate names, and keeps the one with the smallest edit distance: insertions, deletions,
+// changes, and swaps of adjacent letters.
+class Nearest {
+ public:
+  explicit Nearest(std::string_view name);
+  void offer(std::string_view name);
+
+  // "; did you mean sin?", or empty if no candidate is close.
+  std::string question() const;
+
+ private:
+  std::string_view name_, found_;
+  std::size_t limit_;
+};
+
+}  // namespace warpjet::source

@@ -1,0 +1,137 @@
+// Records the computations of a source as operations on single numbers: interned, and folded if all
+// operands are known, so that loops and indices are known, too. Floats are folded in float32, as
+// the language requires.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "source/codes.hpp"
+#include "source/types.hpp"
+
+namespace warpjet::source {
+
+// The number of an operation.
+enum class Id : std::uint32_t {};
+
+constexpr std::uint32_t index(Id id) { return static_cast<std::uint32_t>(id); }
+
+struct Operation {
+  Code code;
+  // The type of the result; Float for a group of numbers.
+  Base base;
+  std::uint16_t count = 0;
+  // The index of the first operand in the list of operands.
+  std::uint32_t first = 0;
+  // The value of a constant; the number of a leaf or a component.
+  double value = 0;
+};
+
+// A loop of the shader: its number of iterations, and the enclosing loop, counted from 1.
+struct Loop {
+  std::uint32_t outer;
+  std::uint32_t steps = 0;
+  // The max product of the iterations of loops nested in it.
+  std::uint32_t inner = 1;
+};
+
+class Recorder {
+ public:
+  static constexpr std::size_t maxOperations = std::size_t{1} << 20;
+  static constexpr std::size_t maxLoops = 60'000;
+
+  // With `foldsAll`, functions of known numbers are folded even if their last bits differ between
+  // GPUs.
+  explicit Recorder(bool foldsAll = false) : foldsAll_(foldsAll) {}
+  bool foldsAll() const { return foldsAll_; }
+
+  Id constant(Base base, double value);
+  // An uninitialized value: it may be anything.
+  Id undefined(Base base);
+  // A leaf: component number `part` of an argument or a uniform of that layout, or an image.
+  Id leaf(Code code, int number, int part = 0, int layout = 0);
+  // The leaf as a number of that type. An integer consists of two leaves of 16 bits each, since a
+  // leaf is a float.
+  Id leafOf(Code code, int number, int part, Type type);
+  // A flag added to the layout if the leaf is the upper half, which has the sign.
+  static constexpr int highHalf = 128;
+
+  // An operation, folded if all operands are known. Results of int or uint wrap around.
+  Id apply(Code code, Base base, std::initializer_list<Id> operands);
+  // A group of numbers, for an operation on vectors; its results are read one by one.
+  Id group(Code code, std::span<const Id> operands);
+  // `layout` holds the numbers of columns and rows, four bits each.
+  Id component(Id group, int part, int layout) {
+    return component(Code::Component, group, part, layout);
+  }
+
+  // A number that a function of the source is called with.
+  Id parameter(std::uint32_t routine, std::size_t i) {
+    return leaf(Code::Parameter, static_cast<int>(routine), static_cast<int>(i));
+  }
+  Id call(std::uint32_t routine, std::span<const Id> arguments);
+  Id result(Id call, std::size_t i) {
+    return component(Code::Result, call, static_cast<int>(i), 0);
+  }
+  // All operations that the results depend on, including themselves, in order.
+  std::vector<Id> neededBy(std::span<const Id> results) const;
+
+  // Opens a loop whose body is recorded from now on; `outer` is the enclosing loop, or 0. Returns
+  // the loop's number, counted from 1.
+  std::uint32_t openLoop(std::uint32_t outer);
+  Id step(std::uint32_t loop) { return leaf(Code::StepNumber, static_cast<int>(loop)); }
+  Id state(std::uint32_t loop, std::size_t i) {
+    return leaf(Code::State, static_cast<int>(loop), static_cast<int>(i));
+  }
+  // The loop, given the initial values of its states, which are floats, and their values after each
+  // step.
+  Id fold(std::uint32_t loop, std::uint32_t steps, std::span<const Id> starts,
+          std::span<const Id> nexts);
+  // The final value of a state.
+  Id outcome(Id fold, std::size_t state) {
+    return component(Code::Outcome, fold, static_cast<int>(state), 0);
+  }
+  const Loop& loop(std::uint32_t number) const { return loops_[number - 1]; }
+  std::size_t loopCount() const { return loops_.size(); }
+
+  Id choose(Id condition, Id yes, Id no);
+  Id logicalNot(Id condition);
+  Id logicalAnd(Id a, Id b);
+  Id logicalOr(Id a, Id b);
+  // Converts between types of numbers, as a constructor does.
+  Id convert(Id value, Base to);
+
+  Base base(Id id) const { return at(id).base; }
+  bool isConstant(Id id) const { return at(id).code == Code::Constant; }
+  bool isUndefined(Id id) const { return at(id).code == Code::Undefined; }
+  double value(Id constant) const { return at(constant).value; }
+  bool isTrue(Id id) const { return isConstant(id) && value(id) != 0; }
+  bool isFalse(Id id) const { return isConstant(id) && value(id) == 0; }
+  bool isFull() const { return operations_.size() >= maxOperations; }
+  std::size_t size() const { return operations_.size(); }
+  const Operation& at(Id id) const { return operations_[index(id)]; }
+  std::span<const Id> operands(Id id) const {
+    return {operands_.data() + at(id).first, at(id).count};
+  }
+
+ private:
+  // Avoids operations that some languages reject at compile time: visible divisions by zero and
+  // shifts by 32.
+  Id avoidUndefined(Code code, Base base, Id x, Id y);
+  Id component(Code code, Id group, int part, int layout);
+  // True if a float is computed only from integers and step numbers.
+  bool isIntegral(Id id) const;
+  Id intern(Operation operation, std::span<const Id> operands);
+  bool isEqual(Id id, const Operation& operation, std::span<const Id> operands) const;
+
+  bool foldsAll_;
+  std::vector<Operation> operations_;
+  std::vector<Id> operands_;
+  std::unordered_multimap<std::uint64_t, Id> known_;
+  std::vector<Loop> loops_;
+};
+
+}  // namespace warpjet::source

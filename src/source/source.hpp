@@ -1,0 +1,91 @@
+// The public interface of this module: lists the functions of a parsed source, and lowers one of
+// them to a listing of operations in plain words, which is replayed to a builder from first to
+// last.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "source/lower.hpp"
+#include "source/problems.hpp"
+#include "source/tree.hpp"
+
+namespace warpjet::source {
+
+// An input from the host: a uniform or an attribute of the source.
+struct HostName {
+  std::string name, type;
+  bool isAttribute;
+  bool isRead;                         // true if the function reads it
+  std::array<std::uint32_t, 2> shape;  // columns and rows
+};
+
+struct HeadParameter {
+  std::string type, name;  // "?" if unnamed
+  bool isOut;
+};
+
+// A function with a body.
+struct FunctionHead {
+  std::uint32_t number;
+  std::string type, name;
+  std::vector<HeadParameter> parameters;
+};
+
+// Each operation is its code, followed by:
+//   Constant     the number of its value; so has Whole, for an int or uint
+//   Argument     number, component, layout
+//   Uniform      number of the name, component, layout
+//                for both: an integer has two halves; 128 in the layout marks the upper one
+//   Component    operand, component, layout of the operand: columns and rows, four bits each
+//   Texel        number of the image's name, operand; so has FetchedTexel
+//   ImageSize    number of the image's name
+//   Fold         number of iterations, number of states, and the states' initial values. The step
+//                number and the states are the next operations, followed by the body, until
+//   Next         the new values of the states, whose outcomes are the next operations
+//   Define       a function of the source, the next of `routines`: the number of arguments, and of
+//                those that it has derivatives for, which come first. Its body follows, whose
+//                operations are numbered from 0, until
+//   End          the number of results, and the results
+//   Parameter    number of an argument, in such a body
+//   Call         number of a function, number of arguments, and the arguments; its results are the
+//                next operations
+//   any other    number of operands, and the operands
+// An operand is the number of an earlier operation.
+struct Listing {
+  std::vector<std::uint32_t> words;
+  std::vector<double> constants;
+  std::vector<std::uint32_t> results;
+  std::vector<HostName> names;
+  std::vector<std::string> routines;  // names of the functions that stay functions
+};
+
+// A source that a front end has read. The tree refers to the text.
+struct Parsed {
+  std::unique_ptr<const Lines> text;
+  Problems problems;
+  Tree tree;
+};
+
+class Source {
+ public:
+  explicit Source(Parsed parsed) : parsed_(std::move(parsed)) {}
+
+  // The message with its location; empty if there is none.
+  std::string problem() const;
+
+  std::vector<FunctionHead> functions() const;
+
+  // Returns an empty listing and adds a problem if the function can't be lowered.
+  Listing lower(int function, int maxIterations);
+
+ private:
+  Parsed parsed_;
+};
+
+Listing list(const Lowered& lowered, const Types& types);
+
+}  // namespace warpjet::source

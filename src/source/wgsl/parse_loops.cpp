@@ -1,0 +1,231 @@
+// Loops and switches: WGSL, sections 9.4.3 to 9.4.6.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "source/wgsl/parser.hpp"
+
+namespace warpjet::source::wgsl {
+
+// Parses the block after `continuing`; `breakIf` becomes the condition of a final `break if`.
+StatementId Parser::continuing(ExpressionId& breakIf) {
+  const Location place = take().place;
+  const bool outer = std::exchange(isContinuing_, true);
+  const int loops = std::exchange(loops_, 0), switches = std::exchange(switches_, 0);
+  attributes();
+  scopes_.open();
+  std::vector<StatementId> children;
+  expect("{", "continuing");
+  while (!peek().is("}") && !problems_.any()) {
+    if (peek().is("break") && peek(1).is("if")) {
+      take();
+      take();
+      breakIf = condition("break if");
+      expect(";", "break if");
+      if (!peek().is("}"))
+        fail(peek().place, "break if must be the last statement of a continuing block");
+      break;
+    }
+    if (peek().kind == Token::Kind::End) fail(place, "this continuing has no }");
+    if (const StatementId child = statement(); child != nothing) children.push_back(child);
+  }
+  expect("}", "a continuing block");
+  scopes_.close();
+  loops_ = loops;
+  switches_ = switches;
+  isContinuing_ = outer;
+  return makeBlock(place, std::move(children));
+}
+
+// Variables of the body that the continuing block reads exist beyond the body: they are declared
+// before the loop, and assigned in it. Returns their declarations, or `nothing`.
+StatementId Parser::hoist(std::vector<StatementId>& body, const Marks& continuing,
+                          ExpressionId breakIf) {
+  std::set<VariableId> read;
+  const auto visit = [&](ExpressionId id) {
+    if (id == nothing) return;
+    const Expression& node = tree_.expressions[id];
+    if (node.kind == Code::Variable) read.insert(node.index);
+  };
+  for (std::size_t i = continuing.expressions; i < tree_.expressions.size(); ++i)
+    for (const ExpressionId operand : tree_.expressions[i].operands) visit(operand);
+  for (std::size_t i = continuing.statements; i < tree_.statements.size(); ++i)
+    visit(tree_.statements[i].expression);
+  visit(breakIf);
+  std::vector<StatementId> before;
+  for (StatementId& child : body) {
+    const Statement statement = tree_.statements[child];
+    const VariableId variable = statement.index;
+    if (statement.kind != Statement::Kind::Declare || !read.contains(variable) ||
+        tree_.variables[variable].kind != Variable::Kind::Local)
+      continue;
+    const Type type = tree_.variables[variable].type;
+    before.push_back(add(
+        Statement{.kind = Statement::Kind::Declare, .index = variable, .place = statement.place}));
+    const ExpressionId target = add(Expression{.kind = Code::Variable,
+                                               .isAssignable = true,
+                                               .type = type,
+                                               .index = variable,
+                                               .place = statement.place});
+    child = evaluate(add(Expression{.kind = Code::Assign,
+                                    .type = type,
+                                    .place = statement.place,
+                                    .operands = {target, statement.expression}}),
+                     statement.place);
+  }
+  if (before.empty()) return nothing;
+  const Location place = tree_.statements[before[0]].place;
+  return makeBlock(place, std::move(before));
+}
+
+StatementId Parser::loopStatement() {
+  const Location place = take().place;
+  attributes();
+  expect("{", "loop");
+  scopes_.open();
+  ++loops_;
+  const int switches = std::exchange(switches_, 0);
+  std::vector<StatementId> body;
+  StatementId step = nothing, before = nothing;
+  ExpressionId breakIf = nothing;
+  while (!peek().is("}") && !problems_.any()) {
+    if (peek().kind == Token::Kind::End) fail(place, "this loop has no }");
+    if (peek().is("continuing")) {
+      const Marks first{tree_.expressions.size(), tree_.statements.size()};
+      step = continuing(breakIf);
+      if (!peek().is("}")) fail(peek().place, "continuing must be the last statement of a loop");
+      if (!problems_.any()) before = hoist(body, first, breakIf);
+      break;
+    }
+    if (const StatementId child = statement(); child != nothing) body.push_back(child);
+  }
+  expect("}", "the body of a loop");
+  switches_ = switches;
+  --loops_;
+  scopes_.close();
+  const ExpressionId test =
+      breakIf == nothing
+          ? nothing
+          : add(Expression{
+                .kind = Code::Not, .type = boolType, .place = place, .operands = {breakIf}});
+  const StatementId made = add({.kind = Statement::Kind::Loop,
+                                .isLate = breakIf != nothing,
+                                .expression = test,
+                                .place = place,
+                                .children = {before, step, makeBlock(place, std::move(body))}});
+  if (!problems_.any() && !(behaviorOf(made) & 3u))
+    fail(place, "this loop never ends; write break, return or break if");
+  return made;
+}
+
+StatementId Parser::forStatement() {
+  const Location place = take().place;
+  scopes_.open();
+  expect("(", "for");
+  StatementId start = nothing, step = nothing;
+  ExpressionId test = nothing;
+  if (!peek().is(";")) start = simpleStatement();
+  expect(";", "the first part of a for");
+  if (!peek().is(";")) test = condition("for");
+  expect(";", "the condition of a for");
+  if (!peek().is(")")) step = simpleStatement();
+  if (step != nothing && tree_.statements[step].kind == Statement::Kind::Declare)
+    fail(tree_.statements[step].place, "the last part of a for cannot declare a variable");
+  expect(")", "the head of a for");
+  attributes();
+  ++loops_;
+  const int switches = std::exchange(switches_, 0);
+  const StatementId body = block();
+  switches_ = switches;
+  --loops_;
+  scopes_.close();
+  return add({.kind = Statement::Kind::Loop,
+              .expression = test,
+              .place = place,
+              .children = {start, step, body}});
+}
+
+StatementId Parser::whileStatement() {
+  const Location place = take().place;
+  const ExpressionId test = condition("while");
+  attributes();
+  ++loops_;
+  const int switches = std::exchange(switches_, 0);
+  const StatementId body = block();
+  switches_ = switches;
+  --loops_;
+  return add({.kind = Statement::Kind::Loop,
+              .expression = test,
+              .place = place,
+              .children = {nothing, nothing, body}});
+}
+
+// Parses `case 1, 2:` or `default:`.
+void Parser::caseLabels(Type wanted, std::vector<StatementId>& children,
+                        std::vector<std::int32_t>& labels, bool& hasDefault) {
+  const Token word = take();
+  const auto addDefault = [&](Location place) {
+    if (std::exchange(hasDefault, true)) fail(place, "this switch already has a default");
+    children.push_back(add({.kind = Statement::Kind::Case, .place = place}));
+  };
+  if (word.is("default")) {
+    addDefault(word.place);
+  } else {
+    do {
+      const Token token = peek();
+      if (token.is(":") || token.is("{")) break;
+      if (accept("default")) {
+        addDefault(token.place);
+        continue;
+      }
+      const Operand label = value();
+      if (problems_.any()) return;
+      const auto known = wholeOf(label);
+      if (!canConvert(label, wanted) || !known)
+        return fail(token.place, "expected a constant " + nameOf(wanted) + " after case, got " +
+                                     describe(label));
+      const auto bits = static_cast<std::int32_t>(static_cast<std::uint32_t>(*known));
+      if (std::find(labels.begin(), labels.end(), bits) != labels.end())
+        return fail(token.place, "this switch already has a case " + std::to_string(*known));
+      labels.push_back(bits);
+      children.push_back(add({.kind = Statement::Kind::Case,
+                              .expression = convert(label, wanted, token.place),
+                              .place = token.place}));
+    } while (accept(","));
+  }
+  accept(":");
+  attributes();
+}
+
+// Cases do not fall through: each body ends with a break of ours.
+StatementId Parser::switchStatement() {
+  const Location place = take().place;
+  Operand given = concrete(value(), place);
+  if (!problems_.any() && !(given.type.isScalar() && given.type.isInteger()))
+    fail(place, "expected an i32 or u32 as the value of this switch, got " + describe(given));
+  attributes();
+  expect("{", "the value of a switch");
+  ++switches_;
+  std::vector<StatementId> children;
+  std::vector<std::int32_t> labels;
+  bool hasDefault = false;
+  while (!peek().is("}") && !problems_.any()) {
+    if (!peek().is("case") && !peek().is("default")) {
+      fail(peek().place, "expected case or default, " + describeNext());
+      break;
+    }
+    caseLabels(given.type, children, labels, hasDefault);
+    const Location end = peek().place;
+    children.push_back(block());
+    children.push_back(add({.kind = Statement::Kind::Break, .place = end}));
+  }
+  expect("}", "the cases of a switch");
+  --switches_;
+  if (!hasDefault) fail(place, "this switch needs a default; write default: {}");
+  return add({.kind = Statement::Kind::Switch,
+              .expression = given.id,
+              .place = place,
+              .children = std::move(children)});
+}
+
+}  // namespace warpjet::source::wgsl

@@ -1,0 +1,144 @@
+// Statements other than declarations and loops: WGSL, section 9.
+#include "source/wgsl/parser.hpp"
+
+namespace warpjet::source::wgsl {
+
+StatementId Parser::add(Statement statement) {
+  tree_.statements.push_back(std::move(statement));
+  return static_cast<StatementId>(tree_.statements.size() - 1);
+}
+
+StatementId Parser::makeBlock(Location place, std::vector<StatementId> children) {
+  return add({.kind = Statement::Kind::Block, .place = place, .children = std::move(children)});
+}
+
+StatementId Parser::evaluate(ExpressionId expression, Location place) {
+  return add({.kind = Statement::Kind::Evaluate, .expression = expression, .place = place});
+}
+
+// Parses from the brace to its counterpart. The caller opens its scope.
+std::vector<StatementId> Parser::blockStatements() {
+  const Location place = peek().place;
+  std::vector<StatementId> children;
+  if (!expect("{", "this")) return children;
+  while (!peek().is("}") && !problems_.any()) {
+    if (peek().kind == Token::Kind::End) {
+      fail(place, "this { has no }");
+      break;
+    }
+    if (const StatementId child = statement(); child != nothing) children.push_back(child);
+  }
+  take();
+  return children;
+}
+
+StatementId Parser::block() {
+  const Location place = peek().place;
+  scopes_.open();
+  std::vector<StatementId> children = blockStatements();
+  scopes_.close();
+  return makeBlock(place, std::move(children));
+}
+
+StatementId Parser::statement() {
+  if (!goDeeper()) return nothing;
+  return deeper([&]() -> StatementId {
+    if (accept(";")) return nothing;
+    attributes();
+    const Token token = peek();
+    if (token.is("{")) return block();
+    if (token.is("if")) return ifStatement();
+    if (token.is("for")) return forStatement();
+    if (token.is("while")) return whileStatement();
+    if (token.is("loop")) return loopStatement();
+    if (token.is("switch")) return switchStatement();
+    if (token.is("return")) return returnStatement();
+    if (token.is("break") || token.is("continue") || token.is("discard")) return jump();
+    if (token.is("const_assert")) {
+      constAssert();
+      return nothing;
+    }
+    if (token.is("fn") || token.is("struct") || token.is("alias") || token.is("override")) {
+      fail(token.place, quoted(token.text) + " is for declarations outside of functions");
+      return nothing;
+    }
+    if (token.is("case") || token.is("default") || token.is("continuing") || token.is("else")) {
+      fail(token.place, token.is("continuing") ? "continuing must be the last statement of a loop"
+                                               : quoted(token.text) + " belongs to no " +
+                                                     (token.is("else") ? "if" : "switch"));
+      return nothing;
+    }
+    const StatementId made = simpleStatement();
+    expect(";", "a statement");
+    return made;
+  });
+}
+
+ExpressionId Parser::condition(std::string_view after) {
+  const Location place = peek().place;
+  const Operand test = value();
+  if (!problems_.any() && (!test.type.isBool() || test.isPointer()))
+    fail(place, "expected a bool as the condition of this " + std::string(after) + ", got " +
+                    describe(test));
+  return test.id == nothing ? failOperand(place, "").id : test.id;
+}
+
+StatementId Parser::ifStatement() {
+  const Location place = take().place;
+  const ExpressionId test = condition("if");
+  std::vector<StatementId> children{block()};
+  if (accept("else")) {
+    if (!peek().is("if")) {
+      children.push_back(block());
+    } else if (goDeeper()) {
+      children.push_back(deeper([&] { return ifStatement(); }));
+    }
+  }
+  return add({.kind = Statement::Kind::If,
+              .expression = test,
+              .place = place,
+              .children = std::move(children)});
+}
+
+StatementId Parser::returnStatement() {
+  const Location place = take().place;
+  const Type wanted = tree_.functions[current_].type;
+  ExpressionId result = nothing;
+  if (isContinuing_) fail(place, "return is not allowed in a continuing block");
+  if (!peek().is(";")) {
+    const Operand given = value();
+    if (problems_.any()) return nothing;
+    if (wanted == voidType)
+      fail(place, "this function returns nothing; write return; or -> and a type in its head");
+    else if (!canConvert(given, wanted))
+      fail(place,
+           "expected this function to return " + describe(wanted) + ", got " + describe(given));
+    result = convert(given, wanted, place);
+  } else if (wanted != voidType) {
+    fail(place, "expected this function to return " + describe(wanted) + ", got nothing");
+  }
+  expect(";", "return");
+  return add({.kind = Statement::Kind::Return, .expression = result, .place = place});
+}
+
+StatementId Parser::jump() {
+  const Token token = take();
+  if (token.is("discard")) {
+    expect(";", token.text);
+    const Operand fails = unsupported(
+        token.place, voidType, "discard is for fragments; a warp moves vertices and discards none");
+    return evaluate(fails.id, token.place);
+  }
+  const bool isInside = loops_ || (switches_ && token.is("break"));
+  if (!isInside && !isContinuing_) fail(token.place, quoted(token.text) + " is outside of a loop");
+  if (!isInside)
+    fail(token.place, peek().is("if") ? "break if must be the last statement of a continuing block"
+                                      : quoted(token.text) +
+                                            " is not allowed in a continuing block; write "
+                                            "break if at its end");
+  expect(";", token.text);
+  return add({.kind = token.is("break") ? Statement::Kind::Break : Statement::Kind::Continue,
+              .place = token.place});
+}
+
+}  // namespace warpjet::source::wgsl

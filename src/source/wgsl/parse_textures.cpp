@@ -1,0 +1,88 @@
+// Calls that read textures: WGSL, section 17.7.
+#include "source/wgsl/parser.hpp"
+
+namespace warpjet::source::wgsl {
+
+// Only textureSampleLevel, textureLoad and textureDimensions read a texture_2d<f32> without the
+// neighboring fragments; others fail when they are evaluated.
+Operand Parser::callTexture(const Token& name, Operands operands) {
+  const Location place = name.place;
+  if (operands.empty() || operands[0].type != samplerType)
+    return failOperand(place, "expected a texture as the first argument of " +
+                                  std::string(name.text) + ", got (" + typesOf(operands) + ")");
+  const Operand& image = operands[0];
+  const bool isLevel = name.is("textureSampleLevel"), isLoad = name.is("textureLoad");
+  const bool isSize = name.is("textureDimensions");
+  const bool isCount = name.text.starts_with("textureNum");
+  const bool isReadable = tree_.expressions[image.id].kind == Code::Variable;
+  const Type texel = name.text.starts_with("textureSampleCompare") ? floatType
+                     : image.texel.base == Base::Void              ? vectorType(Base::Float, 4)
+                                                                   : image.texel;
+  if (!isReadable || !(isLevel || isLoad || isSize)) {
+    const Type result = isSize                    ? vectorType(Base::Uint, 2)
+                        : isCount                 ? uintType
+                        : name.is("textureStore") ? voidType
+                                                  : texel;
+    return unsupported(place, result,
+                       isReadable ? quoted(name.text) +
+                                        " cannot be used in a warp; write "
+                                        "textureSampleLevel(image, sampler, uv, 0)"
+                                  : "only a texture_2d<f32> can be read in a warp");
+  }
+  const auto wrong = [&](const std::string& wanted) {
+    return failOperand(place, quoted(name.text) + " expected (texture_2d<f32>, " + wanted +
+                                  "), got (" + typesOf(operands) + ")");
+  };
+  const auto of = [&](std::string_view row, std::initializer_list<ExpressionId> given,
+                      std::initializer_list<Type> types) {
+    const auto found = findBuiltIn(tree_.builtIns, row, {types.begin(), types.size()});
+    return make({.kind = Code::BuiltIn,
+                 .type = found->result,
+                 .index = found->row,
+                 .place = place,
+                 .operands = given});
+  };
+  const auto asInts = [&](const Operand& given) {
+    Type type = given.type;
+    type.base = Base::Int;
+    if (given.isAbstract() || given.type == type) return convert(given, type, place);
+    return add({.kind = Code::Construct, .type = type, .place = place, .operands = {given.id}});
+  };
+  const auto isWhole = [](const Operand& given, int size) {
+    return given.type.isInteger() && given.type.rows == size && !given.isPointer();
+  };
+  constexpr Type vec2 = vectorType(Base::Float, 2), ivec2 = vectorType(Base::Int, 2);
+  if (isSize) {
+    if (operands.size() > 2 || (operands.size() == 2 && !isWhole(operands[1], 1)))
+      return wrong("level");
+    const ExpressionId level = operands.size() == 2 ? asInts(operands[1]) : zero(intType, place).id;
+    const Operand size = of("textureDimensions", {image.id, level}, {samplerType, intType});
+    return make({.kind = Code::Construct,
+                 .type = vectorType(Base::Uint, 2),
+                 .place = place,
+                 .operands = {size.id}});
+  }
+  if (isLoad) {
+    if (operands.size() != 3 || !isWhole(operands[1], 2) || !isWhole(operands[2], 1))
+      return wrong("vec2i, level");
+    return of("textureLoad", {image.id, asInts(operands[1]), asInts(operands[2])},
+              {samplerType, ivec2, intType});
+  }
+  const bool hasOffset = operands.size() == 5;
+  if ((operands.size() != 4 && !hasOffset) || operands[1].type != voidType ||
+      !canConvert(operands[2], vec2) || !canConvert(operands[3], floatType))
+    return wrong("sampler, vec2f, f32");
+  const ExpressionId at = convert(operands[2], vec2, place),
+                     level = convert(operands[3], floatType, place);
+  if (!hasOffset)
+    return of("textureSampleLevel", {image.id, at, level}, {samplerType, vec2, floatType});
+  if (!canConvert(operands[4], ivec2)) return wrong("sampler, vec2f, f32, vec2i");
+  const ExpressionId offset = convert(operands[4], ivec2, place);
+  for (const std::int32_t number : constants_.integers(offset))
+    if (number < -8 || number > 7) fail(place, "expected an offset from -8 to 7");
+  if (constants_.integers(offset).empty()) fail(place, "the offset must be a constant");
+  return of("textureSampleLevelOffset", {image.id, at, level, offset},
+            {samplerType, vec2, floatType, ivec2});
+}
+
+}  // namespace warpjet::source::wgsl

@@ -1,0 +1,12 @@
+// The front end of WGSL.
+#pragma once
+
+#include <string_view>
+
+#include "source/source.hpp"
+
+namespace warpjet::source::wgsl {
+
+Parsed parse(std::string_view text);
+
+}  // namespace warpjet::source::wgsl

@@ -1,0 +1,150 @@
+// Checks of the fuzz targets of source front ends: any text results in one message with its
+// location, or in listings whose operands precede their use.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fuzz/require.hpp"
+#include "source/source.hpp"
+
+namespace warpjet::source {
+
+inline void requireSentence(const std::string& problem) {
+  require(problem.starts_with("line "), "a sentence names its line", problem);
+  require(problem.find(", column ") != problem.npos, "a sentence names its column", problem);
+  const bool ends = problem.find(".\n") != problem.npos || problem.find("?\n") != problem.npos;
+  require(ends, "a sentence ends", problem);
+  require(problem.ends_with('^'), "a caret stands under the place", problem);
+  require(problem.size() < 2000, "a sentence is not long", std::to_string(problem.size()));
+}
+
+// Checks a listing: each operand precedes its use, and nothing that belongs to a loop or a function
+// is used outside of it.
+class Order {
+ public:
+  explicit Order(const Listing& listing) : words_(listing.words), constants_(listing.constants) {
+    while (at_ < words_.size()) read(static_cast<Code>(next()));
+    require(folds_.empty() && !isInRoutine_, "loops and functions end");
+    for (const std::uint32_t result : listing.results) before(result);
+    for (const double value : constants_)
+      require(value >= -3.5e38 && value <= 3.5e38, "a constant is a float", exactly(value));
+  }
+
+ private:
+  // A loop whose body is being read: the first of its own numbers, and the number of its states.
+  struct Fold {
+    std::size_t first;
+    std::uint32_t states;
+  };
+  struct Routine {
+    std::uint32_t arguments, results;
+  };
+
+  void read(Code code) {
+    switch (code) {
+      case Code::Constant:
+      case Code::Whole:
+        require(next() < constants_.size(), "a constant is there");
+        return make(1);
+      case Code::Argument:
+      case Code::Uniform:
+        at_ += 3;
+        return make(1);
+      case Code::Parameter:
+        require(next() < routines_.back().arguments, "a parameter is there");
+        return make(1);
+      case Code::Component:
+        before(next());
+        at_ += 2;
+        return make(1);
+      case Code::ImageSize:
+        ++at_;
+        return make(1);
+      case Code::Texel:
+      case Code::FetchedTexel:
+        ++at_;
+        before(next());
+        return make(1);
+      case Code::Fold: {
+        require(next() > 0, "a loop has steps");
+        const std::uint32_t states = next();
+        operands(states);
+        folds_.push_back({isSeen_.size(), states});
+        return make(states + 1);
+      }
+      case Code::Next: {
+        require(!folds_.empty(), "a loop has begun");
+        const auto [first, states] = folds_.back();
+        folds_.pop_back();
+        operands(states);
+        std::fill(isSeen_.begin() + static_cast<std::ptrdiff_t>(first), isSeen_.end(), false);
+        return make(states);
+      }
+      case Code::Define: {
+        require(!isInRoutine_ && isSeen_.empty(), "functions stand first");
+        const std::uint32_t arguments = next();
+        routines_.push_back({arguments, 0});
+        require(next() <= arguments, "a function has derivatives by arguments");
+        isInRoutine_ = true;
+        return;
+      }
+      case Code::End:
+        require(isInRoutine_ && folds_.empty(), "a function has begun");
+        isInRoutine_ = false;
+        operands(routines_.back().results = next());
+        isSeen_.clear();
+        return;
+      case Code::Call: {
+        const std::uint32_t routine = next();
+        require(routine < routines_.size() - isInRoutine_, "a function stands before its calls");
+        const std::uint32_t count = next();
+        require(count == routines_[routine].arguments, "a call has every argument");
+        operands(count);
+        return make(routines_[routine].results);
+      }
+      default:
+        require(codeNames[static_cast<std::size_t>(code)][0] != '\0', "an operation has a name",
+                std::to_string(static_cast<int>(code)));
+        operands(next());
+        return make(1);
+    }
+  }
+
+  std::uint32_t next() {
+    require(at_ < words_.size(), "a listing ends with an operation");
+    return words_[at_++];
+  }
+  void make(std::uint32_t count) { isSeen_.resize(isSeen_.size() + count, true); }
+  void operands(std::uint32_t count) {
+    while (count-- > 0) before(next());
+  }
+  void before(std::uint32_t operand) {
+    require(operand < isSeen_.size() && isSeen_[operand],
+            "an operand stands before what it is used in",
+            std::to_string(operand) + " of " + std::to_string(isSeen_.size()));
+  }
+
+  std::span<const std::uint32_t> words_;
+  std::span<const double> constants_;
+  std::size_t at_ = 0;
+  std::vector<bool> isSeen_;
+  std::vector<Fold> folds_;
+  bool isInRoutine_ = false;
+  std::vector<Routine> routines_;
+};
+
+inline void check(Source source) {
+  if (!source.problem().empty()) return requireSentence(source.problem());
+  const std::vector<FunctionHead> functions = source.functions();
+  if (functions.empty()) return;
+  // The last function, since it can call all others.
+  const Listing listing = source.lower(static_cast<int>(functions.back().number), 3);
+  if (!source.problem().empty()) return requireSentence(source.problem());
+  Order{listing};
+}
+
+}  // namespace warpjet::source

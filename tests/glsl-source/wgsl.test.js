@@ -1,0 +1,155 @@
+// WGSL source: values and derivatives against the same GLSL and against differences, inputs, and the derived source.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compileWarp } from 'warpjet'
+import { differentiate, glslOffset, wgslOffset } from 'warpjet/glsl'
+import { own } from '../wgsl/own.js'
+
+const points = [
+  [0.3, 0.7, -0.2],
+  [-0.6, 0.1, 0.9],
+  [0.9, -0.8, 0.4],
+]
+
+const quietly = { surfaceVariation: false }
+const warpOf = (source, options) => compileWarp(wgslOffset(source, options), quietly)
+const normal = [0, 1, 0]
+
+const message = (work) => {
+  try {
+    work()
+  } catch (error) {
+    assert.equal(error.name, 'WarpError', error.stack)
+    return error.message
+  }
+  return ''
+}
+
+test('a function has the value, the normal and the code of the same GLSL', () => {
+  const wgsl = wgslOffset('fn offset(p: vec3f) -> vec3f { return vec3f(sin(p.y), 0, 0); }')
+  const glsl = glslOffset('vec3 offset(vec3 p) { return vec3(sin(p.y), 0, 0); }')
+  for (const target of ['glsl300', 'glsl100', 'wgsl'])
+    assert.equal(compileWarp(wgsl, { target }).code, compileWarp(glsl, { target }).code)
+  const [x, y, z] = [0.25, 0.5, -1]
+  const { position, normal: turned } = compileWarp(wgsl).evaluateAt([x, y, z], { normal })
+  assert.ok(Math.abs(position[0] - x - Math.sin(y)) < 1e-6, `${position}`)
+  assert.deepEqual(Array.from(position.slice(1)), [y, z])
+  // The surface normal of x + sin(y): (-cos y, 1, 0) for a plane that faces y … turned by the inverse transpose.
+  const step = 1e-3
+  const slope = (Math.sin(y + step) - Math.sin(y - step)) / (2 * step)
+  assert.ok(Math.abs(turned[0]) < 1e-6 && turned[1] > 0.999, `${turned}`)
+  const tilted = compileWarp(wgsl).evaluateAt([x, y, z], { normal: [1, 0, 0] }).normal
+  const length = Math.hypot(1, slope)
+  assert.ok(Math.abs(tilted[0] - 1 / length) < 1e-5, `${tilted}`)
+  assert.ok(Math.abs(tilted[1] + slope / length) < 1e-5, `${tilted}`)
+})
+
+/** Functions made of integers, bits or steps, whose derivatives differences cannot estimate. */
+const isStairs =
+  /bits|pack|integer|unsigned|shifts|bitcast|conversions|steps|parts of floats|remainder/
+
+for (const [name, text] of Object.entries(own))
+  test(`${name}: derivatives as differences`, () => {
+    const warp = warpOf(text, { function: 'own', maxIterations: 16 })
+    assert.ok(warp.code.length > 0)
+    if (isStairs.test(name)) return
+    const at = (p) => warp.evaluateAt(p, { normal }).position
+    for (const p of points) {
+      const turned = warp.evaluateAt(p, { normal }).normal
+      if (!turned.every(Number.isFinite)) continue
+      // The warped tangents by differences are perpendicular to the normal.
+      for (const k of [0, 2]) {
+        const [before, after] = [-4e-3, 4e-3].map((step) =>
+          at(p.map((x, i) => x + (i === k) * step)),
+        )
+        const tangent = Array.from(after, (x, i) => x - before[i])
+        const size = Math.hypot(...tangent)
+        if (!(size > 1e-3) || size > 0.5) continue
+        const along = tangent.reduce((sum, x, i) => sum + x * turned[i], 0) / size
+        assert.ok(Math.abs(along) < 0.02, `${name} at ${p}, tangent ${k}: ${along}`)
+      }
+    }
+  })
+
+test('uniforms, overrides and elements of storage buffers are inputs by their names in the shader', () => {
+  const { uniforms, code } = compileWarp(
+    wgslOffset(`
+      struct Light { way: vec3f, power: f32 }
+      struct Scene { time: f32, unused: mat4x4f, lights: array<Light, 2>, count: i32 }
+      @group(0) @binding(0) var<uniform> scene: Scene;
+      @group(0) @binding(1) var<storage, read> heights: array<vec4f>;
+      var<uniform> amount: f32;
+      override scale: f32 = 2;
+      fn offset(p: vec3f) -> vec3f {
+        let light = &scene.lights[1];
+        return p * scene.time + (*light).way * light.power + heights[3].xyz * amount * scale + f32(scene.count);
+      }`),
+    { target: 'wgsl' },
+  )
+  assert.deepEqual(uniforms.map(({ name, type }) => `${type} ${name}`).sort(), [
+    'float amount',
+    'float scale',
+    'float scene.lights[1].power',
+    'float scene.time',
+    'int scene.count',
+    'vec3 scene.lights[1].way',
+    'vec4 heights[3]',
+  ])
+  assert.match(code, /heights\[3\]/)
+})
+
+test('declared uniforms and inputs have their values', () => {
+  const offset = wgslOffset(
+    'var<uniform> amount: f32; fn offset(position: vec3f, millis: f32) -> vec3f { return vec3f(position.y * amount, millis, 0); }',
+  )
+  const warp = compileWarp(offset, { uniforms: { amount: 3 } })
+  const { position } = warp.evaluateAt([0, 2, 0], { normal, uniforms: { amount: 5, millis: 7 } })
+  assert.deepEqual(Array.from(position), [10, 9, 0])
+})
+
+test('textures become images', () => {
+  const { code } = compileWarp(
+    wgslOffset(`@group(0) @binding(0) var map: texture_2d<f32>; @group(0) @binding(1) var mapSampler: sampler;
+      fn read(t: texture_2d<f32>, s: sampler, uv: vec2f) -> f32 { return textureSampleLevel(t, s, uv, 0).x; }
+      fn offset(p: vec3f) -> vec3f {
+        let size = vec2f(textureDimensions(map));
+        return vec3f(0, read(map, mapSampler, p.xz), textureLoad(map, vec2i(p.xz * size), 0).y);
+      }`),
+    { target: 'wgsl' },
+  )
+  assert.match(code, /map/)
+})
+
+test('differentiate writes WGSL, and GLSL if asked', () => {
+  const source = 'fn wave(p: vec2f, t: f32) -> f32 { return sin(p.x * 2 + t) * p.y; }'
+  const wgsl = differentiate(source, { language: 'wgsl' })
+  assert.match(wgsl, /^fn waveGradient\(p: vec2f, t: f32\) -> vec3f \{/)
+  assert.match(
+    differentiate(source, { language: 'wgsl', target: 'glsl300' }),
+    /^vec3 waveGradient\(vec2 p, float t\) \{/,
+  )
+  // The derived source can be read again.
+  assert.match(
+    differentiate(wgsl, { language: 'wgsl', by: 't' }),
+    /^fn waveGradientJacobian\(p: vec2f, t: f32\) -> vec3f \{/,
+  )
+})
+
+test('messages name types of WGSL', () => {
+  assert.match(
+    message(() => wgslOffset('fn offset(p: vec3f) -> f32 { return p.x; }')),
+    /^wgslOffset: offset: expected a function that returns a vec3f, the offset of a vertex, got one that returns an f32;/,
+  )
+  assert.match(
+    message(() => wgslOffset('fn offset(uv: vec3f, millis: f32) -> vec3f { return uv; }')),
+    /the parameter uv of offset: expected a vec2f, the type of the input uv, got a vec3f\./,
+  )
+  assert.match(
+    message(() => differentiate('fn f(n: i32) -> f32 { return f32(n); }', { language: 'wgsl' })),
+    /n is an i32; expected a float or a vector to differentiate by/,
+  )
+  assert.match(
+    message(() => wgslOffset('waves.wgsl')),
+    /expected a string of WGSL for the source, got .* this is the name of a file/,
+  )
+})
