@@ -1,6 +1,11 @@
 // What a `BabylonWarp` accepts: its options, and the materials that it can warp.
 import type { Material } from '@babylonjs/core/Materials/material.js'
-import type { UniformOptions, UniformValues } from '../compile/hosts.js'
+import {
+  type NormalsOption,
+  type UniformOptions,
+  type UniformValues,
+  normalsKind,
+} from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { anything, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -13,12 +18,19 @@ export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValu
   /** The values that the offset function reads as `uniforms`: numbers, lists of numbers, `Vector3`s, textures, or functions
    * that return them. */
   uniforms?: UniformOptions<Uniforms>
+  /**
+   * Where normals are computed: at `'vertex'` and interpolated between vertices, or exactly at each `'pixel'`. `'auto'` selects `'pixel'`
+   * for a warp that contains noise or bends strongly, unless that takes more than 4000 operations per pixel; see `normals` of the warp.
+   * @default 'auto'
+   */
+  normals?: NormalsOption
   /** `false` accepts that normal and uv count as constant over a surface without `addSurfaceVariation`, without a note. */
   surfaceVariation?: false
 }
 
 export const settings = object({
   uniforms: anything<UniformOptions<UniformValues>>(),
+  normals: normalsKind,
   surfaceVariation: optional(
     kind<false>('only false', (given) => given === false, {
       advice: () => 'addSurfaceVariation(mesh) computes how a mesh varies',

@@ -12,12 +12,12 @@ import type { Effect } from '@babylonjs/core/Materials/effect.js'
 import type { Material } from '@babylonjs/core/Materials/material.js'
 import { ShaderLanguage } from '@babylonjs/core/Materials/shaderLanguage.js'
 import { ShaderMaterial } from '@babylonjs/core/Materials/shaderMaterial.js'
-import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
-import { passDefines, variationDefines, warpPass } from './shader.js'
-import { type NumberSetter, type ShaderParts, sentUniforms } from './uniforms.js'
+import { variationDefines } from './names.js'
+import { passDefines, warpPass } from './shader.js'
+import { type NumberSetter, type ShaderParts, sentUniforms, texturesOf } from './uniforms.js'
 import { variationKinds } from './variation.js'
 
 /** The name of our plugin. */
@@ -34,7 +34,6 @@ export interface PassWarp {
   parts: ShaderParts
   /** Sets all uniforms of the warp. */
   send(setter: NumberSetter): void
-  textures(): [name: string, texture: BaseTexture][]
 }
 
 /** Maps our variant of an effect → the effect. */
@@ -141,7 +140,7 @@ function send(warp: PassWarp, effect: Effect) {
     updateFloat4: (name, x, y, z, w) => effect.setFloat4(name, x, y, z, w),
     updateMatrices: (name, numbers) => effect.setMatrices(name, numbers),
   })
-  for (const [name, texture] of warp.textures()) effect.setTexture(name, texture)
+  for (const [name, texture] of texturesOf(warp.parts)) effect.setTexture(name, texture)
 }
 
 function replaceEffect(wrapper: DrawWrapper, mesh: AbstractMesh, warp: PassWarp | undefined) {
@@ -187,7 +186,7 @@ function variantOf(effect: Effect, mesh: AbstractMesh, warp: PassWarp): Effect {
       attributes: [...attributes, ...added, ...variation],
       uniformsNames: [...effect.getUniformNames(), ...sentUniforms(parts).map(({ name }) => name)],
       uniformBuffersNames: effect.getUniformBuffersNames(),
-      samplers: [...effect.getSamplers(), ...warp.textures().map(([name]) => name)],
+      samplers: [...effect.getSamplers(), ...texturesOf(parts).map(([name]) => name)],
       defines: [effect.defines, ...defines.map((define) => `#define ${define}`), ''].join('\n'),
       fallbacks: null,
       onCompiled: null,

@@ -3,78 +3,49 @@
 import {
   type HostText,
   type HostWarp,
-  type Target,
   shaderNames,
   variationAttribute,
   variationNames,
 } from '../compile/hosts.js'
+import { ifDefined, ifNotDefined } from './language.js'
+import { names, textOf, variationDefines } from './names.js'
+import { type PixelTexts, passInputs, vertexDefinitions, vertexEnd } from './pixel-normals.js'
 import {
   type ShaderParts,
   declareAttribute,
-  declareImage,
+  declareImages,
   declareUniform,
-  localUniform,
-  numberUniforms,
+  localUniforms,
   orientationUniform,
   sentUniforms,
 } from './uniforms.js'
 
-/** Maps inputs of the offset function → their names in shaders. */
-export const names = {
-  position: 'positionUpdated',
-  normal: 'normalUpdated',
-  uv: 'uvUpdated',
-  color: 'warpjetColor',
-  tangent: 'tangentUpdated',
-  millis: shaderNames.millis,
-  ...Object.fromEntries(variationNames.map((name) => [name, `warpjet_${name}`])),
-}
-
-/** Defines that say which variation a mesh has: of the normal, and of the texture coordinates. */
-export const variationDefines = { normal: 'WARPJET_VARIATION', uv: 'WARPJET_UV_VARIATION' }
-
 const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }
 
 /** The uniforms for a plugin's `getUniforms`. */
-export function declarationsOf(parts: ShaderParts, isWGSL: boolean) {
-  const mirrors = parts.warp.mirrors !== false
-  const all = [...sentUniforms(parts), ...(mirrors ? [orientationUniform] : [])]
+export function declarationsOf(parts: ShaderParts, hasPixels: boolean, isWGSL: boolean) {
+  const orientation = parts.warp.mirrors !== false ? [orientationUniform] : []
+  const all = [...sentUniforms(parts), ...orientation]
   const declare = (uniform: (typeof all)[number]) => `${declareUniform(uniform, false)}\n`
   return {
     ubo: all.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
     // For engines without buffers of uniforms.
     ...(!isWGSL && {
       vertex: all.map(declare).join(''),
-      ...(mirrors && { fragment: declare(orientationUniform) }),
+      fragment: (hasPixels ? all : orientation).map(declare).join(''),
     }),
   }
 }
 
-/**
- * The fragment code for a plugin's `getCustomCode`. If the warp mirrors all of space, the engine takes the outer side of a
- * triangle for its back. Babylon.js reads names that begin with `!` as regular expressions.
- */
-export const fragmentCode = (isWGSL: boolean): Record<string, string> =>
-  isWGSL
-    ? {
-        '!fragmentInputs\\.frontFacing': `(fragmentInputs.frontFacing == (uniforms.${shaderNames.orientation} > 0.0))`,
-      }
-    : { '!\\bgl_FrontFacing\\b': `(gl_FrontFacing == (${shaderNames.orientation} > 0.0))` }
-
 /** The code of a vertex that has a normal and a tangent, or a normal alone, or neither. */
 function textsOf(warp: HostWarp, isWGSL: boolean): [HostText, HostText, HostText] {
-  const target: Target = isWGSL ? 'wgsl' : 'glsl300'
-  const renamed = isWGSL ? { millis: `uniforms.${shaderNames.millis}` } : {}
   const text = (...results: ('normal' | 'tangent')[]) =>
-    warp.text(target, ['offset', 'position', ...results], { names: renamed })
+    textOf(warp, ['offset', 'position', ...results], isWGSL)
   return [text('normal', 'tangent'), text('normal'), text()]
 }
 
-const ifDefined = (define: string, code: string, otherwise = '') =>
-  `#ifdef ${define}\n${code}\n${otherwise && `#else\n${otherwise}\n`}#endif`
-
 /** The vertex code for a plugin's `getCustomCode`. */
-export function vertexCode(parts: ShaderParts, isWGSL: boolean) {
+export function vertexCode(parts: ShaderParts, pixels: PixelTexts | undefined, isWGSL: boolean) {
   const texts = textsOf(parts.warp, isWGSL)
   const choose = (part: (text: HostText, i: number) => string) => {
     const [tangent, normal, position] = texts.map(part)
@@ -83,31 +54,35 @@ export function vertexCode(parts: ShaderParts, isWGSL: boolean) {
   const color = isWGSL ? 'let warpjetColor = ' : 'vec4 warpjetColor = '
   return {
     CUSTOM_VERTEX_DEFINITIONS: [
-      ...imagesOf(parts).map((label) => declareImage(label, isWGSL)),
+      ...declareImages(parts, isWGSL),
       ifDefined(
         'WARPJET',
-        `${declareVariation(isWGSL)}\n${choose(({ declarations }) => declarations)}`,
+        [
+          declareVariation(isWGSL),
+          choose(({ declarations }) => declarations),
+          vertexDefinitions(pixels, isWGSL),
+        ].join('\n'),
       ),
     ].join('\n'),
     CUSTOM_VERTEX_UPDATE_NORMAL: ifDefined(
       'WARPJET',
       [
         '{',
-        ...numberUniforms(parts).map((uniform) => localUniform(uniform, isWGSL)),
+        ...localUniforms(parts, isWGSL),
         variationLocals(isWGSL),
         readsColor(texts[0])
           ? ifDefined('VERTEXCOLOR', `${color}colorUpdated;`, `${color}${one(isWGSL)};`)
           : '',
         ifNotDefined('UV1', local('uvUpdated', 2, zero(2, isWGSL), isWGSL)),
         ifNotDefined('NORMAL', local('normalUpdated', 3, zero(3, isWGSL), isWGSL)),
+        passInputs(pixels, isWGSL),
         choose(({ code }, i) => `${code}\n${results[i]}`),
         '}',
       ].join('\n'),
     ),
+    CUSTOM_VERTEX_MAIN_END: vertexEnd(pixels, isWGSL),
   }
 }
-
-const ifNotDefined = (define: string, code: string) => `#ifndef ${define}\n${code}\n#endif`
 
 const zero = (size: number, isWGSL: boolean) => `vec${size}${isWGSL ? 'f' : ''}(0.0)`
 const one = (isWGSL: boolean) => `vec4${isWGSL ? 'f' : ''}(1.0)`
@@ -115,9 +90,6 @@ const one = (isWGSL: boolean) => `vec4${isWGSL ? 'f' : ''}(1.0)`
 /** Declares a variable inside of the warp's block. */
 const local = (name: string, size: number, value: string, isWGSL: boolean) =>
   isWGSL ? `let ${name} = ${value};` : `vec${size} ${name} = ${value};`
-
-const imagesOf = ({ warp }: ShaderParts) =>
-  warp.uniforms.inShader.filter(({ image }) => image).map(({ label }) => label)
 
 const readsColor = ({ attributes }: HostText) => attributes.some(({ name }) => name === 'color')
 
@@ -186,7 +158,7 @@ export function warpPass(parts: ShaderParts, isWGSL: boolean, source: string): s
   const uv = declareLocal('uvUpdated', 'uv', 2, zero(2, isWGSL))
   const definitions = [
     ...sentUniforms(parts).map((uniform) => declareUniform(uniform, isWGSL)),
-    ...imagesOf(parts).map((label) => declareImage(label, isWGSL)),
+    ...declareImages(parts, isWGSL),
     ifDefined(passDefines.normal.adds, declareAttribute('normal', 3, isWGSL)),
     ifDefined(passDefines.uv.adds, declareAttribute('uv', 2, isWGSL)),
     ifDefined(passDefines.color.adds, declareAttribute('color', 4, isWGSL)),
@@ -195,7 +167,7 @@ export function warpPass(parts: ShaderParts, isWGSL: boolean, source: string): s
   ]
   const block = [
     '{',
-    ...numberUniforms(parts).map((uniform) => localUniform(uniform, isWGSL)),
+    ...localUniforms(parts, isWGSL),
     variationLocals(isWGSL),
     readsColor(text) ? declareLocal('warpjetColor', 'color', 4, one(isWGSL)) : '',
     hasVariable('uvUpdated') ? ifNotDefined('UV1', uv) : uv,

@@ -1,4 +1,5 @@
 // The uniforms of a warp in shaders of Babylon.js: their names and types there, and how their numbers are sent.
+import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { type HostUniform, type HostWarp, shaderNames } from '../compile/hosts.js'
 
 /** A warp, and the names of its frame constants, which are vec4s. */
@@ -18,10 +19,7 @@ const sentType = (type: string) => (type === 'mat3' ? 'mat4' : type)
 export const sentName = (label: string) => `${label}Sent`
 
 /** Uniforms but images, and frame constants. The warp's code has other names for them than the shader. */
-export const numberUniforms = ({
-  warp,
-  frame,
-}: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
+const numberUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
   ...warp.uniforms.inShader.filter(({ image }) => !image),
   ...frame.map((label) => ({ label, type: 'vec4' as const })),
 ]
@@ -29,7 +27,7 @@ export const numberUniforms = ({
 /** The uniform of both stages that is -1 if the warp mirrors all of space, and else 1. */
 export const orientationUniform: SentUniform = { name: shaderNames.orientation, type: 'float' }
 
-/** The uniforms of the vertex shader as it declares them. */
+/** The uniforms as shaders declare them. */
 export const sentUniforms = (parts: ShaderParts): SentUniform[] => [
   { name: shaderNames.millis, type: 'float' },
   ...numberUniforms(parts).map(({ label, type }) => ({
@@ -37,6 +35,19 @@ export const sentUniforms = (parts: ShaderParts): SentUniform[] => [
     type: sentType(type),
   })),
 ]
+
+/** Sends the present values of all uniforms but images. */
+export function sendUniforms(
+  { warp }: ShaderParts,
+  given: { millis: number },
+  setter: NumberSetter,
+) {
+  setter.updateFloat(shaderNames.millis, given.millis)
+  for (const { label, numbers, image } of warp.uniforms.inShader)
+    if (!image) sendNumbers(setter, label, numbers())
+  for (const [label, numbers] of Object.entries(warp.frame(given)))
+    sendNumbers(setter, label, numbers)
+}
 
 /** Sets uniforms by name: a UniformBuffer, or an effect without one. */
 export interface NumberSetter {
@@ -47,7 +58,7 @@ export interface NumberSetter {
   updateMatrices(name: string, numbers: Float32Array): unknown
 }
 
-export function sendNumbers(setter: NumberSetter, label: string, numbers: readonly number[]) {
+function sendNumbers(setter: NumberSetter, label: string, numbers: readonly number[]) {
   const name = sentName(label)
   const [x, y, z, w] = numbers as [number, number, number, number]
   if (numbers.length === 1) setter.updateFloat(name, x)
@@ -66,11 +77,11 @@ const withFourthRow = (n: readonly number[]) => [
   ...[0, 0, 0, 1],
 ]
 
-/** Declares in the vertex shader what the warp's code calls a uniform. */
-export function localUniform(
-  { label, type }: Pick<HostUniform, 'label' | 'type'>,
-  isWGSL: boolean,
-) {
+/** Declares in a shader what the warp's code calls uniforms. */
+export const localUniforms = (parts: ShaderParts, isWGSL: boolean) =>
+  numberUniforms(parts).map((uniform) => localUniform(uniform, isWGSL))
+
+function localUniform({ label, type }: Pick<HostUniform, 'label' | 'type'>, isWGSL: boolean) {
   const sent = isWGSL ? `uniforms.${sentName(label)}` : sentName(label)
   const isNarrow = type === 'mat3'
   if (!isWGSL) return `${type} ${label} = ${isNarrow ? `mat3(${sent})` : sent};`
@@ -92,7 +103,19 @@ export const declareUniform = ({ name, type }: SentUniform, isWGSL: boolean) =>
 export const declareAttribute = (name: string, size: 2 | 3 | 4, isWGSL: boolean) =>
   isWGSL ? `attribute ${name}: vec${size}f;` : `attribute vec${size} ${name};`
 
-export const declareImage = (label: string, isWGSL: boolean) =>
+/** Returns the names and the present images of a warp. */
+export const texturesOf = ({ warp }: ShaderParts) =>
+  warp.uniforms.inShader.flatMap(({ label, image }): [string, BaseTexture][] =>
+    image ? [[label, image() as BaseTexture]] : [],
+  )
+
+/** Declares the images of a warp. */
+export const declareImages = ({ warp }: ShaderParts, isWGSL: boolean) =>
+  warp.uniforms.inShader
+    .filter(({ image }) => image)
+    .map(({ label }) => declareImage(label, isWGSL))
+
+const declareImage = (label: string, isWGSL: boolean) =>
   isWGSL
     ? `var ${label}Sampler: sampler;\nvar ${label}: texture_2d<f32>;`
     : `uniform highp sampler2D ${label};`

@@ -1,13 +1,18 @@
 // The surface variation of a mesh, kept as vertex buffers: how its normals and texture coordinates change along the surface.
 import { Buffer, VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Material } from '@babylonjs/core/Materials/material.js'
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
-import { variationAttribute, variationNames } from '../compile/hosts.js'
+import { type HostWarp, variationAttribute, variationNames } from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { Place } from '../options/place.js'
 
 /** The kinds of the vertex buffers, first three for the normal, then two for the texture coordinates. */
 export const variationKinds = variationNames.map(variationAttribute)
+
+/** Returns the vertex buffers of a mesh that the shader reads for exact normals. */
+export const variationOf = ({ varies }: HostWarp, mesh: AbstractMesh) =>
+  varies ? variationKinds.filter((kind) => mesh.isVerticesDataPresent(kind)) : []
 
 /**
  * Computes how normal and uv vary over a mesh and adds that to it as vertex buffers, so that the normals of offsets that depend

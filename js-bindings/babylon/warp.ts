@@ -1,4 +1,5 @@
 // `BabylonWarp`: a warp as a plugin of a material of Babylon.js, in GLSL and in WGSL.
+import type { AbstractEngine } from '@babylonjs/core/Engines/abstractEngine.js'
 import type { Material } from '@babylonjs/core/Materials/material.js'
 import type { MaterialDefines } from '@babylonjs/core/Materials/materialDefines.js'
 import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
@@ -7,27 +8,29 @@ import { ShadowDepthWrapper } from '@babylonjs/core/Materials/shadowDepthWrapper
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
-import { HostWarp, type OffsetFunction, type UniformValues, shaderNames } from '../compile/hosts.js'
+import {
+  HostWarp,
+  type NormalStage,
+  type OffsetFunction,
+  type UniformValues,
+  shaderNames,
+} from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { noteApproximation } from '../errors/notes.js'
+import { type WarpCode, codeOf } from './code.js'
 import { registerCopies, remember } from './copies.js'
 import { refreshMesh } from './mesh.js'
+import { meshDefines, names, variationDefines } from './names.js'
+import { NormalStages } from './normal-stages.js'
 import { type BabylonWarpOptions, place, rejectUnwarpable, settings } from './options.js'
 import { type PassWarp, codeDefine, installPasses, pluginName } from './passes.js'
 import { settableValues } from './settable-values.js'
-import { declarationsOf, fragmentCode, names, variationDefines, vertexCode } from './shader.js'
-import { type NumberSetter, type ShaderParts, sendNumbers } from './uniforms.js'
+import { declarationsOf } from './shader.js'
+import { type NumberSetter, type ShaderParts, sendUniforms, texturesOf } from './uniforms.js'
 import { babylon } from './values.js'
-import { variationKinds } from './variation.js'
-
-/** Maps the code of warps → its number. */
-const codeNumbers = new Map<string, number>()
-
-function numberOfCode(code: string): number {
-  if (!codeNumbers.has(code)) codeNumbers.set(code, codeNumbers.size + 1)
-  return codeNumbers.get(code)!
-}
+import { variationOf } from './variation.js'
 
 /**
  * Warps all that a material draws: `new BabylonWarp(material, offset, { uniforms })`. Vertices are those of the mesh after
@@ -46,11 +49,11 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
   readonly values: { [Name in keyof Uniforms]: Uniforms[Name] | (() => Uniforms[Name]) }
   /** @internal */
   readonly parts: ShaderParts
-  /** @internal */
-  readonly codeNumber: number
   private time = 0
   private isOn = true
   private readonly warp: HostWarp
+  private readonly code: WarpCode
+  private readonly stages: NormalStages
   private readonly shadows: ShadowDepthWrapper | undefined
   private readonly memory: { id: string; forget: () => void }
 
@@ -60,7 +63,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     private readonly options: BabylonWarpOptions<Uniforms> = {},
   ) {
     rejectUnwarpable(material)
-    const { uniforms, surfaceVariation } = settings.read(options, place)
+    const { uniforms, surfaceVariation, normals } = settings.read(options, place)
     const warp = new HostWarp(place, offset as OffsetFunction, {
       host: babylon,
       uniforms,
@@ -69,20 +72,20 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
       surfaceVariation: surfaceVariation ?? true,
     })
     const parts: ShaderParts = { warp, frame: Object.keys(warp.frame({ millis: 0 })) }
-    const code = vertexCode(parts, material.shaderLanguage === ShaderLanguage.WGSL)
-    const codeNumber = numberOfCode(JSON.stringify([code, warp.mirrors]))
-    const { normal, uv } = variationDefines
+    const hasPixels = warp.stageOfNormals(normals) === 'pixel'
+    const code = codeOf(parts, hasPixels, material.shaderLanguage === ShaderLanguage.WGSL)
     // Babylon.js finds compiled shaders by their defines, in which the code has to appear.
     super(
       material,
       pluginName,
       200,
-      { WARPJET: true, [codeDefine]: codeNumber, [normal]: false, [uv]: false },
+      { WARPJET: true, [codeDefine]: code.number, ...meshDefines },
       false,
     )
     this.warp = warp
     this.parts = parts
-    this.codeNumber = codeNumber
+    this.code = code
+    this.stages = new NormalStages(normals, code.pixels)
     this.values = settableValues(warp.uniforms) as never
     this.memory = remember(this)
     installPasses()
@@ -94,6 +97,16 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
         material,
         material.getScene(),
       )
+  }
+
+  /** The stage that computes normals. It changes to `'vertex'` if a shader of the material cannot compute them at pixels. */
+  get normals(): NormalStage {
+    return this.stages.stage
+  }
+
+  /** @internal */
+  get codeNumber() {
+    return this.code.number
   }
 
   /** Milliseconds, which the offset may read. Throws a `WarpError` for anything but a finite number. */
@@ -143,8 +156,8 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     Object.assign(defines, { _needNormals: true })
   }
 
-  override prepareDefines(defines: MaterialDefines, _scene: Scene, mesh: AbstractMesh) {
-    const count = this.variationOf(mesh).length
+  override prepareDefines(defines: MaterialDefines, scene: Scene, mesh: AbstractMesh) {
+    const count = variationOf(this.warp, mesh).length
     const isNeeded = this.warp.varies && this.options.surfaceVariation !== false
     if (this.isOn && isNeeded && !count)
       noteApproximation(place.method, 'await addSurfaceVariation(mesh)')
@@ -153,62 +166,57 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
       [variationDefines.normal]: count >= 3,
       [variationDefines.uv]: count >= 5,
     })
+    this.stages.prepare(defines, scene.getEngine().getCaps().maxVaryingVectors)
   }
 
   override getAttributes(attributes: string[], _scene: Scene, mesh: AbstractMesh) {
-    attributes.push(...this.variationOf(mesh))
+    attributes.push(...variationOf(this.warp, mesh))
   }
 
   override isReadyForSubMesh() {
-    return this.textures().every(([, texture]) => texture.isReadyOrNotBlocking())
+    return texturesOf(this.parts).every(([, texture]) => texture.isReadyOrNotBlocking())
   }
 
   override getUniforms(language?: ShaderLanguage) {
-    return declarationsOf(this.parts, language === ShaderLanguage.WGSL)
+    return declarationsOf(this.parts, !!this.code.pixels, language === ShaderLanguage.WGSL)
   }
 
   override getSamplers(samplers: string[]) {
-    samplers.push(...this.textures().map(([label]) => label))
+    samplers.push(...texturesOf(this.parts).map(([label]) => label))
   }
 
   override getActiveTextures(textures: BaseTexture[]) {
-    textures.push(...this.textures().map(([, texture]) => texture))
+    textures.push(...texturesOf(this.parts).map(([, texture]) => texture))
   }
 
   override hasTexture(texture: BaseTexture) {
-    return this.textures().some(([, each]) => each === texture)
+    return texturesOf(this.parts).some(([, each]) => each === texture)
   }
 
-  override bindForSubMesh(buffer: UniformBuffer) {
+  override bindForSubMesh(
+    buffer: UniformBuffer,
+    _scene: Scene,
+    _engine: AbstractEngine,
+    subMesh: SubMesh,
+  ) {
+    this.stages.check(subMesh.effect)
     this.send(buffer)
     if (this.warp.mirrors !== false)
       buffer.updateFloat(
         shaderNames.orientation,
         this.isOn && this.warp.isMirrored(this.given) ? -1 : 1,
       )
-    for (const [label, texture] of this.textures()) buffer.setTexture(label, texture)
+    for (const [label, texture] of texturesOf(this.parts)) buffer.setTexture(label, texture)
   }
 
   /** @internal */
   send(setter: NumberSetter) {
-    setter.updateFloat(shaderNames.millis, this.millis)
-    for (const { label, numbers, image } of this.warp.uniforms.inShader)
-      if (!image) sendNumbers(setter, label, numbers())
-    for (const [label, numbers] of Object.entries(this.warp.frame(this.given)))
-      sendNumbers(setter, label, numbers)
+    sendUniforms(this.parts, this.given, setter)
   }
 
-  /** @internal */
-  textures() {
-    return this.warp.uniforms.inShader.flatMap(({ label, image }): [string, BaseTexture][] =>
-      image ? [[label, image() as BaseTexture]] : [],
-    )
-  }
-
-  override getCustomCode(type: string, language?: ShaderLanguage) {
-    const isWGSL = language === ShaderLanguage.WGSL
-    if (type === 'vertex') return vertexCode(this.parts, isWGSL)
-    return type === 'fragment' && this.warp.mirrors !== false ? fragmentCode(isWGSL) : null
+  override getCustomCode(type: string) {
+    if (type === 'vertex') return this.code.vertex
+    return type === 'fragment' ? this.code.fragment : null
   }
 
   override serialize(): unknown {
@@ -235,12 +243,6 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
 
   private get given() {
     return { millis: this.millis }
-  }
-
-  /** The vertex buffers of a mesh that the shader reads for exact normals. */
-  private variationOf(mesh: AbstractMesh) {
-    if (!this.warp.varies) return []
-    return variationKinds.filter((kind) => mesh.isVerticesDataPresent(kind))
   }
 }
 

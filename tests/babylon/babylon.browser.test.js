@@ -79,8 +79,9 @@ function moveByMatrix(knot, matrix = motion) {
   matrix.decompose(knot.scaling, (knot.rotationQuaternion = new Quaternion()), knot.position)
 }
 
-function warpByMotion(material) {
+function warpByMotion(material, normals) {
   const warp = new BabylonWarp(material, offset, {
+    normals,
     uniforms: { linear: [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]], shift: [0, 0, 0] },
   })
   warp.values.shift = new Vector3(m[12], m[13], m[14])
@@ -92,13 +93,14 @@ function warpByMotion(material) {
 const mirrored = Matrix.Scaling(-1, 1, 1).multiply(motion)
 const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
 const mirrorWarps = {
-  constant: (material) => new BabylonWarp(material, ({ glsl, position }) => {
+  constant: (material, normals) => new BabylonWarp(material, ({ glsl, position }) => {
     const [a, b, c, d, e, f, g, h, i] = linearOf(mirrored.m)
     return glsl.mat3(glsl.vec3(a, b, c), glsl.vec3(d, e, f), glsl.vec3(g, h, i)).mult(position)
       .sub(position).add(glsl.vec3(mirrored.m[12], mirrored.m[13], mirrored.m[14]))
-  }),
-  uniform: (material) => {
+  }, { normals }),
+  uniform: (material, normals) => {
     const warp = new BabylonWarp(material, offset, {
+      normals,
       uniforms: { linear: linearOf(mirrored.m), shift: new Vector3(mirrored.m[12], mirrored.m[13], mirrored.m[14]) },
     })
     warp.millis = 1000
@@ -164,13 +166,15 @@ window.draw = async (backend, kind, way) => {
     await scene.whenReadyAsync()
     warp.isEnabled = false
   }
-  mirrorWarps[way.replace('mirroring, ', '')]?.(material)
+  const [, mirrorWarp, , stage] = /^mirroring, (\\w+)(, at (\\w+))?/.exec(way) ?? []
+  mirrorWarps[mirrorWarp]?.(material, stage)
   if (way === 'shifted') moveByMatrix(knot, Matrix.Translation(...amount))
   if (way === 'by an image') warpByImage(material, scene)
   if (way.startsWith('wave by ')) addWave(material, way.split(' ')[2])
   if (way.startsWith('sampled by')) warpBySampling(material, scene, way === 'sampled by options')
-  if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
-    const warp = warpByMotion(material)
+  if (['warped', 'warped at pixel', 'without its normals', 'without its shadow'].includes(way)) {
+    // At vertices: those are the normals that are removed.
+    const warp = warpByMotion(material, way === 'warped at pixel' ? 'pixel' : 'vertex')
     if (way === 'without its normals') removeNormals(warp, material)
     if (way === 'without its shadow') material.shadowDepthWrapper = null
   }
@@ -314,6 +318,7 @@ for (const backend of ['webgl', 'webgpu'])
         const warpedPicture = await draw(backend, kind, 'warped')
         assert.ok(differing(still, moved) > 300, `${differing(still, moved)} pixels are moved`)
         assert.equal(differing(warpedPicture, moved), 0)
+        assert.equal(differing(await draw(backend, kind, 'warped at pixel'), moved), 0)
         for (const without of ['without its normals', 'without its shadow']) {
           const count = differing(await draw(backend, kind, without), moved)
           assert.ok(count > 100, `${count} pixels differ ${without}`)
@@ -330,7 +335,7 @@ for (const backend of ['webgl', 'webgpu'])
         const still = await draw(backend, kind, 'mirror nothing')
         const expected = await draw(backend, kind, 'mirrored')
         assert.ok(differing(still, expected) > 300)
-        for (const how of ['constant', 'uniform'])
+        for (const how of ['constant', 'uniform', 'constant, at pixel', 'uniform, at pixel'])
           assert.equal(differing(await draw(backend, kind, `mirroring, ${how}`), expected), 0, how)
         assert.equal(differing(await draw(backend, kind, 'mirroring, switched off'), still), 0)
         assert.deepEqual(takeMessages(), [])

@@ -85,6 +85,7 @@ const warpByAll = (material) => {
     {
       uniforms: { linear: linearOf(motion), shift: [m[12], m[13], m[14]], zero: 0 },
       surfaceVariation: false,
+      normals: 'pixel',
     },
   )
 }

@@ -1,0 +1,117 @@
+/**
+ * The vertex stage of normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts, runs the
+ * same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
+ */
+import type { HostText } from '../compile/hosts.js'
+import { type Language, ifDefined, languageOf } from './language.js'
+import { names, normalDefines, textOf } from './names.js'
+import type { ShaderParts } from './uniforms.js'
+
+export interface Varying {
+  input: string
+  name: string
+  type: 'vec2' | 'vec3' | 'vec4'
+}
+
+export interface PixelText {
+  text: HostText
+  varyings: readonly Varying[]
+}
+
+/** The code at pixels, with the frame of a tangent and without. */
+export interface PixelTexts {
+  frame: PixelText
+  normal: PixelText
+}
+
+export function pixelTextsOf({ warp }: ShaderParts, isWGSL: boolean): PixelTexts {
+  const write = (...results: ('normal' | 'tangent')[]): PixelText => {
+    const text = textOf(warp, results, isWGSL)
+    const varyings = text.attributes.map(({ name, type }) => ({
+      input: name,
+      name: `warpjetPixel_${name}`,
+      // The normal also passes its length, which interpolation shortens.
+      type: name === 'normal' ? 'vec4' : (type as Varying['type']),
+    }))
+    return { text, varyings }
+  }
+  return { frame: write('normal', 'tangent'), normal: write('normal') }
+}
+
+/** Varyings for the columns of the matrix that transforms normals from the space of the warp to that of the world. */
+export const worldColumns = ['warpjetWorld0', 'warpjetWorld1', 'warpjetWorld2']
+
+/** The number of vectors that the code passes to pixels. */
+export const varyingsOf = ({ varyings }: PixelText) => varyings.length + worldColumns.length
+
+/** Chooses the code for a mesh with normals at pixels. */
+export const choose = (texts: PixelTexts | undefined, part: (text: PixelText) => string) =>
+  texts
+    ? ifDefined(
+        normalDefines.pixel,
+        ifDefined(normalDefines.frame, part(texts.frame), part(texts.normal)),
+      )
+    : ''
+
+/** Returns the declarations of both stages. */
+export const sharedDeclarations = ({ varyings }: PixelText, language: Language) =>
+  [
+    ...varyings.map(({ type, name }) => language.declareVarying(type, name)),
+    ...worldColumns.map((name) => language.declareVarying('vec3', name)),
+    cofactors(language),
+  ].join('\n')
+
+const cofactors = (language: Language) =>
+  `${language.fn('mat3', 'warpjetCofactors', { m: 'mat3' })} {
+return ${language.type('mat3')}(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
+}`
+
+export const vertexDefinitions = (texts: PixelTexts | undefined, isWGSL: boolean) =>
+  choose(texts, (text) => sharedDeclarations(text, languageOf(isWGSL)))
+
+/** Returns statements that pass the inputs of the warp to pixels. */
+export function passInputs(texts: PixelTexts | undefined, isWGSL: boolean) {
+  const { output, type } = languageOf(isWGSL)
+  return choose(texts, ({ varyings }) =>
+    varyings
+      .map(({ input, name }) => {
+        const value = names[input]!
+        return `${output(name)} = ${input === 'normal' ? `${type('vec4')}(${value}, length(${value}))` : value};`
+      })
+      .join('\n'),
+  )
+}
+
+/**
+ * Returns statements for the end of the vertex stage. Babylon.js normalizes a zero normal to NaN; they replace it by zero, for which the
+ * fragment stage tests.
+ */
+export function vertexEnd(texts: PixelTexts | undefined, isWGSL: boolean) {
+  const { local, linear, choose: pick, output, isZero, type, clearFrame } = languageOf(isWGSL)
+  // The matrix includes instances and bones, which the fragment stage does not know.
+  const columns = [
+    '{',
+    local('mat3', 'warpjetColumns', `warpjetCofactors(${linear('finalWorld')})`),
+    local('float', 'warpjetSide', sideOf('finalWorld[0].xyz', 'warpjetColumns[0]', pick)),
+    ...worldColumns.map((name, i) => `${output(name)} = warpjetSide * warpjetColumns[${i}];`),
+    '}',
+  ].join('\n')
+  const collapsed = [
+    `if (${isZero('normalUpdated')}) { ${output('vNormalW')} = ${type('vec3')}(0.0); }`,
+    ifDefined(
+      normalDefines.frame,
+      `if (${isZero('normalUpdated')} || ${isZero('tangentUpdated.xyz')}) { ${clearFrame} }`,
+    ),
+  ].join('\n')
+  return ifDefined(
+    'WARPJET',
+    ifDefined(
+      'NORMAL',
+      [texts ? ifDefined(normalDefines.pixel, columns) : '', collapsed].join('\n'),
+    ),
+  )
+}
+
+/** Returns an expression that is -1 for a matrix that mirrors and otherwise 1, from the first column of it and of its cofactors. */
+export const sideOf = (column: string, cofactors: string, pick: Language['choose']) =>
+  pick(`dot(${column}, ${cofactors}) < 0.0`, '-1.0', '1.0')

@@ -1,0 +1,24 @@
+// Checks which uses the types of 'warpjet/babylon' allow and reject. Compiled only, never run.
+import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { BabylonWarp } from '../../js-bindings/babylon.js'
+
+const warp = new BabylonWarp(
+  new StandardMaterial('standard'),
+  ({ position, uniforms }) => position.mult(uniforms.height).add(uniforms.center),
+  { uniforms: { height: 0.5, center: new Vector3() }, normals: 'auto' },
+)
+export const stage: 'vertex' | 'pixel' = warp.normals
+// @ts-expect-error the warp decides
+warp.normals = 'pixel'
+// @ts-expect-error there is no such uniform
+warp.values.hieght
+new BabylonWarp(new StandardMaterial('other'), ({ position }) => position, { normals: 'vertex' })
+new BabylonWarp(new StandardMaterial('other'), ({ position }) => position, {
+  // @ts-expect-error not a stage
+  normals: 'pixels',
+})
+new BabylonWarp(new StandardMaterial('other'), ({ position }) => position, {
+  // @ts-expect-error false would leave normals out
+  normals: false,
+})
