@@ -23,7 +23,7 @@ struct Image {
 // normal texture is in tangent space, as in glTF.
 struct Material {
   std::array<float, 4> baseColor{1, 1, 1, 1};
-  std::optional<Image> baseColorTexture, normalTexture;
+  std::optional<Image> baseColorTexture = {}, normalTexture = {};
 
   bool operator==(const Material&) const = default;
 };

@@ -22,7 +22,10 @@ describe('the program', () => {
     await usage([], /A command is missing\. `npx warpjet --help` shows how/)
     await usage(['bend'], /no command "bend"/)
     await usage(['toString'], /no command "toString"/)
-    await usage(['emit'], /emit needs a warp\.js or a file of GLSL\. `npx warpjet emit --help`/)
+    await usage(
+      ['emit'],
+      /emit needs a warp\.js or a file of GLSL or WGSL\. `npx warpjet emit --help`/,
+    )
     await usage(['emit', 'wave.js', 'named.js'], /nothing more, got "named\.js"/)
     await usage(
       ['emit', 'wave.js', '--target', 'hlsl'],

@@ -224,7 +224,7 @@ test('rejects invalid options', () => {
   throwsWarpError(() => compileWarp(still, 5), /expected an object of options, got/)
   throwsWarpError(
     () => compileWarp(still, { normals: 'no' }),
-    /expected true or false for the option "normals", got the text "no"/,
+    /expected true, false, 'vertex', 'pixel' or 'auto' for the option "normals", got the text "no"/,
   )
   throwsWarpError(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
   throwsWarpError(

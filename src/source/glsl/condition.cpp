@@ -5,9 +5,9 @@
 
 namespace warpjet::source::glsl {
 
-namespace {
-
 using Kind = Token::Kind;
+
+namespace {
 
 constexpr int maxIfDepth = 200;
 
