@@ -159,6 +159,7 @@ test('three.js uses the exact values in the shader, in its uniforms, and for ray
     renderBufferDirect: (...given) => drawn.push(given[3]),
     compile() {},
     properties: { get: () => ({}) },
+    capabilities: { maxVaryings: 30 },
   }
   const draw = () => {
     mesh.onBeforeRender(renderer)

@@ -9,7 +9,7 @@ import { deflateRawSync } from 'node:zlib'
 const needs = {
   deformers:
     /\b(?:twist|bend|taper|bulge|stretch|ripple|melt|inflate|genie|spherify|shear|noiseDisplace|chain|blend|mask|inSpace)\(|warpjet\.(?:wave|add)\(|\{[^}]*\b(?:wave|add)\b[^}]*\} = warpjet/,
-  glsl: /\b(?:glslOffset|exactNormals|differentiate)\(|glsl\.source\(/,
+  glsl: /\b(?:glslOffset|wgslOffset|exactNormals|differentiate)\(|glsl\.source\(/,
 }
 
 const scriptsOf = (text) => Object.keys(needs).filter((name) => needs[name].test(text))

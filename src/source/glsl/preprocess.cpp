@@ -8,9 +8,10 @@
 
 namespace warpjet::source::glsl {
 
+using Kind = Token::Kind;
+
 namespace {
 
-using Kind = Token::Kind;
 using Line = std::span<const Token>;
 
 class Preprocessor {

@@ -21,8 +21,6 @@ const shapeGeometries = {
   plane: () => new THREE.PlaneGeometry(2, 2),
 }
 
-export const shapes = Object.keys(shapeGeometries)
-
 /** An object in a place of its own, which is neither even nor the origin, unless it is a plane. */
 function place(object, isPlane) {
   if (!isPlane) {
