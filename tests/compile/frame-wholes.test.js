@@ -166,7 +166,7 @@ test('three.js uses the exact values in the shader, in its uniforms, and for ray
     renderer.renderBufferDirect(null, null, mesh.geometry, mesh.material, mesh, null)
     return drawn.at(-1)
   }
-  draw().onBeforeCompile(shader)
+  draw().onBeforeCompile(shader, renderer)
   assert.match(shader.vertexShader, /warpjetFrame0/)
   assert.doesNotMatch(
     shader.vertexShader,
