@@ -15,7 +15,12 @@ import {
   variationInGlsl,
   variationDeclarations,
 } from '../variation/variation-text.js'
-import { addAttributes, attributesOf, privatesFor, variationInWgsl } from '../hooks/wgsl-hooks.js'
+import {
+  addAttributes,
+  attributesOf,
+  privatesFor,
+  variationInWgsl,
+} from '../variation/variation-wgsl.js'
 import type { WarpSpace } from '../settings.js'
 
 /** Each of these hooks moves positions in its own space; its normals are transformed in the same space. */

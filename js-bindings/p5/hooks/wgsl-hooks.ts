@@ -2,17 +2,15 @@
  * p5 2.x on WebGPU has the hooks of WebGL in WGSL, where a parameter cannot be assigned and we cannot change the varyings that `main`
  * writes. So the last hook stores the normal in a varying of ours, from which the fragment hooks compute colours.
  */
+import type { Declared, HostText } from '../../compile/hosts.js'
+import { variationVariables } from '../variation/variation-text.js'
 import {
-  type Declared,
-  type HostText,
-  type VariationInput,
-  variationAttribute,
-  variationNames,
-} from '../../compile/hosts.js'
-import { WarpError } from '../../errors/errors.js'
-import { type TextOfVertex, variationIn, variationVariables } from '../variation/variation-text.js'
+  addAttributes,
+  attributesOf,
+  privatesFor,
+  variationInWgsl,
+} from '../variation/variation-wgsl.js'
 import type { Modifications, Shader } from '../host.js'
-import type { WarpSpace } from '../settings.js'
 import { facingInWgsl } from './facing.js'
 import { passInputs, pixelVaryings, readInputs, toView } from './pixel-normals-wgsl.js'
 import { hookIn, isAfterWarpInStruct, orderInStruct } from './struct-hooks.js'
@@ -127,74 +125,6 @@ function fillHooks(
   if (!warpjetNormalIsZero) { warpjetViewNormal = normalize(warpjetInputs.normal); }`
   const name = hookIn[warpCode.space]
   return { [name]: warp, getCameraInputs: warpCode.space === 'camera' ? warp + keep : keep }
-}
-
-/** A WebGPU vertex shader may have 8 buffers, of which p5 uses 4. */
-const maxBuffers = 4
-
-const isOfNormal = (name: string) => name.startsWith('normal')
-
-/** Declares globals for attributes: `main` takes attributes in a struct, which hooks cannot access. */
-export const privatesFor = (names: readonly VariationInput[]) =>
-  names.map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`)
-
-/** Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if they are. */
-export function addAttributes(
-  shader: Pick<Shader, '_vertSrc'>,
-  names: readonly VariationInput[],
-  tooMany: string,
-) {
-  if (names.length === 0) return
-  if (names.length > maxBuffers) throw new WarpError(tooMany)
-  const fields = names.map(
-    (name, i) => `  @location(${4 + i}) ${variationAttribute(name)}: vec3<f32>,\n`,
-  )
-  const globals = names.map(
-    (name) => `  ${variationAttribute(name)}_ = input.${variationAttribute(name)};\n`,
-  )
-  shader._vertSrc = shader
-    ._vertSrc!.replace(/(struct VertexInput \{[^}]*)\}/, `$1${fields.join('')}}`)
-    .replace('HOOK_beforeVertex();', `${globals.join('')}  HOOK_beforeVertex();`)
-}
-
-/** Code, and the space of its offset. */
-interface InSpace {
-  text: TextOfVertex
-  space: WarpSpace
-}
-
-/** Returns the attributes that the code reads; outside the shape's own space it needs all gradients of the normal, if any. */
-export function attributesOf({ text, space }: InSpace) {
-  const read = variationIn(text)
-  const isWhole = space !== 'local' && read.some(isOfNormal)
-  return variationNames.filter((name) => read.includes(name) || (isWhole && isOfNormal(name)))
-}
-
-/** Does the same as `variationInGlsl`. The matrix `ofCamera` transforms normals to view space. */
-export function variationInWgsl(warpCode: InSpace, ofCamera = 'model.uNormalMatrix'): string {
-  const { space } = warpCode
-  const names = attributesOf(warpCode)
-  if (names.length === 0) return ''
-  const attributeOf = (name: string) => `${variationAttribute(name)}_`
-  const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: ofCamera }[space]
-  const lines = names.map((name) => {
-    if (!matrix) return attributeOf(name)
-    if (!isOfNormal(name)) return `warpjetNormalMatrix * ${attributeOf(name)}`
-    const row = 'XYZ'.indexOf(name[6]!)
-    const all = ['X', 'Y', 'Z'].map((axis) => `normal${axis}Gradient`)
-    const sum = all
-      .map(
-        (each, i) =>
-          names.includes(each as never) &&
-          `${attributeOf(each)} * warpjetNormalMatrix[${i}][${row}]`,
-      )
-      .filter(Boolean)
-    return `warpjetNormalMatrix * (${sum.join(' + ')})`
-  })
-  return (
-    (matrix && `  let warpjetNormalMatrix = ${matrix};\n`) +
-    names.map((name, i) => `  let ${variationVariables[name]} = ${lines[i]};\n`).join('')
-  )
 }
 
 /** Makes hooks that take and return `struct` from their bodies. */
