@@ -108,6 +108,7 @@ test('offers every input and, in a function’s braces, every option, each with 
   assert.deepEqual(Object.keys(options).sort(), [
     'defs',
     'hooks',
+    'normals',
     'returns',
     'scope',
     'shader',
@@ -128,7 +129,13 @@ test('offers only the inputs and functions of three.js in a three.js sketch', as
   assert.ok(words.millis && words.warp && words.warpMaterial)
   assert.equal(words.mouseX ?? words.createWarp, undefined)
   const options = await completionsOf(sketch.replace(/^}\)$/m, '}, { § })'))
-  assert.deepEqual(Object.keys(options).sort(), ['share', 'space', 'surfaceVariation', 'uniforms'])
+  assert.deepEqual(Object.keys(options).sort(), [
+    'normals',
+    'share',
+    'space',
+    'surfaceVariation',
+    'uniforms',
+  ])
   await page.getByLabel('Runs in').selectOption('p5')
   await waitUntilSettled(page)
 })
