@@ -22,12 +22,16 @@ after(async () => {
 const scene = (shading) =>
   `noStroke(); ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); ${shading}; fill('coral'); rotateX(0.4); sphere(60, 48, 32)`
 
-const wave = `createWarp(({ glsl, position }) =>
+/** Defines createWarp with normals at vertices, where exactNormals computes them, too. */
+const defineAtVertices = `window.atVertices = (offset, options) => createWarp(offset, { ...options, normals: 'vertex' });
+`
+
+const wave = `atVertices(({ glsl, position }) =>
   glsl.vec3(position.y().mult(4).sin().mult(0.25), position.z().mult(3).cos().mult(0.125), 0))`
 
 test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source each look like the same warp by createWarp', async () => {
   const images = await drawScenes(browser, server, scripts, {
-    setup: `
+    setup: `${defineAtVertices}
       warps.byHand = ${wave}
       warps.plain = baseMaterialShader().modify({
         uniforms: { 'float amount': () => 0.25 },
@@ -52,7 +56,7 @@ test('a hook in GLSL, a strands sketch with a loop and an if, and GLSL source ea
         })
       }))
       const { glslOffset } = warpjet
-      warps.text = createWarp(glslOffset(\`uniform float amount;
+      warps.text = atVertices(glslOffset(\`uniform float amount;
         vec3 offset(vec3 p) { return vec3(sin(p.y * 4.0) * amount, cos(p.z * 3.0) * 0.125, 0.0); }\`),
         { uniforms: { amount: 0.25 } })`,
     scenes: {
@@ -76,10 +80,10 @@ test('an integer uniform keeps all its bits, and p5 declares it as an integer', 
   const text = `warpjet.glslOffset(\`uniform int n;
     vec3 offset(vec3 p) { return vec3(0.0, float(n % 1000) * 0.03125, 0.0); }\`)`
   const images = await drawScenes(browser, server, scripts, {
-    setup: `
+    setup: `${defineAtVertices}
       warps.whole = createWarp(${text}, { defs: 'uniform int n;' })
-      warps.byHand = createWarp(({ glsl }) => glsl.vec3(0, 0.28125, 0))
-      warps.still = createWarp(({ glsl }) => glsl.vec3(0, 0, 0))
+      warps.byHand = atVertices(({ glsl }) => glsl.vec3(0, 0.28125, 0))
+      warps.still = atVertices(({ glsl }) => glsl.vec3(0, 0, 0))
       try {
         createWarp(${text})()
         throw new Error('no sentence')
@@ -105,7 +109,7 @@ test("p5.strands in world and camera space, written as in p5's reference, looks 
           return inputs
         })
       }))`
-      : `createWarp(({ glsl, position: p }) => {
+      : `atVertices(({ glsl, position: p }) => {
         const phase = p.x().mult(0.0625).add(p.z().mult(0.03125))
         return glsl.vec3(0, phase.sin().mult(12), 0)
       }, { space: 'world' })`
@@ -118,12 +122,12 @@ test("p5.strands in world and camera space, written as in p5's reference, looks 
           return inputs
         })
       }))`
-      : `createWarp(({ glsl, position: p }) => {
+      : `atVertices(({ glsl, position: p }) => {
         const far = p.xy().length()
         return glsl.vec3(0, 0, far.mult(0.0625).sin().mult(20))
       }, { space: 'camera' })`
   const images = await drawScenes(browser, server, scripts, {
-    setup: `
+    setup: `${defineAtVertices}
       warps.waves = ${shiftScene(true)}
       warps.wavesByHand = ${shiftScene(false)}
       warps.lens = ${pullScene(true)}
@@ -155,7 +159,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
           return inputs
         })`,
       ),
-      `createWarp(({ glsl, position, millis }) =>
+      `atVertices(({ glsl, position, millis }) =>
         glsl.vec3(0, millis.mult(0.002).add(position.x.mult(0.05)).sin().mult(14), 0), { space: 'world' })`,
     ],
     'jelly in camera space, with normalMaterial()': [
@@ -169,7 +173,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
         })`,
       ),
       // The second line reads the result of the first.
-      `createWarp(({ glsl, position, millis }) => {
+      `atVertices(({ glsl, position, millis }) => {
         const t = millis.mult(0.001)
         const x = t.add(position.y.mult(0.06)).sin().mult(12)
         const y = t.add(position.x.add(x).mult(0.04)).cos().mult(12)
@@ -186,7 +190,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
           return inputs
         })`,
       ),
-      `createWarp(({ position, uniforms }) =>
+      `atVertices(({ position, uniforms }) =>
         position.mult(position.y.mult(5).sin().mult(uniforms.swell)), { uniforms: { swell: 0.2 } })`,
     ],
     'a twist, with sines and an else': [
@@ -201,7 +205,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
           return inputs
         })`,
       ),
-      `createWarp(({ glsl, position }) => {
+      `atVertices(({ glsl, position }) => {
         const { x, y, z } = position
         const angle = y.gt(0).ifElse(y.mult(1.5), y.mult(0.5))
         const [c, s] = [angle.cos(), angle.sin()]
@@ -211,7 +215,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
   }
   const entries = Object.entries(sketches)
   const images = await drawScenes(browser, server, scripts, {
-    setup: `p5.prototype.millis = () => 1700
+    setup: `${defineAtVertices}p5.prototype.millis = () => 1700
       ${entries.map(([, [own, byHand]], i) => `warps.own${i} = ${own}\nwarps.byHand${i} = ${byHand}`).join('\n')}`,
     scenes: Object.fromEntries(
       entries.flatMap(([name], i) => [
@@ -230,7 +234,7 @@ test("p5.strands written as in p5's reference and tutorials looks like the same 
 test('p5 1.11: hooks in local and view space look like the same warp by createWarp', async () => {
   const old = [p5Versions['1.11'], ...scripts.slice(1)]
   const images = await drawScenes(browser, server, old, {
-    setup: `
+    setup: `${defineAtVertices}
       warps.byHand = ${wave}
       warps.plain = baseMaterialShader().modify({
         uniforms: { 'float amount': () => 0.25 },
@@ -243,7 +247,7 @@ test('p5 1.11: hooks in local and view space look like the same warp by createWa
       warps.view = exactNormals(baseMaterialShader().modify({
         'vec3 getWorldPosition': \`(vec3 position) { \${bulge} }\`,
       }))
-      warps.viewByHand = createWarp(({ glsl, position: p }) =>
+      warps.viewByHand = atVertices(({ glsl, position: p }) =>
         glsl.vec3(0, 0, p.xy().length().mult(0.0625).sin().mult(20)), { space: 'camera' })
       warps.both = exactNormals(warps.plain.modify({
         'vec3 getWorldPosition': \`(vec3 position) { \${bulge} }\`,
