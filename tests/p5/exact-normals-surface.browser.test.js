@@ -120,8 +120,10 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       const entries = Object.entries(pairs)
       const images = await drawScenes(browsers[renderer], server, [...scripts, ...own], {
         renderer,
+        // exactNormals computes normals at vertices.
         setup: `${image}
-          ${entries.map(([, [shader, warp]], i) => `warps.plain${i} = ${shader}; warps.own${i} = exactNormals(warps.plain${i}); warps.byHand${i} = createWarp(${warp})`).join('\n')}`,
+          window.atVertices = (offset, options) => createWarp(offset, { ...options, normals: 'vertex' })
+          ${entries.map(([, [shader, warp]], i) => `warps.plain${i} = ${shader}; warps.own${i} = exactNormals(warps.plain${i}); warps.byHand${i} = atVertices(${warp})`).join('\n')}`,
         scenes: Object.fromEntries(
           entries.flatMap(([name], i) => [
             [name, scene(`shader(warps.own${i})`)],
