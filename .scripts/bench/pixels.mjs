@@ -1,5 +1,5 @@
 // npm run bench -- pixels: what normals at pixels cost. Times the fragment shader alone, beside normals by differences in it, and frames
-// of p5 with normals at vertices and at pixels. On a GPU it takes seconds, without one about five minutes.
+// of p5 with normals at vertices and at pixels.
 import { servePages } from '../../tests/support/browser/server.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 
@@ -52,7 +52,7 @@ function bySlopes({ declarations, code }) {
   return fragment(declarations, 'vec3 position = rest;' + code + 'color = vec4(warpedNormal, 1.0);')
 }
 
-function timed(source, size, frames) {
+function timeFragment(source, size, frames) {
   const canvas = new OffscreenCanvas(size, size)
   const gl = canvas.getContext('webgl2')
   const program = gl.createProgram()
@@ -82,9 +82,9 @@ function timed(source, size, frames) {
 window.fragments = (source, size, frames) => {
   const warp = compileWarp(offsetOf(source), { normals: 'pixel' })
   const slopes = warp.emitFragment()
-  const plain = timed(fragment('', 'color = vec4(normal, 1.0);'), size, frames)
-  const jacobian = timed(bySlopes(slopes), size, frames)
-  const differences = timed(byDifferences(warp), size, frames)
+  const plain = timeFragment(fragment('', 'color = vec4(normal, 1.0);'), size, frames)
+  const jacobian = timeFragment(bySlopes(slopes), size, frames)
+  const differences = timeFragment(byDifferences(warp), size, frames)
   return { characters: slopes.code.length + slopes.declarations.length, plain, jacobian, differences }
 }
 

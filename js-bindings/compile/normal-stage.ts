@@ -13,16 +13,13 @@ import { runInDouble } from '../cpu/double.js'
 import type { NormalStage } from './normals-option.js'
 import { type RecordedWarp, resultNumber } from './recorded-warp.js'
 
-/**
- * With `'auto'`, the maximum number of operations on floats per pixel. The normal of a twist takes 40, of simplex noise in 3D 700, of
- * fbm with five octaves of noise 1,600.
- */
-export const maxOperations = 4000
+/** With `'auto'`, the maximum number of operations on floats per pixel. */
+const maxOperations = 4000
 
-/** The usual length of an edge: that of p5's sphere, of radius 1 and with 24 segments. */
-const usualEdge = 0.25
+/** The typical length of an edge: that of p5's sphere, of radius 1 and with 24 segments. */
+const typicalEdge = 0.25
 
-/** A warp bends strongly if interpolated normals are off by more than this at one of ten edges, in degrees. */
+/** A warp bends strongly if interpolated normals are off by more than this at more than one edge in ten, in degrees. */
 const maxAngle = 1
 
 const edgeCount = 40
@@ -42,32 +39,31 @@ export function stageFor(
   if (needsGpu || operations > maxOperations) return 'vertex'
   if (hasNoise) return 'pixel'
   const program = makeProgram(module, results)
-  return program && bendsStrongly(program, valuesOf(recorded, numbersOf)) ? 'pixel' : 'vertex'
+  if (!program) return 'vertex'
+  const values = program.inputs.map((each) => valueOnSphere(each, recorded, numbersOf(each)))
+  return bendsStrongly(program, values) ? 'pixel' : 'vertex'
 }
 
 /** Returns the numbers of an input at a point of the unit sphere. */
-type ValueAt = (variable: Variable, point: readonly number[]) => readonly number[]
+type ValueAt = (point: readonly number[]) => readonly number[]
 
-function valuesOf(
+/** Reads a uniform once, since a function of the user may return its numbers. */
+function valueOnSphere(
+  { number, shape: [columns, rows] }: Variable,
   { inputs }: RecordedWarp,
-  numbersOf: (variable: Variable) => readonly number[] | undefined,
+  numbers: readonly number[] = Array<number>(columns * rows).fill(1),
 ): ValueAt {
-  const names = new Map(Object.entries(inputs).map(([name, number]) => [number, name]))
-  return (variable, point) => {
-    const [columns, rows] = variable.shape
-    const onSphere = valuesOnSphere[names.get(variable.number)!]
-    if (onSphere) return onSphere(point)
-    const numbers = numbersOf(variable) ?? Array<number>(columns * rows).fill(1)
-    // A strength that is 0 now would hide the warp.
-    return numbers.map((number) => number || 1)
-  }
+  const name = Object.keys(inputs).find((each) => inputs[each as keyof typeof inputs] === number)
+  // A strength that is 0 now would hide the warp.
+  const constants = numbers.map((each) => each || 1)
+  return valuesOnSphere[name!] ?? (() => constants)
 }
 
 const ofNormal = (axis: number) => (point: readonly number[]) =>
   point.map((x, i) => (i === axis ? 1 : 0) - x * point[axis]!)
 
-const valuesOnSphere: Record<string, (point: readonly number[]) => number[]> = {
-  position: (point) => [...point],
+const valuesOnSphere: Record<string, ValueAt> = {
+  position: (point) => point,
   normal: (point) => scale(point, 1 / Math.sqrt(dot(point, point))),
   uv: ([x, y]) => [0.5 + 0.5 * x!, 0.5 + 0.5 * y!],
   color: () => [1, 1, 1, 1],
@@ -79,12 +75,12 @@ const valuesOnSphere: Record<string, (point: readonly number[]) => number[]> = {
   vGradient: () => [0, 0.5, 0],
 }
 
-/** Tests whether the normals of `program` change strongly along edges of the usual length, of a sphere of radius 1. */
-function bendsStrongly(program: Program, valueAt: ValueAt): boolean {
+/** Tests whether the normals of `program` change strongly along edges of the typical length, of a sphere of radius 1. */
+function bendsStrongly(program: Program, values: readonly ValueAt[]): boolean {
   const normalAt = (point: readonly number[]) =>
     runInDouble(
       program,
-      program.inputs.flatMap((variable) => valueAt(variable, point)),
+      values.flatMap((valueAt) => valueAt(point)),
       3,
     )
   const angles = edges().map(([start, end]) => {
@@ -107,7 +103,7 @@ function edges(): Edge[] {
     const east = [-Math.sin(longitude), Math.cos(longitude), 0]
     const north = cross(start, east)
     const along = add(scale(east, Math.cos(direction)), scale(north, Math.sin(direction)))
-    return [start, add(scale(start, Math.cos(usualEdge)), scale(along, Math.sin(usualEdge)))]
+    return [start, add(scale(start, Math.cos(typicalEdge)), scale(along, Math.sin(typicalEdge)))]
   })
 }
 

@@ -118,3 +118,14 @@ describe('the code for pixels', () => {
     )
   })
 })
+
+test("'auto' calls a uniform's function once more than the warp itself", () => {
+  let calls = 0
+  const strength = () => ++calls && 0.5
+  const offset = (inputs) => waves(inputs).mult(inputs.uniforms.strength)
+  compileWarp(offset, { uniforms: { strength } })
+  const before = calls
+  calls = 0
+  compileWarp(offset, { normals: 'auto', uniforms: { strength } })
+  assert.equal(calls, before + 1)
+})
