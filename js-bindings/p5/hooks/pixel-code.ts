@@ -24,6 +24,25 @@ const names = {
 /** A varying for the interpolated normal and its length, which interpolation shortens. */
 export const normalVarying = 'warpjetPixel_normalAndLength'
 
+/** An expression, in GLSL and in WGSL, for the normal with the length that it has at vertices. */
+export const normalWithLength = `${normalVarying}.xyz * (${normalVarying}.w / max(length(${normalVarying}.xyz), 1e-30))`
+
+/**
+ * Returns statements of the vertex stage that pass the inputs of the warp to pixels. `expressions` are those of the vertex shader, and
+ * `vec4` is the language's name of that type.
+ */
+export const passInputs = (
+  pixel: PixelCode | undefined,
+  expressions: Readonly<Record<string, string>>,
+  vec4: string,
+): string =>
+  pixel?.varyings
+    .map(({ input, name }) => {
+      const value = expressions[input]!
+      return `  ${name} = ${input === 'normal' ? `${vec4}(${value}, length(${value}))` : value};\n`
+    })
+    .join('') ?? ''
+
 /** Writes the code of the fragment stage, without the uniforms that it declares. */
 export function pixelTextOf(warp: HostWarp, target: Target) {
   const text = warp.text(target, ['normal'], { names })

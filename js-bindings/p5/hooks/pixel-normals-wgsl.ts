@@ -2,30 +2,23 @@
 import type { Declared } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { nameOfPixel, normalVarying } from './pixel-code.js'
+import { nameOfPixel, normalVarying, normalWithLength } from './pixel-code.js'
 import type { PixelCode } from './styles.js'
 
-const types: Partial<Record<Declared['type'], string>> = {
+/** WGSL types of inputs and of the option `uniforms`. */
+export const wgslTypes: Partial<Record<Declared['type'], string>> = {
   float: 'f32',
   vec2: 'vec2<f32>',
   vec3: 'vec3<f32>',
   vec4: 'vec4<f32>',
+  mat2: 'mat2x2<f32>',
+  mat3: 'mat3x3<f32>',
+  mat4: 'mat4x4<f32>',
+  sampler2D: 'texture_2d<f32>',
 }
 
 export const pixelVaryings = (pixel: PixelCode | undefined) =>
-  pixel?.varyings.map(({ name, type }) => `${name}: ${types[type]}`) ?? []
-
-/** Returns statements that pass the inputs of the warp to pixels. `names` are the vertex shader's expressions for them. */
-export const passInputs = (
-  pixel: PixelCode | undefined,
-  names: Readonly<Record<string, string>>,
-): string =>
-  pixel?.varyings
-    .map(({ input, name }) => {
-      const value = names[input]!
-      return `  ${name} = ${input === 'normal' ? `vec4<f32>(${value}, length(${value}))` : value};\n`
-    })
-    .join('') ?? ''
+  pixel?.varyings.map(({ name, type }) => `${name}: ${wgslTypes[type]}`) ?? []
 
 /**
  * Returns statements that define the inputs of the code: interpolation shortens a normal and rounds the number of an instance.
@@ -34,8 +27,7 @@ export function readInputs({ varyings }: PixelCode): string {
   const names = new Set(varyings.map(({ name }) => name))
   const [normal, instance] = ['normal', 'instance'].map(nameOfPixel)
   return [
-    names.has(normalVarying) &&
-      `  let ${normal} = ${normalVarying}.xyz * (${normalVarying}.w / max(length(${normalVarying}.xyz), 1e-30));\n`,
+    names.has(normalVarying) && `  let ${normal} = ${normalWithLength};\n`,
     names.has(instance!) && `  let ${instance} = round(${instance});\n`,
   ]
     .filter(Boolean)

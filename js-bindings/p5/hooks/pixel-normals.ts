@@ -1,8 +1,8 @@
 /** Normals at each pixel in GLSL, for both versions of p5; see pixel-code.ts. */
 import type { Modifications, Shader } from '../host.js'
 import { facingInGlsl } from './facing.js'
-import { nameOfPixel, normalVarying } from './pixel-code.js'
-import { type PixelCode, type Varying, type WarpCode, glslDeclarations } from './styles.js'
+import { nameOfPixel, normalVarying, normalWithLength } from './pixel-code.js'
+import { type PixelCode, type WarpCode, glslDeclarations } from './styles.js'
 
 /** Transforms normals from the space of the offset to view space, by a matrix of p5 unless both are the same. */
 export interface ToView {
@@ -36,17 +36,6 @@ function declare(direction: 'IN' | 'OUT', { varyings }: PixelCode, base: Shader)
   )
   if (!isLit(base)) all.push(`${direction} highp vec3 ${ownViewPosition};`)
   return all.join('\n')
-}
-
-/** Returns statements that pass the inputs of the warp to pixels. `names` are the vertex shader's expressions for them. */
-export const passInputs = (
-  pixel: PixelCode | undefined,
-  names: Readonly<Record<string, string>>,
-): string => pixel?.varyings.map((varying) => `  ${passInput(varying, names)}\n`).join('') ?? ''
-
-function passInput({ input, name }: Varying, names: Readonly<Record<string, string>>) {
-  const value = names[input]!
-  return `${name} = ${input === 'normal' ? `vec4(${value}, length(${value}))` : value};`
 }
 
 /** Returns a statement that passes the position in view space, if pixels need it and p5 does not pass it. */
@@ -91,5 +80,5 @@ ${body}
 /** Returns statements that restore the length of the normal, which interpolation shortens. */
 function readNormal({ varyings }: PixelCode): string {
   if (!varyings.some(({ name }) => name === normalVarying)) return ''
-  return `  vec3 ${nameOfPixel('normal')} = ${normalVarying}.xyz * (${normalVarying}.w / max(length(${normalVarying}.xyz), 1e-30));\n`
+  return `  vec3 ${nameOfPixel('normal')} = ${normalWithLength};\n`
 }

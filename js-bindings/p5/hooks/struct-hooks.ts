@@ -1,9 +1,9 @@
 /** p5 2.x on WebGL: in each space, a hook takes and returns a vertex as one struct. */
 import { type HookStyle, type WarpCode, glslDeclarations } from './styles.js'
 import type { HookOrder } from './merge-hooks.js'
+import { passInputs } from './pixel-code.js'
 import {
   type ToView,
-  passInputs,
   passViewPosition,
   pixelDeclarations,
   pixelHooks,
@@ -87,7 +87,7 @@ export const structHooks: HookStyle = {
       ...(position && space !== 'camera' && vertexHook('camera', position)),
       ...vertexHook(
         space,
-        `${varies ? variationInGlsl(normalMatrices[space]) : ''}${passInputs(pixel, names)}${text.code}
+        `${varies ? variationInGlsl(normalMatrices[space]) : ''}${passInputs(pixel, names, 'vec4')}${text.code}
   warpjetNormalIsZero = warpjetNormal == vec3(0.0);
   warpjetInputs.position = warpjetPosition;
   warpjetInputs.normal = warpjetNormal;

@@ -6,9 +6,9 @@
  * `mat3(V)` (hence `vec4(n, 0.0)`).
  */
 import { sketchHook } from './merge-hooks.js'
+import { passInputs } from './pixel-code.js'
 import {
   type ToView,
-  passInputs,
   passViewPosition,
   pixelDeclarations,
   pixelHooks,
@@ -61,7 +61,7 @@ export const valueHooks: HookStyle = {
       'vec3 getWorldPosition': `(vec3 warpjetViewPosition) {
   vec3 warpjetRestPosition = ${position.replace('aPosition.xyz', 'HOOK_getLocalPosition(aPosition)')};
   warpjetSharedNormal = ${hasNormalHook ? `${sketchHook(worldNormal)}(${normal})` : normal};
-${varies ? variationInGlsl(matrix) : ''}${passInputs(pixel, names)}${warpCode.text.code}
+${varies ? variationInGlsl(matrix) : ''}${passInputs(pixel, names, 'vec4')}${warpCode.text.code}
   warpjetSharedNormal = ${transform('warpjetNormal')};
   warpjetViewPosition = ${viewPosition};
 ${passViewPosition(pixel, base, 'warpjetViewPosition')}  return warpjetViewPosition;

@@ -12,21 +12,10 @@ import {
 } from '../variation/variation-wgsl.js'
 import type { Modifications, Shader } from '../host.js'
 import { facingInWgsl } from './facing.js'
-import { passInputs, pixelVaryings, readInputs, toView } from './pixel-normals-wgsl.js'
+import { passInputs } from './pixel-code.js'
+import { pixelVaryings, readInputs, toView, wgslTypes } from './pixel-normals-wgsl.js'
 import { hookIn, isAfterWarpInStruct, orderInStruct } from './struct-hooks.js'
 import { type HookStyle, type MaterialKind, type WarpCode, readsInstance } from './styles.js'
-
-/** WGSL types of inputs and of the option `uniforms`. */
-const types: Partial<Record<Declared['type'], string>> = {
-  float: 'f32',
-  vec2: 'vec2<f32>',
-  vec3: 'vec3<f32>',
-  vec4: 'vec4<f32>',
-  mat2: 'mat2x2<f32>',
-  mat3: 'mat3x3<f32>',
-  mat4: 'mat4x4<f32>',
-  sampler2D: 'texture_2d<f32>',
-}
 
 export const wgslHooks: HookStyle = {
   isOrdered: true,
@@ -116,7 +105,7 @@ function fillHooks(
   warpCode: WarpCode,
   names: Readonly<Record<string, string>>,
 ): Record<string, string> {
-  const warp = `${variationInWgsl(warpCode)}${warpStatements(warpCode, passInputs(warpCode.pixel, names))}
+  const warp = `${variationInWgsl(warpCode)}${warpStatements(warpCode, passInputs(warpCode.pixel, names, wgslTypes.vec4!))}
   warpjetNormalIsZero = all(warpjetNormal == vec3<f32>());
   warpjetInputs.position = warpjetPosition;
   warpjetInputs.normal = warpjetNormal;\n`
@@ -161,12 +150,15 @@ function declarationsOf({ text, defs, uniforms }: WarpCode, base: Shader, ...own
     uniforms: Object.fromEntries(
       uniforms
         .filter(({ type }) => type !== 'sampler2D')
-        .map(({ name, type }) => [`${name}: ${types[type]}`, undefined]),
+        .map(({ name, type }) => [`${name}: ${wgslTypes[type]}`, undefined]),
     ),
     // Declared in both stages, or p5 would number their bindings differently.
     declarations: images
       .map(
-        ({ name, type }, i) => `@group(0) @binding(${first + 2 * i}) var ${name}: ${types[type]};
+        (
+          { name, type },
+          i,
+        ) => `@group(0) @binding(${first + 2 * i}) var ${name}: ${wgslTypes[type]};
 @group(0) @binding(${first + 2 * i + 1}) var ${name}_sampler: sampler;`,
       )
       .join('\n'),
