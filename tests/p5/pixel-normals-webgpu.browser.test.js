@@ -8,8 +8,8 @@ import {
   describeShape,
   drawShape,
   geometries,
-  shapes,
   size,
+  somePairs,
 } from '../support/browser/p5-pixel-normals.js'
 import { pixelWarps } from '../support/browser/pixel-normals.js'
 import { readWebGPUPixels } from '../support/browser/pixels.js'
@@ -86,7 +86,7 @@ test('p5 on WebGPU: normals at pixels are exact', async (t) => {
     )
     return readWebGPUPixels(page, 'redraw()')
   }
-  for (const [shape, { with: names }] of Object.entries(shapes))
+  for (const [shape, names] of Object.entries(somePairs))
     for (const warp of names)
       await t.test(`${warp} on a ${shape}`, async () => {
         const images = []
