@@ -1,6 +1,7 @@
 // The noise functions, one per row.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <string_view>
@@ -134,6 +135,19 @@ inline constexpr std::array noises{
                return row(noise.base).means.magnitude[dimensions - 1];
              }},
 };
+
+constexpr bool takesAllPoints(const NoiseRow& row) {
+  return row.minDimensions == 1 && row.maxDimensions == 4;
+}
+static_assert(std::all_of(noises.begin(), noises.end(),
+                          [](auto& row) { return takesAllPoints(row) == row.points.empty(); }),
+              "A row names the valid points if and only if it rejects some of 1 to 4 dimensions.");
+static_assert(std::all_of(noises.begin(), noises.end(),
+                          [](auto& row) {
+                            return row.use != NoiseUse::Base ||
+                                   (takesAllPoints(row) && row.values == 1);
+                          }),
+              "A base has one value at points of 1 to 4 dimensions: fractals and curl call it so.");
 
 // Not constexpr, so that reaching it at compile time is an error.
 void noSuchNoise();
