@@ -71,24 +71,31 @@ const frame = [
   { type: 'vec3', name: 'normal' },
 ]
 
-/** `warp` has normals in its code, `plain` is the same without, and `fragment` is the code of its fragment stage. */
-export function shadersOf(warp, plain, fragment) {
-  const shown = [{ type: 'vec3', name: 'shown', input: 'warpedNormal', isResult: true }]
+const isSame = (a, b) => a.code === b.code && a.declarations === b.declarations
+
+function byJacobian(plain, fragment) {
   const inputs = passed(fragment.attributes)
+  return {
+    vertex: vertexShader(plain, inputs),
+    fragment: fragmentShader(
+      fragment,
+      inputs,
+      `${readInputs(inputs)}${fragment.code}\n  vec3 lit = normalize(warpedNormal);`,
+    ),
+  }
+}
+
+/** `warp` has normals in its code, `plain` is the same without; `fragment` and `faded` are the code of its fragment stage. */
+export function shadersOf(warp, plain, fragment, faded) {
+  const shown = [{ type: 'vec3', name: 'shown', input: 'warpedNormal', isResult: true }]
   const none = { uniforms: [], declarations: '' }
   return {
     vertex: {
       vertex: vertexShader(warp, shown),
       fragment: fragmentShader(none, shown, '  vec3 lit = normalize(shown);'),
     },
-    pixel: {
-      vertex: vertexShader(plain, inputs),
-      fragment: fragmentShader(
-        fragment,
-        inputs,
-        `${readInputs(inputs)}${fragment.code}\n  vec3 lit = normalize(warpedNormal);`,
-      ),
-    },
+    pixel: byJacobian(plain, fragment),
+    ...(isSame(fragment, faded) ? {} : { faded: byJacobian(plain, faded) }),
     differences: differencesOf(plain),
   }
 }

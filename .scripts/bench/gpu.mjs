@@ -1,5 +1,6 @@
 // npm run bench -- gpu [--size 1200] [--seconds 480] [--software]: frames with normals at vertices, at pixels, and by four evaluations
-// at each pixel, for the warps of the gallery. Without a GPU, or with --software, it measures SwiftShader: a smaller size does there.
+// at each pixel, for the warps of the gallery. `faded` is the default where noise that is finer than a pixel fades. Without a GPU, or with
+// --software, it measures SwiftShader: a smaller size does there.
 import { parseArgs } from 'node:util'
 import { compileWarp } from '../../dist/warpjet.js'
 import { servePages } from '../../tests/support/browser/server.js'
@@ -37,10 +38,13 @@ async function compileAll() {
   return [...plain, ...found].map(([name, offset, uniforms]) => {
     const options = { perFrame: true, surfaceVariation: true, uniforms }
     const warp = compileWarp(offset, { ...options, normals: 'vertex' })
-    const fragment = warp.emitFragment()
+    const plain = compileWarp(offset, { ...options, normals: false })
+    const faded = warp.emitFragment()
+    // Differences do not fade either.
+    const fragment = compileWarp(offset, { ...options, fadeNoise: false }).emitFragment()
     return {
       name,
-      shaders: shadersOf(warp, compileWarp(offset, { ...options, normals: false }), fragment),
+      shaders: shadersOf(warp, plain, fragment, faded),
       characters: fragment.code.length + fragment.declarations.length,
       auto: compileWarp(offset, { ...options, normals: 'auto' }).normals,
     }
@@ -145,9 +149,10 @@ function prepare(size) {
 
 const round = (x) => Number(x.toPrecision(3))
 
-const rowOf = ({ vertex, pixel, differences }, { characters, auto }) => ({
+const rowOf = ({ vertex, pixel, faded, differences }, { characters, auto }) => ({
   'ms, vertex': round(vertex.frame),
   'ms, pixel': round(pixel.frame),
+  'ms, faded': faded && round(faded.frame),
   'ms, differences': round(differences.frame),
   'pixel / vertex': round(pixel.frame / vertex.frame),
   'pixel / differences': round(pixel.frame / differences.frame),
