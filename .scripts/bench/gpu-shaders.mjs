@@ -13,7 +13,7 @@ const declare = (qualifier) => (variables) =>
   variables.map(({ type, name }) => `${qualifier} ${type} ${name};\n`).join('')
 const declareUniforms = declare('uniform highp')
 
-const passed = (variables) =>
+const varyingsFor = (variables) =>
   variables.map(({ type, name }) => ({ type, name: `passed_${name}`, input: name }))
 
 /** `outputs` are variables for pixels; their `input` is an expression. */
@@ -49,7 +49,7 @@ const readInputs = (inputs) =>
 
 /** The normal by central differences along two tangents: four evaluations of the offset. */
 function differencesOf(warp) {
-  const inputs = passed([
+  const inputs = varyingsFor([
     ...new Map([...warp.attributes, ...frame].map((each) => [each.name, each])).values(),
   ])
   const others = inputs.filter(({ input }) => input !== 'position')
@@ -74,7 +74,7 @@ const frame = [
 const isSame = (a, b) => a.code === b.code && a.declarations === b.declarations
 
 function byJacobian(plain, fragment) {
-  const inputs = passed(fragment.attributes)
+  const inputs = varyingsFor(fragment.attributes)
   return {
     vertex: vertexShader(plain, inputs),
     fragment: fragmentShader(

@@ -14,7 +14,7 @@ import type { NodesByName } from './uniforms.js'
 import { type VertexNormals, vertexNormalsFor } from './vertex-normals.js'
 import { nodesOf } from './warp-nodes.js'
 
-/** What computes the normals of pixels: the warp, or the interpolation of vertices. */
+/** The source of normals at pixels: the warp, or the interpolation of vertices. */
 interface Normals {
   pixel?: PixelNormals | undefined
   vertex?: VertexNormals | undefined
