@@ -1,6 +1,6 @@
-// npm run bench -- gpu [--size 1200] [--seconds 480] [--software]: frames with normals at vertices, at pixels, and by four evaluations
-// at each pixel, for the warps of the gallery. `faded` is the default where noise that is finer than a pixel fades. Without a GPU, or with
-// --software, it measures SwiftShader: a smaller size does there.
+// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: frames with normals at vertices, at pixels, and by
+// four evaluations at each pixel, for the warps of the gallery. `faded` is the default where noise that is finer than a pixel fades.
+// Without a GPU, or with --software, it measures SwiftShader: a smaller size does there.
 import { parseArgs } from 'node:util'
 import { compileWarp } from '../../dist/warpjet.js'
 import { servePages } from '../../tests/support/browser/server.js'
@@ -18,6 +18,7 @@ function readOptions(args) {
       size: { type: 'string', default: '1200' },
       seconds: { type: 'string', default: '480' },
       software: { type: 'boolean', default: false },
+      warp: { type: 'string', multiple: true },
     },
   })
   const [size, seconds] = [Number(values.size), Number(values.seconds)]
@@ -25,11 +26,11 @@ function readOptions(args) {
     throw new Stop(`Expected a whole number up to 4096 for --size, got ${values.size}.`)
   if (!(seconds > 0))
     throw new Stop(`Expected a positive number for --seconds, got ${values.seconds}.`)
-  return { size, seconds, software: values.software }
+  return { size, seconds, software: values.software, names: values.warp }
 }
 
 /** Compiles all warps → [{ name, shaders, characters, auto }]. */
-async function compileAll() {
+async function compileAll(names) {
   const plain = Object.entries(plainWarps).map(([name, source]) => [name, (0, eval)(source), {}])
   const gallery = [...(await sketchWarps()), ...threeWarps()]
   const found = gallery
@@ -51,7 +52,10 @@ async function compileAll() {
   })
   // The cheapest of the gallery are first: if time is short, most of them are measured.
   const first = all.splice(0, plain.length)
-  return [...first, ...all.sort((a, b) => a.characters - b.characters)]
+  const sorted = [...first, ...all.sort((a, b) => a.characters - b.characters)]
+  const unknown = names?.filter((name) => !sorted.some((each) => each.name === name)) ?? []
+  if (unknown.length) throw new Stop(`Expected names of warps for --warp, got ${unknown}.`)
+  return sorted.filter(({ name }) => !names || names.includes(name))
 }
 
 /** Runs in the page, and makes `measureWarp`. */
@@ -167,7 +171,7 @@ const rowOf = ({ vertex, pixel, faded, differences }, { characters, auto }) => (
 })
 
 export async function measure(args) {
-  const { size, seconds, software } = readOptions(args)
+  const { size, seconds, software, names } = readOptions(args)
   const start = performance.now()
   const { chromium } = await import('playwright-core')
   const launch = (flags) =>
@@ -180,7 +184,7 @@ export async function measure(args) {
   await page.goto(server.page('<!doctype html>'))
   await page.evaluate(prepare, size)
 
-  const all = await compileAll()
+  const all = await compileAll(names)
   const rows = {}
   for (const [i, warp] of all.entries()) {
     const left = 1000 * seconds - (performance.now() - start)
