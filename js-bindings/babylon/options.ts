@@ -25,8 +25,8 @@ export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValu
    */
   normals?: NormalsOption
   /**
-   * `false` keeps the full strength of noise at pixels where its waves cover less than four of them; noise that is finer than a pixel
-   * sparkles then. Only normals at pixels fade.
+   * `false` keeps the full strength of noise where its waves cover fewer than four pixels; noise that is finer than a pixel sparkles
+   * then. Normals at vertices are unaffected.
    * @default true
    */
   fadeNoise?: boolean

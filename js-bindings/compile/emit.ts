@@ -20,8 +20,9 @@ export interface Emits {
    * Writes the statements for a fragment shader that compute the normal at a pixel, `vec3 warpedNormal`, and with `tangents: true`
    * `vec4 warpedTangent`. Their inputs are the position, normal, uv and color before the warp, and the gradients of
    * `surfaceVariation`, as the vertex shader passes them to pixels: in the space of the offset, interpolated, the normal with its
-   * length restored. Only what the normal needs is among the statements. Noise fades where its waves cover less than four pixels, unless
-   * the option `fadeNoise` is `false`. Use `highp` in GLSL ES 1.00. Default: the language and the
+   * length restored. Only what the normal needs is among the statements. Noise fades where a wave covers less than four pixels, unless the
+   * option `fadeNoise` is `false` or the language is GLSL ES 1.00. Fading takes derivatives on the screen: insert the code outside of
+   * branches, and do not declare its varyings `centroid`. Use `highp` in GLSL ES 1.00. Default: the language and the
    * names of the options of `compileWarp`. Throws a `WarpError` for a warp with `normals: false`.
    */
   emitFragment(target?: Target, options?: TextOptions): WarpText

@@ -47,15 +47,18 @@ export function stageFor(
 /** Returns the numbers of an input at a point of the unit sphere. */
 type ValueAt = (point: readonly number[]) => readonly number[]
 
-/** Reads a uniform once, since a function of the user may return its numbers. */
+/**
+ * Returns the function for an input. `numbers` are those of a uniform, read once by the caller, since code of the user may compute them;
+ * missing for inputs of a draw call, which are then 1.
+ */
 function valueOnSphere(
   { number, shape: [columns, rows] }: Variable,
   { inputs }: RecordedWarp,
   numbers: readonly number[] = Array<number>(columns * rows).fill(1),
 ): ValueAt {
   const name = Object.keys(inputs).find((each) => inputs[each as keyof typeof inputs] === number)
-  // A strength that is 0 now would hide the warp.
-  const constants = numbers.map((each) => each || 1)
+  // If all numbers are 0, as for a strength that grows later, the warp would seem flat.
+  const constants = numbers.some(Boolean) ? numbers : numbers.map(() => 1)
   return valuesOnSphere[name!] ?? (() => constants)
 }
 

@@ -104,8 +104,8 @@ export class OffsetWarp {
   }
 
   /**
-   * Writes text for a fragment shader. There, noise that is finer than a pixel fades, except in GLSL ES 1.00, which may lack the
-   * derivatives on the screen that this takes.
+   * Writes the code of a fragment shader, in which noise that is finer than a pixel fades. In GLSL ES 1.00 it does not: derivatives on the
+   * screen need an extension there.
    */
   fragmentText(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
     return writeWarp(this.recorded, target, results, {

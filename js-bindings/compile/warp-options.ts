@@ -73,7 +73,7 @@ export interface TextOptions {
 /** The options that decide what is recorded and written. */
 export interface RecordOptions extends TextOptions {
   target?: Target | undefined
-  /** `false` leaves the normal out of the recording; everything else is the same to it. */
+  /** `false` leaves the normal out of the recording; all other values record it. */
   normals?: boolean | NormalsOption | undefined
   fadeNoise?: boolean | undefined
   tangents?: boolean | undefined

@@ -24,9 +24,9 @@ export interface HostText extends WarpText {
 }
 
 /**
- * Returns how GLSL ES 3.00 interpolates the inputs of a text at pixels. Where antialiasing covers only a part of a pixel, its center may
- * be outside of the triangle, and of what the offset is defined on: `centroid` is a place inside. Noise that fades compares the centers
- * of pixels.
+ * Returns the qualifier of varyings in GLSL ES 3.00. At an antialiased border the center of a pixel may be outside of the triangle, where
+ * the offset may be undefined; `centroid` interpolates at a place inside. Noise that fades needs differences between the centers of
+ * pixels, so its varyings have no qualifier, and its normals at a border are those of the centers.
  */
 export const interpolationOf = ({ declarations }: Compiled) =>
   /\bwarpjetAcross\b/.test(declarations) ? '' : 'centroid '

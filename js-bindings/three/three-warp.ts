@@ -95,7 +95,7 @@ export class ThreeWarp extends HostWarp {
     return this.cpu(place).bounds(box, { uniforms: this.given })
   }
 
-  /** Warps of equal text have equal keys. */
+  /** Warps with equal code have equal keys. */
   get key(): string {
     return (this.hash ??= this.hashOfText())
   }

@@ -40,7 +40,7 @@ ${woven}`
 }
 
 /**
- * Lights a triangle that the warp collapses by its geometric normal, where normals are those of vertices: see `avoidNaN` in weave.ts.
+ * Lights a triangle that the warp collapses by its geometric normal, where normals are those of vertices: see `avoidNaN` in warp-block.ts.
  * Shaders without a position in view space light it as if it faced the eye.
  */
 export function weaveVertexNormals(fragmentShader: string): string {

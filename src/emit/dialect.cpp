@@ -1,6 +1,6 @@
 #include "emit/dialect.hpp"
 
-#include "noise/fading.hpp"
+#include "emit/fading.hpp"
 #include "texture/texture.hpp"
 
 namespace warpjet {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "emit/rewriter.hpp"
 #include "graph/expression.hpp"
 #include "graph/reachable.hpp"
 #include "ops/rows.hpp"
@@ -45,66 +46,20 @@ constexpr auto formulas =
 
 bool lacks(ops::Language language, Op op) { return ops::spelling(op, language).isMissing(); }
 
-class Lowering {
+class Lowering : public Rewriter {
  public:
   Lowering(Graph& graph, ops::Language language, Comments& comments)
-      : graph_(graph), language_(language), comments_(comments), lowered_(graph.size()) {}
-
-  // Operands are visited before their users.
-  void visit(NodeId id) {
-    if (graph_.isLeaf(id) || graph_.isList(id) || graph_.isStateOrList(id)) return;
-    const NodeId first = end();
-    lowered_[index(id)] = replacement(id);
-    const Comments::Range* comment = comments_.find(id);
-    if (comment && first != end()) comments_.ranges.push_back({first, end(), comment->text});
-  }
-
-  NodeId lowered(NodeId id) const { return graph_.isLeaf(id) ? id : lowered_[index(id)]; }
+      : Rewriter(graph, comments), language_(language) {}
 
  private:
-  NodeId replacement(NodeId id) {
-    if (graph_.isCall(id)) return visitCall(id);
-    if (graph_.isResult(id))
-      return graph_.result(lowered(graph_.operand(id, 0)), graph_.resultNumber(id));
-    if (graph_.isFold(id)) return visitFold(id);
-    if (graph_.isOutcome(id))
-      return graph_.outcome(lowered(graph_.operand(id, 0)), graph_.operand(id, 1));
-    return visitOperation(id);
-  }
-
-  NodeId visitFold(NodeId id) {
-    std::vector<State> states = graph_.states(id);
-    for (auto& [local, start, next] : states) {
-      start = lowered(start);
-      next = lowered(next);
-    }
-    return graph_.fold(graph_.loopOf(id), states);
-  }
-
-  NodeId visitOperation(NodeId id) {
-    Operands<NodeId> operands{};
-    bool changed = false;
-    for (int i = 0; i < graph_.arity(id); ++i) {
-      operands[i] = lowered(graph_.operand(id, i));
-      changed |= operands[i] != graph_.operand(id, i);
-    }
+  NodeId replaceOperation(NodeId id) override {
     const Op op = graph_.node(id).op;
-    if (lacks(language_, op) && formulas[index(op)]) return formulas[index(op)](graph_, operands);
-    return changed ? graph_.apply(op, operands) : id;
+    return lacks(language_, op) && formulas[index(op)]
+               ? formulas[index(op)](graph_, newOperands(id))
+               : Rewriter::replaceOperation(id);
   }
 
-  NodeId visitCall(NodeId id) {
-    std::vector<NodeId> arguments = graph_.arguments(id);
-    for (NodeId& argument : arguments) argument = lowered(argument);
-    return graph_.call(graph_.node(id).operands[1], arguments);
-  }
-
-  NodeId end() const { return NodeId{static_cast<std::uint32_t>(graph_.size())}; }
-
-  Graph& graph_;
   ops::Language language_;
-  Comments& comments_;
-  std::vector<NodeId> lowered_;  // by node
 };
 
 }  // namespace
@@ -130,12 +85,7 @@ bool lacksAny(const Graph& graph, ops::Language language) {
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
                           Comments& comments) {
   if (!lacksAny(graph, language)) return {roots.begin(), roots.end()};
-  Lowering lowering(graph, language, comments);
-  for (const NodeId id : reachable(graph, roots)) lowering.visit(id);
-  std::vector<NodeId> found(roots.size());
-  std::transform(roots.begin(), roots.end(), found.begin(),
-                 [&](NodeId root) { return lowering.lowered(root); });
-  return found;
+  return Lowering(graph, language, comments).rewrite(roots);
 }
 
 }  // namespace warpjet

@@ -4,13 +4,13 @@
 #include <initializer_list>
 #include <set>
 
+#include "emit/fading.hpp"
 #include "emit/functions.hpp"
 #include "emit/lower.hpp"
 #include "emit/names.hpp"
 #include "module/label.hpp"
 #include "module/messages.hpp"
 #include "module/syntax.hpp"
-#include "noise/fading.hpp"
 
 namespace warpjet {
 
@@ -150,15 +150,15 @@ class ShaderTextWriter {
     return true;
   }
 
-  // Writes the module in operations of the language. A copy of the graph takes noise that fades,
-  // and what missing operations are lowered to.
+  // Writes the module in operations of the language. Fading and lowering add nodes, so they work on
+  // a copy of the graph.
   ShaderText compose() {
     Library library = module_.library.withEmptyCaches();
     ShaderText text;
     if (options_.fadesNoise || lacksAny(graph_, dialect_.language)) {
       Graph graph = graph_.copy();
       Comments comments = module_.comments;
-      if (options_.fadesNoise) setOutputs(fadeNoise(graph, library, outputNodes()));
+      if (options_.fadesNoise) setOutputs(fadeNoise(graph, library, outputNodes(), comments));
       setOutputs(lower(graph, outputNodes(), dialect_.language, comments));
       text.emitted = emit(graph, dialect_, outputs_, options_.emit, comments, inputs_);
       declare(text, graph, library);

@@ -56,7 +56,8 @@ Numbers curlNoise(Library& library, NoiseKind base, const Point& p, Expression s
 Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
                         const Expression* parameters, Expression (*shape)(Expression));
 
-// Returns the value, or its mean where a pixel is much wider than the wavelength.
+// Blends a value toward its mean where `pixel` is wider than a quarter of `wavelength`; both are in
+// the units of the point.
 Expression fade(Expression value, double mean, Expression pixel, double wavelength);
 
 // Calls a noise with a single value.

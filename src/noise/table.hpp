@@ -10,8 +10,8 @@
 
 namespace warpjet {
 
-// The mean magnitude and the mean square of a base over all of space, by dimension. Measured at a
-// million points.
+// The means of |n| and of n^2 over all of space for a base n, by dimension: averages of a million
+// random points, which tests/cpp/noise_fading_test.cpp measures again.
 struct Means {
   double magnitude[4], square[4];
 };
@@ -32,8 +32,9 @@ struct NoiseRow {
   // The bound of the magnitude of each first derivative, by dimension; null for noises composed of
   // others.
   double (*maxSlope)(int) = nullptr;
-  // The length of its waves, in cells; for fractals, as a share of their base's. Measured, so that
-  // `fade` comes closest to the mean over a pixel. 0 for noises whose base fades in their place.
+  // The wavelength that `fade` assumes, in cells; for fractals, as a share of their base's. Fitted
+  // to means over square pixels; tests/cpp/noise_fading_test.cpp compares them. 0: the base fades
+  // instead.
   double wavelength = 0;
   Mean mean = [](auto&, std::size_t, std::size_t) { return 0.0; };
   Means means = {};  // of bases

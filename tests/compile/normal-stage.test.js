@@ -25,6 +25,11 @@ describe("'auto' computes normals at pixels", () => {
     )
   })
 
+  test('a uniform with some zeros keeps them', () => {
+    const offset = (inputs) => waves(inputs).mult(inputs.uniforms.only)
+    assert.equal(stageOf(offset, { uniforms: { only: [0, 0, 1e-3] } }), 'vertex')
+  })
+
   test('whatever the strength is when the warp is made', () => {
     const offset = (inputs) => waves(inputs).mult(inputs.uniforms.strength)
     assert.equal(stageOf(offset, { uniforms: { strength: 0 } }), 'pixel')

@@ -1,11 +1,11 @@
-// A warp that ends where its mesh ends, on an antialiased canvas: the centers of pixels at the border are outside of the mesh.
+// A warp and its mesh end at one border, on an antialiased canvas: the centers of some pixels there are outside of the mesh.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { drawScenes, openHosts, p5InThisRun } from '../support/browser/sketch.js'
 
 const size = 120
 
-// The square root has its vertical tangent at the right edge of the plane: the normal is nearly that of x there, and that of z outside.
+// The slope is infinite at the right edge of the plane: the normal is nearly the x axis there, and the z axis outside.
 const offset = ({ glsl, position }) =>
   glsl.vec3(0, 0, glsl.val(0.5).sub(position.x()).sqrt().mult(2))
 

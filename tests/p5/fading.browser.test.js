@@ -5,7 +5,7 @@ import { compileWarp } from '../../dist/warpjet.js'
 import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
 
 const size = 120
-/** The length of the plane's edges, in pixels. A wave of the coarsest octave covers 3.7 of them, one of the finest a quarter. */
+/** The length of the plane's edges, in pixels. Waves of the coarsest octave are 3.7 pixels long, those of the finest a quarter of one. */
 const edge = 80
 
 const offset = ({ glsl, position }) => glsl.vec3(0, 0, glsl.fbm(position.mult(30)).mult(0.02))
@@ -40,7 +40,7 @@ const pixels = Array.from({ length: size * size }, (_, i) => [
 
 const restOf = (x) => (x - size / 2) / edge
 
-/** Returns the mean of 64 normals in each pixel. */
+/** Returns the sum of 64 normals for each pixel: only its direction matters. */
 function meanNormals() {
   const positions = pixels.flatMap(([x, y]) =>
     Array.from({ length: 64 }, (_, i) => [

@@ -55,6 +55,17 @@ export function pixelTextOf(warp: HostWarp, target: Target) {
   return { text, varyings, interpolation: target === 'glsl300' ? interpolationOf(text) : '' }
 }
 
+/** Returns the attributes that the vertex shader declares, and the built-in variables of its stage. */
+function variablesOfVertices(base: Shader): string[] {
+  const declared = base.vertSrc().matchAll(/^\s*(?:IN|in|attribute)\s+(?:\w+\s+)+(\w+)\s*;/gm)
+  return [
+    ...Array.from(declared, ([, name]) => name!),
+    'gl_Position',
+    'gl_VertexID',
+    'gl_InstanceID',
+  ]
+}
+
 /** Returns why the shader cannot compute the code at each pixel; `undefined` if it can. */
 export function obstacleFor(
   { text, uniforms, varyings }: PixelCode,
@@ -70,8 +81,8 @@ export function obstacleFor(
     (name) => modified.vertex[name] && isAfter(name) && /normal/i.test(name + vertex[name]!),
   )
   if (later) return `the hook ${later.split(' ')[1]} of its shader changes normals after the warp`
-  const ofVertex = /\b(a[A-Z]\w*|gl_(Position|VertexID|InstanceID))\b/.exec(defs)
-  if (ofVertex) return `"defs" reads ${ofVertex[1]}, which only vertices have`
+  const ofVertex = variablesOfVertices(base).find((name) => new RegExp(`\\b${name}\\b`).test(defs))
+  if (ofVertex) return `"defs" reads ${ofVertex}, which only vertices have`
   const known = new Set(`${base.fragSrc()} ${defs}`.match(/\w+/g))
   for (const { name } of uniforms) known.add(name)
   const missing = text.parameters.find(({ name }) => !known.has(name))
