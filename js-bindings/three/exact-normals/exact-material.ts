@@ -69,7 +69,13 @@ export class ExactMaterial {
 
   /** Reads the displacement of a shader. Throws a `WarpError` if that is impossible. */
   read(shader: ExactShader, values?: Record<string, () => unknown>): Reading | undefined {
-    return readDisplacement(shader, this.settings, spaceOf(shader, this.place), values)
+    return readDisplacement(
+      shader,
+      this.settings,
+      spaceOf(shader, this.place),
+      values,
+      this.material,
+    )
   }
 
   private wrapCompile() {

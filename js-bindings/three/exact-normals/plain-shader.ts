@@ -36,10 +36,25 @@ export function plainShader(material: Material, object: Mesh): ExactShader | und
       ...parameters,
       vertexShader: library.vertexShader,
       fragmentShader: library.fragmentShader,
-      uniforms: UniformsUtils.clone(library.uniforms),
+      uniforms: { ...UniformsUtils.clone(library.uniforms), ...liveUniforms(material, library) },
     }
   )
 }
+
+/** Three.js sets these to properties of the material before it draws. */
+const liveUniforms = (material: Material, { uniforms }: { uniforms: object }) =>
+  Object.fromEntries(
+    Object.keys(uniforms)
+      .filter((name) => name in material)
+      .map((name) => [
+        name,
+        {
+          get value() {
+            return (material as unknown as Record<string, unknown>)[name]
+          },
+        },
+      ]),
+  )
 
 /** Returns the parameters of the program that depend on the object. */
 export function parametersOf(material: Material, object: Mesh) {

@@ -35,6 +35,7 @@ export function readDisplacement(
   settings: ExactSettings,
   space: WarpSpace,
   values: Record<string, () => unknown> = {},
+  material: object = {},
 ): Reading | undefined {
   const { text, attributes } = vertexSource(shader)
   const { offset, externals } = readOffset(new Place(settings.method), 'glsl', text, {
@@ -44,7 +45,7 @@ export function readDisplacement(
   })
   const uniforms: Record<string, () => unknown> = {}
   for (const external of externals) {
-    const value = values[external.name] ?? valueOf(shader.uniforms, external, attributes)
+    const value = values[external.name] ?? valueOf(shader.uniforms, external, attributes, material)
     if (value) uniforms[external.name] = value
   }
   const warp = new ThreeWarp(
@@ -80,16 +81,25 @@ function valueOf(
   uniforms: Record<string, IUniform>,
   { name, shape, type }: External,
   attributes: ReadonlySet<string>,
+  material: object,
 ): (() => unknown) | undefined {
   const [root = '', ...path] = name.match(/\w+/g) ?? []
-  const uniform = uniforms[root]
-  if (!uniform || attributes.has(root)) return undefined
+  if (!uniforms[root] || attributes.has(root)) return undefined
+  // Three.js sets its own uniforms to properties of the material after the shader is compiled.
+  const rootValue = () => uniforms[root]?.value ?? (material as Record<string, unknown>)[root]
   const read = () =>
     path.reduce<unknown>(
       (value, part) => (value as Record<string, unknown> | undefined)?.[part],
-      uniform.value,
+      rootValue(),
     )
-  return isUsable(read(), type, shape) ? read : undefined
+  let last = read()
+  if (!isUsable(last, type, shape)) return undefined
+  // An error here would leave `render()`, so a value of another kind, such as a missing texture, does not count.
+  return () => {
+    const now = read()
+    if (isUsable(now, type, shape)) last = now
+    return last
+  }
 }
 
 function isUsable(value: unknown, type: string, [columns, rows]: readonly [number, number]) {

@@ -2,6 +2,7 @@
  * Puts exact normals into vertex shaders that make varyings from the attribute `normal`, as those of a ShaderMaterial. Statements that the
  * position depends on keep reading the attribute, since vertices may move along it; all others read the transformed normal.
  */
+import { WarpError } from '../../errors/errors.js'
 import type { Place } from '../../options/place.js'
 import { resolveIncludes, splitAtMain } from '../shader-source.js'
 import { WarpCode } from '../warp-code.js'
@@ -32,7 +33,11 @@ export function weaveAttribute(
     normal: 'vec3( normal )',
     tangent: '',
   })
-  const body = withNewNormals(main.slice(open + 1, close), top, place)
+  const body = withNewNormals(main.slice(open + 1, close), top, (statement, problem) =>
+    place.error(
+      `${lineOf(vertexShader, statement)}the statement "${short(statement)}" ${problem}.`,
+    ),
+  )
   return `${top}
 ${options.isRaw ? declareMissing(top, statements) : ''}${code.declarations}
 ${main.slice(0, open + 1)}
@@ -73,15 +78,27 @@ const globalsOf = (top: string) =>
     ].map(([, name]) => name!),
   )
 
-function withNewNormals(body: string, top: string, place: Place): string {
+const short = (statement: string) => statement.trim().replace(/\s+/g, ' ').slice(0, 80)
+
+/** Returns line and column of a statement in the source, as messages about GLSL have them; empty for one of a chunk. */
+function lineOf(vertexShader: string, statement: string): string {
+  const at = withoutComments(vertexShader).indexOf(statement.trim())
+  if (at < 0) return ''
+  const lines = vertexShader.slice(0, at).split('\n')
+  return `line ${lines.length}, column ${lines.at(-1)!.length + 1}: `
+}
+
+function withNewNormals(
+  body: string,
+  top: string,
+  error: (statement: string, problem: string) => Error,
+): string {
   const varyings = varyingTypes(top)
   const globals = new Set([...globalsOf(top), ...varyings.keys(), 'normal', 'position'])
   const effects = effectsOf(top, globals)
   const statements = statementsOf(body, effects)
   const isMoving = sliceOf(statements, 'gl_Position')
-  const named = (text: string) => text.trim().replace(/\s+/g, ' ').slice(0, 80)
-  const fail = (statement: Statement, problem: string) =>
-    place.error(`the statement "${named(statement.text)}" ${problem}.`)
+  const fail = ({ text }: Statement, problem: string) => error(text, problem)
   /** Variables that both the position and the light depend on, and that are made of the normal alone. */
   const copies = new Map<string, string>()
   /** Variables that other statements make of the normal, and of the position in front of the displacement. */
@@ -149,8 +166,8 @@ function withNewNormals(body: string, top: string, place: Place): string {
     return renamed(text)
   })
   if (!hasNormals)
-    throw place.error(
-      'the vertex shader makes no varying of the attribute normal; write vNormal = normalMatrix * normal, and leave out normals by hand',
+    throw new WarpError(
+      'the vertex shader makes no varying of the attribute normal; write vNormal = normalMatrix * normal, and leave out normals by hand.',
     )
   return [...lines, ...ends].join('\n')
 }

@@ -30,7 +30,7 @@ function changed(
       .replace(`#include <${chunk}>`, replaces ? statements : `#include <${chunk}>\n${statements}`)
     material.userData.shader = shader
   }
-  material.customProgramCacheKey = () => functions + statements
+  material.customProgramCacheKey = () => functions + statements + chunk
   return material
 }
 
@@ -399,6 +399,70 @@ void main() { fragColor = vec4(normalize(vNormal), 1.0); }`,
   },
 }
 
+const wavy = (chunk, material = standard()) =>
+  changed(
+    material,
+    '',
+    'transformed += vec3(0.1 * sin(4.0 * transformed.y), 0.0, 0.2 * sin(3.0 * transformed.x + uTime));',
+    { chunk },
+  )
+const movedWavy = ([x, y, z]) => [x + 0.1 * sin(4 * y), y, z + 0.2 * sin(3 * x + time)]
+
+/** Bones, morph targets and sides. `isPosedFirst`: the displacement comes after bones and morph targets. */
+export const objects = {
+  'bones after the displacement': {
+    shape: 'plane',
+    kind: 'skin',
+    material: () => wavy('begin_vertex'),
+    moved: movedWavy,
+  },
+  'bones before the displacement': {
+    shape: 'plane',
+    kind: 'skin',
+    isPosedFirst: true,
+    material: () => wavy('skinning_vertex'),
+    moved: movedWavy,
+  },
+  'morph targets after the displacement': {
+    shape: 'plane',
+    kind: 'morph',
+    material: () => wavy('begin_vertex'),
+    moved: movedWavy,
+  },
+  'morph targets before the displacement': {
+    shape: 'plane',
+    kind: 'morph',
+    isPosedFirst: true,
+    material: () => wavy('displacementmap_vertex'),
+    moved: movedWavy,
+  },
+  'the back of a material': {
+    shape: 'plane',
+    isBack: true,
+    material: () => wavy('begin_vertex', new THREE.MeshStandardMaterial({ side: THREE.BackSide })),
+    moved: movedWavy,
+  },
+  'a displacementMap of three.js': {
+    shape: 'plane',
+    material: () =>
+      new THREE.MeshStandardMaterial({ displacementMap: heights(), displacementScale: 0.5 }),
+    moved: ([x, y, z], n, [u, v]) => [x, y, z + 0.5 * heightMap(u, v)],
+  },
+  'a twist in the world, read by a noise of the world': {
+    shape: 'sphere',
+    material: () =>
+      changed(
+        standard(),
+        glslNoise,
+        'vec4 inWorld = modelMatrix * vec4(transformed, 1.0);\ntransformed += 0.3 * normal * noise(inWorld.xyz * 1.5);',
+      ),
+    moved: ([x, y, z], n, uv, instance, world) => {
+      const h = 0.3 * noise(...world.map((each) => each * 1.5))
+      return [x + n[0] * h, y + n[1] * h, z + n[2] * h]
+    },
+  },
+}
+
 /** Shaders that stay as they are, each with a part of the message. */
 export const refused = {
   'a normal by differences in a ShaderMaterial': {
@@ -416,7 +480,8 @@ void main() {
 }`),
   },
   'a normal by neighbors along a tangent': {
-    message: /"vec3 neighbor = .*" makes something of normal and position together/,
+    message:
+      /line 7, column 3: the statement "vec3 neighbor = .*" makes something of normal and position together/,
     material: () =>
       shader(`uniform float uTime;
 varying vec3 vNormal;

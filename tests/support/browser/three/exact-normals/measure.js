@@ -42,6 +42,44 @@ const unit = (a) => a.map((x) => x / Math.sqrt(dot(a, a)))
 const angle = (a, b) => (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / PI
 const transformed = (p, matrix) => new THREE.Vector3(...p).applyMatrix4(matrix).toArray()
 
+const bone = new THREE.Matrix4().makeRotationZ(0.6).setPosition(0.2, 0.1, 0)
+const delta = [0.1, 0.2, 0.3]
+
+function meshOf({ shape, kind }, geometry, material) {
+  if (shape === 'blade') return new THREE.InstancedMesh(geometry, material, 5)
+  const { count } = geometry.attributes.position
+  if (kind === 'morph') {
+    const numbers = Float32Array.from({ length: 3 * count }, (_, i) => delta[i % 3])
+    geometry.morphAttributes.position = [new THREE.BufferAttribute(numbers, 3)]
+    geometry.morphTargetsRelative = true
+    const mesh = new THREE.Mesh(geometry, material)
+    mesh.morphTargetInfluences[0] = 0.5
+    return mesh
+  }
+  if (kind !== 'skin') return new THREE.Mesh(geometry, material)
+  geometry.setAttribute('skinIndex', new THREE.BufferAttribute(new Uint16Array(4 * count), 4))
+  const weights = Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0))
+  geometry.setAttribute('skinWeight', new THREE.BufferAttribute(weights, 4))
+  const mesh = new THREE.SkinnedMesh(geometry, material)
+  const joint = new THREE.Bone()
+  mesh.add(joint)
+  mesh.bind(new THREE.Skeleton([joint]), new THREE.Matrix4())
+  joint.applyMatrix4(bone)
+  return mesh
+}
+
+const poses = {
+  skin: (p) => transformed(p, bone),
+  morph: (p) => p.map((x, i) => x + 0.5 * delta[i]),
+}
+
+/** Where a vertex is before the matrices of instances and of the object. */
+function localPlace(row, { p, n, uv }, instance, world) {
+  const pose = poses[row.kind] ?? ((p) => p)
+  const moved = row.moved ?? ((p) => p)
+  return row.isPosedFirst ? moved(pose(p)) : pose(moved(p, n, uv, instance, world))
+}
+
 export async function measure(row, normals, isOfChunks, isRaw) {
   const { shape, space = 'view' } = row
   const { geometry: create, at } = shapes[shape]
@@ -49,10 +87,7 @@ export async function measure(row, normals, isOfChunks, isRaw) {
   if (!isRaw) await addSurfaceVariation(geometry)
   const material = row.material()
   if (normals) exactNormals(material, { normals })
-  const mesh =
-    shape === 'blade'
-      ? new THREE.InstancedMesh(geometry, material, 5)
-      : new THREE.Mesh(geometry, material)
+  const mesh = meshOf(row, geometry, material)
   mesh.rotation.set(0.4, 0.5, 0.1)
   // Normals in the world are the user's own formula, which is right without uneven scales.
   mesh.scale.set(...(space === 'world' ? [1.2, 1.2, 1.2] : [1.2, 0.8, 1]))
@@ -76,7 +111,9 @@ function compare(row, mesh, { at, space, shown, clips }) {
     const toWorld = new THREE.Matrix4().multiplyMatrices(mesh.matrixWorld, instance)
     const place = (u, v, isMoved = true) => {
       const { p, n, uv } = at(u, v)
-      const local = isMoved && row.moved ? row.moved(p, n, uv, instance.elements) : p
+      const local = isMoved
+        ? localPlace(row, { p, n, uv }, instance.elements, transformed(p, toWorld))
+        : p
       const world = transformed(local, toWorld)
       const inWorld = isMoved && row.movedInWorld ? row.movedInWorld(world) : world
       const inView = transformed(inWorld, camera.matrixWorldInverse)
@@ -96,7 +133,7 @@ function compare(row, mesh, { at, space, shown, clips }) {
         return to[space].map((x, k) => (x - from[space][k]) / (2 * e))
       }
       const normalAt = (isMoved) => cross(side(1, 0, isMoved), side(0, 1, isMoved))
-      const expected = unit(normalAt(true))
+      const expected = unit(normalAt(true)).map((x) => (row.isBack ? -x : x))
       // Kinks: one-sided differences disagree.
       const one = (sign) => {
         const here = place(u, v)[space]

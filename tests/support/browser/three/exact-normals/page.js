@@ -1,10 +1,10 @@
 // A page that measures exact normals of displacements against differences in double precision.
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
-import { chunks, ofCustomShaderMaterial, ofShaderMaterial, refused } from './cases.js'
+import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused } from './cases.js'
 import { measure } from './measure.js'
 
-const tables = { chunks, ofCustomShaderMaterial, ofShaderMaterial, refused }
+const tables = { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused }
 
 globalThis.THREE = THREE
 globalThis.exact = {
@@ -15,18 +15,16 @@ globalThis.exact = {
   ),
   /** → the largest differences from the oracle. `normals` is the option; without it the material stays as it is. */
   measure: (table, name, normals) =>
-    measure(tables[table][name], normals, table === 'chunks' || table === 'ofCustomShaderMaterial'),
-  refused(name) {
+    measure(tables[table][name], normals, table !== 'ofShaderMaterial'),
+  /** → whether the material shows the same as without `exactNormals`. */
+  async refused(name) {
     const { material, message } = refused[name]
-    const pictures = [material(), exactNormals(material())].map((each) =>
-      measure({ material: () => each, shape: 'plane' }, undefined, false, true),
-    )
+    const shown = []
+    for (const each of [material(), exactNormals(material())])
+      shown.push(await measure({ material: () => each, shape: 'plane' }, undefined, false, true))
     return {
       message: message.source,
-      isSame: pictures[0].every(
-        (number, i) =>
-          number === pictures[1][i] || (Number.isNaN(number) && Number.isNaN(pictures[1][i])),
-      ),
+      isSame: shown[0].every((number, i) => Object.is(number, shown[1][i])),
     }
   },
 }

@@ -39,18 +39,18 @@ function fragmentOf(source) {
   return `${source.slice(0, main)}in vec4 probedClip;\nuniform float probedPart;\n${source.slice(main, end)}${shown ? `${output} = ${shown};` : ''}\nif (probedPart > 0.5) ${output} = probedClip;\n}`
 }
 
-const useProgram = gl.useProgram.bind(gl)
 let size = [width, 1]
-gl.useProgram = (program) => {
-  useProgram(program)
-  const place = program && gl.getUniformLocation(program, 'probe')
-  if (place) gl.uniform3f(place, ...size, count)
-  const partPlace = program && gl.getUniformLocation(program, 'probedPart')
-  if (partPlace) gl.uniform1f(partPlace, part)
+function setUniforms() {
+  const program = gl.getParameter(gl.CURRENT_PROGRAM)
+  gl.uniform3f(gl.getUniformLocation(program, 'probe'), ...size, count)
+  gl.uniform1f(gl.getUniformLocation(program, 'probedPart'), part)
 }
 for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced']) {
   const own = gl[name].bind(gl)
-  gl[name] = (_, ...others) => own(gl.POINTS, ...others)
+  gl[name] = (_, ...others) => {
+    setUniforms()
+    own(gl.POINTS, ...others)
+  }
 }
 
 /**
