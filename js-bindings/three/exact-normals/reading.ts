@@ -22,6 +22,19 @@ export interface Reading {
   parameters: readonly Parameter[]
 }
 
+/** The displacement of a shader as a warp. It cannot be evaluated on the CPU if it reads variables that only the shader has. */
+class Displacement extends ThreeWarp {
+  parameters: readonly Parameter[] = []
+
+  override get runs() {
+    return this.parameters.length === 0 && super.runs
+  }
+
+  override get mirrors() {
+    return this.parameters.length === 0 ? super.mirrors : false
+  }
+}
+
 export type ExactSettings = Pick<Settings, 'method' | 'normals' | 'surfaceVariation'>
 
 const host = { ...three, hasParameters: true }
@@ -48,7 +61,7 @@ export function readDisplacement(
     const value = values[external.name] ?? valueOf(shader.uniforms, external, attributes, material)
     if (value) uniforms[external.name] = value
   }
-  const warp = new ThreeWarp(
+  const warp = new Displacement(
     // Withholds the other inputs, since millis, size and instance are names of the shader here.
     asOwn(({ glsl, position, normal, uv, uniforms }) =>
       offset({ glsl, position, normal, uv, uniforms } as never),
@@ -59,19 +72,17 @@ export function readDisplacement(
   if (warp.isRigid) return undefined
   const read = warp.namesRead()
   const inputs = new Set(['position', 'normal', 'uv'])
-  return {
-    warp,
-    parameters: externals
-      .filter(
-        ({ name, type, isRead }) =>
-          !inputs.has(name) && !uniforms[name] && (isSampler(type) ? isRead : read.has(name)),
-      )
-      .map(({ name, type }) => ({
-        name,
-        type,
-        isAttribute: attributes.has(name) || name.startsWith('gl_'),
-      })),
-  }
+  warp.parameters = externals
+    .filter(
+      ({ name, type, isRead }) =>
+        !inputs.has(name) && !uniforms[name] && (isSampler(type) ? isRead : read.has(name)),
+    )
+    .map(({ name, type }) => ({
+      name,
+      type,
+      isAttribute: attributes.has(name) || name.startsWith('gl_'),
+    }))
+  return { warp, parameters: warp.parameters }
 }
 
 const isSampler = (type: string) => /sampler/i.test(type)

@@ -115,29 +115,27 @@ function movedBody(main: string, top: string): MovedBody {
 const assigns = (text: string, name: string) =>
   new RegExp(`(?<![.\\w])${name}\\s*(?:\\.\\w+\\s*)?[-+*/]?=(?!=)`).test(text)
 
-/** Leaves out three's own lines from `transformed` to `gl_Position`. */
-const withoutProjection = (main: string) => {
-  const plain = plainLines(main)
-  return [
-    'project_vertex',
-    'defaultnormal_vertex',
-    'worldpos_vertex',
-    'shadowmap_vertex',
-    'envmap_vertex',
-  ].reduce((text, name) => {
-    const chunk = plainLines(withoutComments(chunkSource(name)))
-    return chunk ? text.replaceAll(chunk, '') : text
-  }, plain)
-}
+/** Chunks of three.js that read matrices, or make `gl_Position` of `transformed`. */
+const projecting = [
+  'project_vertex',
+  'logdepthbuf_vertex',
+  'defaultnormal_vertex',
+  'worldpos_vertex',
+  'shadowmap_vertex',
+  'envmap_vertex',
+].map((name) => plainLines(withoutComments(chunkSource(name))))
+
+const withoutProjection = (main: string) =>
+  projecting.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), plainLines(main))
 
 /** A text without marks of lines and without spaces at the ends of lines, to be compared. */
-const plainLines = (text: string) =>
-  text
-    .replace(/^#line \d+\n/gm, '')
-    .split('\n')
+function plainLines(text: string): string {
+  const lines = text.replace(/^#line \d+\n/gm, '').split('\n')
+  return lines
     .map((line) => line.trim())
     .filter(Boolean)
     .join('\n')
+}
 
 /**
  * Finds the last matrix that is known to be applied to a finished position, and leads the result back before it. Matrices before that
@@ -194,5 +192,6 @@ function isAppliedAtEnd(user: string, matrix: string): boolean {
 }
 
 /** Replaces comments by spaces, so that lines and columns stay. */
-export const withoutComments = (text: string) =>
-  text.replace(/\/\/[^\n]*|\/\*[^]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' '))
+export function withoutComments(text: string): string {
+  return text.replace(/\/\/[^\n]*|\/\*[^]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' '))
+}

@@ -496,7 +496,7 @@ void main() {
 }`),
   },
   'a function that is missing': {
-    message: /line 4, column 11: there is no function "wobble"/,
+    message: /line 4, column 10: there is no function "wobble"/,
     isBroken: true,
     material: () =>
       shader(`varying vec3 vNormal;

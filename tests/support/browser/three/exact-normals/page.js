@@ -3,6 +3,7 @@ import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
 import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused } from './cases.js'
 import { measure } from './measure.js'
+import * as meshes from './meshes.js'
 
 const tables = { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused }
 
@@ -28,4 +29,5 @@ globalThis.exact = {
     }
   },
 }
+Object.assign(exact, meshes)
 document.title = 'ready'
