@@ -2,14 +2,18 @@
 import type { BufferGeometry, Mesh, Object3D } from 'three'
 import { variationAttribute, variationNames } from '../../compile/hosts.js'
 import { noteApproximation } from '../../errors/notes.js'
-import type { ExactMaterial } from './exact-material.js'
-import type { Reading } from './reading.js'
+import type { ExactSettings, Reading } from './reading.js'
+
+interface Noting {
+  settings: ExactSettings
+  warn: (message: string) => void
+}
 
 const ofInstances = new Set(['instanceMatrix', 'instanceColor', 'gl_InstanceID'])
 
 /** Warns if the normals of an object are only approximate, since how an attribute varies over the surface is unknown. */
 export function noteConstants(
-  exact: ExactMaterial,
+  exact: Noting,
   { warp, parameters }: Reading,
   object: Object3D | undefined,
 ) {

@@ -119,6 +119,27 @@ export function shadow(kind, isFollowing = true) {
   }
 }
 
+const fromBelow = new THREE.PerspectiveCamera(100, 1, 0.05, 50)
+fromBelow.position.set(0.6, -0.35, 0)
+fromBelow.lookAt(0.6, -2, 0)
+
+/** → pixels of the floor on which the shadow differs from that of vertices moved by hand, and from the shadow without displacement. */
+export function shadowOnFloor(geometry, material, place) {
+  const renderer = rendererFor(true)
+  const draw = (mesh) => picture(renderer, litScene(mesh, lights.directional()), fromBelow)
+  const byHand = geometry.clone()
+  const { position } = byHand.attributes
+  for (let i = 0; i < position.count; i++)
+    position.setXYZ(i, ...place([position.getX(i), position.getY(i), position.getZ(i)]))
+  const plain = () => new THREE.MeshStandardMaterial({ side: material.side })
+  const drawn = draw(exactNormals(new THREE.Mesh(geometry, material)))
+  const expected = draw(new THREE.Mesh(byHand, plain()))
+  return {
+    differing: differing(drawn, expected),
+    moved: differing(draw(new THREE.Mesh(geometry, plain())), expected),
+  }
+}
+
 /** → bounds, and where a ray from above meets the mesh, before it is ever drawn and after. */
 export function cpu() {
   time.value = 0.4
