@@ -11,7 +11,7 @@ import { weavePixelNormals, weaveVertexNormals } from '../weave-fragment.js'
 import type { WeaveOptions } from '../weave-options.js'
 import { areNormalsAtVertices } from './at-vertices.js'
 import { noteConstants } from './constants.js'
-import { withOwnFunctions, withOwnNames } from './own-names.js'
+import { withNamesOfShader, withOwnFunctions, withOwnNames } from './own-names.js'
 import { declareParameters, obstacleInParameters } from './parameters.js'
 import { spaceOf } from './pose-space.js'
 import { type ExactSettings, type Reading, readDisplacement } from './reading.js'
@@ -68,7 +68,7 @@ export class ExactMaterial {
   }
 
   /** Reads the displacement of a shader. Throws a `WarpError` if that is impossible. */
-  read(shader: ExactShader, values?: Record<string, () => unknown>): Reading | undefined {
+  read(shader: ExactShader, values?: Record<string, () => unknown>): Reading {
     return readDisplacement(
       shader,
       this.settings,
@@ -120,7 +120,8 @@ export class ExactMaterial {
     if (!isOfChunks && !isShaderMaterial) return
     try {
       const reading = this.read(shader)
-      if (!reading) return
+      if (reading.note) this.warn(reading.note)
+      if (reading.warp.isRigid) return
       const drawn = isOfChunks
         ? this.weaveChunks(shader, renderer, reading)
         : this.weaveAttribute(shader, reading)
@@ -209,4 +210,5 @@ export const ownUniforms = (uniforms: object) =>
     Object.entries(uniforms).map(([name, uniform]) => [withOwnNames(name), uniform as never]),
   )
 
-export const messageOf = (error: unknown) => (error as Error).message.replace(/^exactNormals: /, '')
+export const messageOf = (error: unknown) =>
+  withNamesOfShader((error as Error).message.replace(/^exactNormals: /, ''))

@@ -1,8 +1,20 @@
-// Names in the shaders of `exactNormals`, which differ from those of a warp: one shader may have both.
+// Names in the shaders of `exactNormals`.
+import { inputTypes } from '../../glsl-source/bind.js'
 
-/** Renames what begins with warpjet. */
+/** While a shader is read, its variables with the name of an input begin with this. */
+export const ownPrefix = 'warpjetOwn_'
+
+const inputs = new Set([...Object.keys(inputTypes), 'tangent'])
+for (const name of ['position', 'normal', 'uv']) inputs.delete(name)
+
+export const isInputName = (name: string) => inputs.has(name)
+
+/** Gives the variables of a shader their own names back. */
+export const withNamesOfShader = (text: string) => text.replaceAll(ownPrefix, '')
+
+/** Renames what begins with warpjet, so that it differs from the names of a warp: one shader may have both. */
 export const withOwnNames = (source: string) =>
-  source.replace(/\bwarpjet(?!Exact)/g, 'warpjetExact')
+  withNamesOfShader(source).replace(/\bwarpjet(?!Exact)/g, 'warpjetExact')
 
 /** Matches the heads of functions that are made of the user's, which have their names and a hash. */
 const head =

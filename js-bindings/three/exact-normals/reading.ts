@@ -8,7 +8,9 @@ import type { Settings, WarpSpace } from '../settings.js'
 import { ThreeWarp } from '../three-warp.js'
 import { three } from '../values.js'
 import type { ExactShader } from './shader.js'
-import { movedFunction, vertexSource } from './vertex-source.js'
+import { movedFunction } from './moved-body.js'
+import { withNamesOfShader } from './own-names.js'
+import { vertexSource } from './vertex-source.js'
 
 /** A variable of the shader that the displacement reads there, and that the CPU has no value of. */
 export interface Parameter {
@@ -20,6 +22,8 @@ export interface Parameter {
 export interface Reading {
   warp: ThreeWarp
   parameters: readonly Parameter[]
+  /** What of the shader does not count, for a message. */
+  note?: string
 }
 
 /** The displacement of a shader as a warp. It cannot be evaluated on the CPU if it reads variables that only the shader has. */
@@ -39,18 +43,15 @@ export type ExactSettings = Pick<Settings, 'method' | 'normals' | 'surfaceVariat
 
 const host = { ...three, hasParameters: true }
 
-/**
- * Returns the displacement of a shader; `undefined` if it moves no vertex, or all by the same offset. `values` are uniforms in
- * addition to those of the shader, which the CPU knows.
- */
+/** Returns the displacement of a shader. `values` are uniforms in addition to those of the shader, which the CPU knows. */
 export function readDisplacement(
   shader: ExactShader,
   settings: ExactSettings,
   space: WarpSpace,
   values: Record<string, () => unknown> = {},
   material: object = {},
-): Reading | undefined {
-  const { text, attributes } = vertexSource(shader)
+): Reading {
+  const { text, attributes, note } = vertexSource(shader)
   const { offset, externals } = readOffset(new Place(settings.method), 'glsl', text, {
     function: movedFunction,
     returns: 'position',
@@ -69,7 +70,6 @@ export function readDisplacement(
     { ...settings, space, uniforms, isShared: false },
     host,
   )
-  if (warp.isRigid) return undefined
   const read = warp.namesRead()
   const inputs = new Set(['position', 'normal', 'uv'])
   warp.parameters = externals
@@ -78,11 +78,11 @@ export function readDisplacement(
         !inputs.has(name) && !uniforms[name] && (isSampler(type) ? isRead : read.has(name)),
     )
     .map(({ name, type }) => ({
-      name,
+      name: withNamesOfShader(name),
       type,
-      isAttribute: attributes.has(name) || name.startsWith('gl_'),
+      isAttribute: attributes.has(withNamesOfShader(name)) || name.startsWith('gl_'),
     }))
-  return { warp, parameters: warp.parameters }
+  return { warp, parameters: warp.parameters, ...(note && { note }) }
 }
 
 const isSampler = (type: string) => /sampler/i.test(type)
@@ -94,15 +94,11 @@ function valueOf(
   attributes: ReadonlySet<string>,
   material: object,
 ): (() => unknown) | undefined {
-  const [root = '', ...path] = name.match(/\w+/g) ?? []
+  const [root = '', ...path] = withNamesOfShader(name).match(/\w+/g) ?? []
   if (!uniforms[root] || attributes.has(root)) return undefined
   // Three.js sets its own uniforms to properties of the material after the shader is compiled.
   const rootValue = () => uniforms[root]?.value ?? (material as Record<string, unknown>)[root]
-  const read = () =>
-    path.reduce<unknown>(
-      (value, part) => (value as Record<string, unknown> | undefined)?.[part],
-      rootValue(),
-    )
+  const read = () => path.reduce<unknown>((value, part) => partOf(value, part, shape), rootValue())
   let last = read()
   if (!isUsable(last, type, shape)) return undefined
   // An error here would leave `render()`, so a value of another kind, such as a missing texture, does not count.
@@ -111,6 +107,16 @@ function valueOf(
     if (isUsable(now, type, shape)) last = now
     return last
   }
+}
+
+/** Returns a part of an array or a structure. An array of vectors may be a list of their numbers. */
+function partOf(value: unknown, part: string, [columns, rows]: readonly [number, number]) {
+  const list = value as ArrayLike<number> | undefined
+  const size = columns * rows
+  const start = Number(part) * size
+  return size > 1 && typeof list?.[0] === 'number' && start >= 0
+    ? Array.from({ length: size }, (_, i) => list[start + i])
+    : (value as Record<string, unknown> | undefined)?.[part]
 }
 
 function isUsable(value: unknown, type: string, [columns, rows]: readonly [number, number]) {

@@ -39,29 +39,50 @@ export const declaredBy = (text: string) => declaration.exec(text)?.[1]
 
 /** Splits statements. The text has no comments. */
 export function statementsOf(body: string, effects: ReadonlyMap<string, Effects>): Statement[] {
-  return splitBody(body).map((text) => {
-    const isDirective = /^\s*#/.test(text)
-    if (isDirective)
-      return { text, isBlock: false, isDirective, reads: none, writes: none, calls: none }
-    const reads = new Set<string>(words(text))
-    const writes = writtenIn(text)
-    const calls = new Set<string>()
-    for (const name of [...reads]) {
-      const effect = effects.get(name)
-      if (!effect) continue
-      calls.add(name)
-      for (const each of effect.calls) calls.add(each)
-      for (const each of effect.reads) reads.add(each)
-      for (const each of effect.writes) writes.add(each)
-    }
-    // An assignment without an operator does not read the variable.
-    const [, only] = /^\s*(\w+)\s*=(?!=)/.exec(text) ?? []
-    if (only && words(text).filter((word) => word === only).length === 1) reads.delete(only)
-    return { text, isBlock: /[{}]/.test(text), isDirective, reads, writes, calls }
-  })
+  return splitBody(body)
+    .flatMap(splitDeclarators)
+    .map((text) => {
+      const isDirective = /^\s*#/.test(text)
+      if (isDirective)
+        return { text, isBlock: false, isDirective, reads: none, writes: none, calls: none }
+      const reads = new Set<string>(words(text))
+      const writes = writtenIn(text)
+      const calls = new Set<string>()
+      for (const name of [...reads]) {
+        const effect = effects.get(name)
+        if (!effect) continue
+        calls.add(name)
+        for (const each of effect.calls) calls.add(each)
+        for (const each of effect.reads) reads.add(each)
+        for (const each of effect.writes) writes.add(each)
+      }
+      // An assignment without an operator does not read the variable.
+      const [, only] = /^\s*(\w+)\s*=(?!=)/.exec(text) ?? []
+      if (only && words(text).filter((word) => word === only).length === 1) reads.delete(only)
+      return { text, isBlock: /[{}]/.test(text), isDirective, reads, writes, calls }
+    })
 }
 
 const none: ReadonlySet<string> = new Set()
+
+/** Splits `vec3 a = …, b = …;` into a statement for each variable. */
+function splitDeclarators(text: string): string[] {
+  const [head] = declaration.exec(text) ?? []
+  if (!head || /[{}]/.test(text)) return [text]
+  const parts: string[] = []
+  let depth = 0
+  let start = 0
+  for (let i = 0; i < text.length; i++) {
+    if ('(['.includes(text[i]!)) depth++
+    if (')]'.includes(text[i]!)) depth--
+    if (text[i] !== ',' || depth > 0) continue
+    parts.push(text.slice(start, i))
+    start = i + 1
+  }
+  parts.push(text.slice(start))
+  const type = head.replace(/\w+$/, '')
+  return parts.map((part, i) => (i === 0 ? part : type + part) + (i < parts.length - 1 ? ';' : ''))
+}
 
 function splitBody(body: string): string[] {
   const parts: string[] = []

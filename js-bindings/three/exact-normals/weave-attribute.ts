@@ -9,7 +9,8 @@ import { WarpCode } from '../warp-code.js'
 import type { WeaveOptions } from '../weave-options.js'
 import type { Reading } from './reading.js'
 import { type Statement, declaredBy, effectsOf, statementsOf } from './statements.js'
-import { uniforms, withoutComments } from './vertex-source.js'
+import { withoutComments } from './plain-source.js'
+import { uniforms } from './vertex-source.js'
 
 const newNormal = 'warpjetAttributeNormal'
 
