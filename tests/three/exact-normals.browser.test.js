@@ -18,6 +18,17 @@ const atVertices = {
   'instanced grass': /attribute instanceMatrix, which pixels do not have/,
 }
 
+/** Habits with a message. Those that move vertices by an attribute that is constant here are exact. */
+const notes = {
+  'gl_Position changes after the projection': /changes gl_Position after projectionMatrix/,
+  'a position snapped to pixels': /changes clip after projectionMatrix/,
+  gl_VertexID: /the attribute gl_VertexID has no value/,
+  'attribute per vertex': /by the attribute aHeight, which counts as constant/,
+  vertexColors: /by the attribute color, which counts as constant/,
+  'a function that sets the varying': /line 3, column 63: .* reads the attribute normal/,
+  'position and light in one branch': /line 2, column 34: .* write these as two/,
+}
+
 const wrongCalls = [
   'expected a material or a Mesh of three.js, got undefined.',
   'expected a material or a Mesh of three.js, got a Group.',
@@ -63,6 +74,25 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
             }
           })
       })
+
+    test('other habits: exact, or with a message', async (t) => {
+      for (const name of names.habits)
+        await t.test(name, async (t) => {
+          messages.length = 0
+          const {
+            own,
+            exact: error,
+            isSamePlace,
+          } = await page.evaluate((name) => exact.measureHabit(name), name)
+          t.diagnostic(`${error}° at 95%; without exactNormals ${own}°`)
+          assert.ok(isSamePlace)
+          const note = notes[name]
+          assert.equal(messages.length, Number(note !== undefined), messages.join('\n'))
+          if (note) assert.match(messages[0], note)
+          // The differences themselves are off by 0.16°.
+          else assert.ok(own > 1 && error < 0.2, `${error}°`)
+        })
+    })
 
     test('what cannot be read stays as it is, with a message', async (t) => {
       for (const name of names.refused)

@@ -1,6 +1,6 @@
 // `exactNormals`: right normals for materials of WebGLRenderer whose vertex shaders already move vertices.
 import type { Material, Mesh } from 'three'
-import { normalsKind } from '../../compile/hosts.js'
+import { normalsKinds } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import { kind, optional } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
@@ -23,7 +23,7 @@ export interface ExactNormalsOptions {
 }
 
 const optionKinds = object({
-  normals: normalsKind,
+  normals: normalsKinds.normals,
   surfaceVariation: optional(
     kind<false>('only false', (given) => given === false, {
       advice: () => 'addSurfaceVariation(geometry) says how a geometry varies',

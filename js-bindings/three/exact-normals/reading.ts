@@ -67,7 +67,7 @@ export function readDisplacement(
     asOwn(({ glsl, position, normal, uv, uniforms }) =>
       offset({ glsl, position, normal, uv, uniforms } as never),
     ),
-    { ...settings, space, uniforms, isShared: false },
+    { ...settings, space, uniforms, fadeNoise: false, isShared: false },
     host,
   )
   const read = warp.namesRead()

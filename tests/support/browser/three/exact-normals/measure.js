@@ -3,7 +3,7 @@ import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
 import { probe } from './probe.js'
 
-const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50)
+export const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50)
 camera.position.set(0.4, 1.2, 5)
 camera.lookAt(0, 0, 0)
 
@@ -32,14 +32,14 @@ const shapes = {
   },
 }
 
-const cross = (a, b) => [
+export const cross = (a, b) => [
   a[1] * b[2] - a[2] * b[1],
   a[2] * b[0] - a[0] * b[2],
   a[0] * b[1] - a[1] * b[0],
 ]
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 const unit = (a) => a.map((x) => x / Math.sqrt(dot(a, a)))
-const angle = (a, b) => (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / PI
+export const angle = (a, b) => (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / PI
 const transformed = (p, matrix) => new THREE.Vector3(...p).applyMatrix4(matrix).toArray()
 
 const bone = new THREE.Matrix4().makeRotationZ(0.6).setPosition(0.2, 0.1, 0)

@@ -2,6 +2,7 @@
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
 import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused } from './cases.js'
+import { habits, measureHabit } from './habits.js'
 import { measure } from './measure.js'
 import * as meshes from './meshes.js'
 
@@ -29,5 +30,6 @@ globalThis.exact = {
     }
   },
 }
-Object.assign(exact, meshes)
+Object.assign(exact, meshes, { measureHabit })
+exact.names.habits = Object.keys(habits)
 document.title = 'ready'

@@ -1,52 +1,37 @@
+// Other habits in vertex shaders. Their normals are compared with differences of the positions that the GPU computes, at vertices that are
+// shifted by a little.
 import * as THREE from 'three'
-import CSM from 'three-custom-shader-material/vanilla'
-import { exactNormals, addSurfaceVariation } from 'warpjet/three'
+import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
+import { addSurfaceVariation, exactNormals } from 'warpjet/three'
+import { angle, camera, cross } from './measure.js'
 import { probe } from './probe.js'
-const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50)
-camera.position.set(0.4, 1.2, 5)
-camera.lookAt(0, 0, 0)
-const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-]
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-const angle = (a, b) => (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / Math.PI
-const ob =
-  (f, M = THREE.MeshStandardMaterial, o) =>
+
+const given = (value) => ({ value })
+
+/** A standard material whose `onBeforeCompile` replaces parts of its vertex shader. */
+const changed =
+  (pairs, uniforms = {}, Material = THREE.MeshStandardMaterial, options = {}) =>
   () => {
-    const m = new M(o)
-    m.onBeforeCompile = f
-    m.customProgramCacheKey = () => f.toString()
-    return m
+    const material = new Material(options)
+    material.onBeforeCompile = (shader) => {
+      Object.assign(shader.uniforms, uniforms)
+      for (const [part, other] of pairs)
+        shader.vertexShader = shader.vertexShader.replace(part, other)
+    }
+    material.customProgramCacheKey = () => JSON.stringify(pairs)
+    return material
   }
-const rep = (pairs, uniforms = {}) =>
-  ob((s) => {
-    Object.assign(s.uniforms, uniforms)
-    for (const [a, b] of pairs) s.vertexShader = s.vertexShader.replace(a, b)
-  })
-const repK = (pairs, uniforms, M, o) => () => {
-  const m = new (M ?? THREE.MeshStandardMaterial)(o)
-  m.onBeforeCompile = (s) => {
-    Object.assign(s.uniforms, uniforms ?? {})
-    for (const [a, b] of pairs) s.vertexShader = s.vertexShader.replace(a, b)
-  }
-  m.customProgramCacheKey = () => JSON.stringify(pairs)
-  return m
-}
-const sm =
-  (
-    v,
-    uniforms = {},
-    o = {},
-    f = 'varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(normalize(vNormal), 1.0); }',
-  ) =>
+
+const shown = 'varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(normalize(vNormal), 1.0); }'
+const shader =
+  (vertexShader, uniforms = {}, options = {}, fragmentShader = shown) =>
   () =>
-    new THREE.ShaderMaterial({ vertexShader: v, fragmentShader: f, uniforms, ...o })
-const u = (x) => ({ value: x })
-export const cases = {
-  'before main': [
-    repK(
+    new THREE.ShaderMaterial({ vertexShader, fragmentShader, uniforms, ...options })
+
+/** Shaders by what is particular to each: a function that creates the material, and what the mesh needs. */
+export const habits = {
+  'functions above main, and uniforms with names of inputs': [
+    changed(
       [
         [
           'void main() {',
@@ -57,11 +42,11 @@ export const cases = {
           '#include <begin_vertex>\n transformed.z += wave(transformed.x);',
         ],
       ],
-      { size: u(3), mouse: u(new THREE.Vector2(0, 0.3)) },
+      { size: given(3), mouse: given(new THREE.Vector2(0, 0.3)) },
     ),
   ],
   'int and bool uniforms': [
-    repK(
+    changed(
       [
         [
           '#include <common>',
@@ -72,11 +57,11 @@ export const cases = {
           '#include <begin_vertex>\n if (isOn) { float a = 0.3; for (int i = 0; i < 8; i++) { if (i >= octaves) break; transformed.z += a * sin(position.x * k[i % 3]); a *= 0.5; } }',
         ],
       ],
-      { octaves: u(3), isOn: u(true), k: u([2, 3.5, 5]) },
+      { octaves: given(3), isOn: given(true), k: given([2, 3.5, 5]) },
     ),
   ],
   'struct uniforms': [
-    repK(
+    changed(
       [
         [
           '#include <common>',
@@ -88,7 +73,7 @@ export const cases = {
         ],
       ],
       {
-        ws: u([
+        ws: given([
           { d: new THREE.Vector2(2, 1), a: 0.2 },
           { d: new THREE.Vector2(-1, 3), a: 0.1 },
         ]),
@@ -96,7 +81,7 @@ export const cases = {
     ),
   ],
   'vec3 array flat': [
-    repK(
+    changed(
       [
         ['#include <common>', '#include <common>\nuniform vec3 pts[2];'],
         [
@@ -104,11 +89,11 @@ export const cases = {
           '#include <begin_vertex>\n for (int i = 0; i < 2; i++) transformed.z += 0.3 * exp(-2.0 * distance(position, pts[i]));',
         ],
       ],
-      { pts: u(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
+      { pts: given(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
     ),
   ],
   'vec3 array flat pixel': [
-    repK(
+    changed(
       [
         ['#include <common>', '#include <common>\nuniform vec3 pts[2];//p'],
         [
@@ -116,12 +101,12 @@ export const cases = {
           '#include <begin_vertex>\n for (int i = 0; i < 2; i++) transformed.z += 0.3 * exp(-2.0 * distance(position, pts[i]));',
         ],
       ],
-      { pts: u(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
+      { pts: given(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
     ),
     { normals: 'pixel' },
   ],
   'matrix uniform': [
-    repK(
+    changed(
       [
         ['#include <common>', '#include <common>\nuniform mat4 bend; uniform mat3 rot;'],
         [
@@ -130,13 +115,13 @@ export const cases = {
         ],
       ],
       {
-        bend: u(new THREE.Matrix4().makeRotationX(0.4)),
-        rot: u(new THREE.Matrix3().set(1, 0.2, 0, 0, 1.3, 0, 0.1, 0, 0.7)),
+        bend: given(new THREE.Matrix4().makeRotationX(0.4)),
+        rot: given(new THREE.Matrix3().set(1, 0.2, 0, 0, 1.3, 0, 0.1, 0, 0.7)),
       },
     ),
   ],
-  'color uniform, inputs names': [
-    repK(
+  'more uniforms with names of inputs': [
+    changed(
       [
         [
           '#include <common>',
@@ -147,27 +132,32 @@ export const cases = {
           '#include <begin_vertex>\n transformed.z += color.r * sin(width * position.x + time) + instance;',
         ],
       ],
-      { color: u(new THREE.Color(0.3, 0.5, 0.6)), width: u(3), time: u(1), instance: u(0.2) },
+      {
+        color: given(new THREE.Color(0.3, 0.5, 0.6)),
+        width: given(3),
+        time: given(1),
+        instance: given(0.2),
+      },
     ),
   ],
-  'after project': [
-    repK([
+  'gl_Position changes after the projection': [
+    changed([
       [
         '#include <project_vertex>',
         '#include <project_vertex>\n gl_Position.y += 0.2 * gl_Position.x * gl_Position.x / 25.0;',
       ],
     ]),
   ],
-  'mv after project': [
-    repK([
+  'mvPosition changes': [
+    changed([
       [
         '#include <project_vertex>',
         '#include <project_vertex>\n mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition;',
       ],
     ]),
   ],
-  'instances wind after': [
-    repK([
+  'instances in the wind of the world': [
+    changed([
       [
         '#include <project_vertex>',
         'vec4 mvPosition = vec4(transformed, 1.0);\n#ifdef USE_INSTANCING\nmvPosition = instanceMatrix * mvPosition;\n#endif\nvec4 wp = modelMatrix * mvPosition; wp.x += 0.3 * sin(wp.y * 3.0) ; mvPosition = viewMatrix * wp; gl_Position = projectionMatrix * mvPosition;',
@@ -175,8 +165,8 @@ export const cases = {
     ]),
     { instances: true },
   ],
-  'mv after project, instances': [
-    repK([
+  'mvPosition changes, with instances': [
+    changed([
       [
         '#include <project_vertex>',
         '#include <project_vertex>\n mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition; //i',
@@ -184,13 +174,13 @@ export const cases = {
     ]),
     { instances: true },
   ],
-  'clip var': [
-    sm(
+  'a position snapped to pixels': [
+    shader(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; vec4 clip = projectionMatrix * modelViewMatrix * vec4(p, 1.0); clip.xy = floor(clip.xy * 90.0) / 90.0; gl_Position = clip; }',
     ),
   ],
   tangent: [
-    repK([
+    changed([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n#ifdef USE_TANGENT\n transformed += tangent.xyz * 0.2 * sin(position.x * 3.0);\n#endif\ntransformed.z += 0.2 * sin(4.0 * position.x);',
@@ -198,7 +188,7 @@ export const cases = {
     ]),
   ],
   gl_VertexID: [
-    repK([
+    changed([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n transformed.z += 0.01 * float(gl_VertexID % 2);',
@@ -206,7 +196,7 @@ export const cases = {
     ]),
   ],
   'attribute per vertex': [
-    repK([
+    changed([
       ['#include <common>', '#include <common>\nattribute float aHeight;'],
       [
         '#include <begin_vertex>',
@@ -216,7 +206,7 @@ export const cases = {
     { attribute: true },
   ],
   macro: [
-    repK([
+    changed([
       [
         '#include <common>',
         '#include <common>\n#define WAVE(x, k) (0.2 * sin((x) * (k)))\n#define AXES xy\n#if 1\nconst float A = 1.5;\n#else\n broken\n#endif',
@@ -228,7 +218,7 @@ export const cases = {
     ]),
   ],
   'out parameters': [
-    repK([
+    changed([
       [
         '#include <common>',
         '#include <common>\nvoid displace(inout vec3 p, out float h) { h = 0.3 * sin(p.x * 3.0); p.z += h; }\nvarying float vH;',
@@ -237,7 +227,7 @@ export const cases = {
     ]),
   ],
   'while and hash': [
-    repK([
+    changed([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n float f = 1.0; int n = 0; while (n < 3) { transformed.z += sin(position.y * f * 2.0) / f * 0.2; f *= 2.0; n++; }',
@@ -245,7 +235,7 @@ export const cases = {
     ]),
   ],
   'fract sin hash noise': [
-    repK([
+    changed([
       [
         '#include <common>',
         '#include <common>\nfloat hsh(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453123); }\nfloat vn(vec2 p) { vec2 i = floor(p), f = fract(p); vec2 u = f * f * (3.0 - 2.0 * f); return mix(mix(hsh(i), hsh(i + vec2(1, 0)), u.x), mix(hsh(i + vec2(0, 1)), hsh(i + vec2(1, 1)), u.x), u.y); }',
@@ -257,7 +247,7 @@ export const cases = {
     ]),
   ],
   vertexColors: [
-    repK(
+    changed(
       [
         [
           '#include <begin_vertex>',
@@ -271,7 +261,7 @@ export const cases = {
     { colors: true },
   ],
   vUv: [
-    repK(
+    changed(
       [
         [
           '#include <begin_vertex>',
@@ -284,7 +274,7 @@ export const cases = {
     ),
   ],
   texelFetch: [
-    repK(
+    changed(
       [
         ['#include <common>', '#include <common>\nuniform highp sampler2D tx;'],
         [
@@ -293,7 +283,7 @@ export const cases = {
         ],
       ],
       {
-        tx: u(
+        tx: given(
           (() => {
             const t = new THREE.DataTexture(
               new Float32Array([1, 0, 0, 1, 0.3, 0, 0, 1]),
@@ -310,7 +300,7 @@ export const cases = {
     ),
   ],
   'null texture': [
-    repK(
+    changed(
       [
         ['#include <common>', '#include <common>\nuniform sampler2D tx;'],
         [
@@ -318,18 +308,18 @@ export const cases = {
           '#include <begin_vertex>\n transformed.z += texture2D(tx, uv).r + sin(position.x * 3.0) * 0.2;',
         ],
       ],
-      { tx: u(null) },
+      { tx: given(null) },
     ),
   ],
   'distance to camera': [
-    repK([
+    changed([
       [
         '#include <begin_vertex>',
         '#include <begin_vertex>\n vec4 ww = modelMatrix * vec4(transformed, 1.0); float dd = distance(ww.xyz, cameraPosition); transformed.z += 0.2 * sin(dd * 5.0);',
       ],
     ]),
   ],
-  'phong chunk shader material': [
+  'a ShaderMaterial of chunks': [
     () =>
       new THREE.ShaderMaterial({
         vertexShader: THREE.ShaderLib.phong.vertexShader.replace(
@@ -342,87 +332,87 @@ export const cases = {
       }),
     { chunks: true },
   ],
-  'sm fresnel': [
-    sm(
+  'a Fresnel term': [
+    shader(
       'varying vec3 vNormal; varying float vF; uniform float t;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0 + t); vec4 world = modelMatrix * vec4(p, 1.0); vec3 wn = normalize(mat3(modelMatrix) * normal); vF = dot(wn, normalize(cameraPosition - world.xyz)); vNormal = normalMatrix * normal; gl_Position = projectionMatrix * viewMatrix * world; }',
-      { t: u(1) },
+      { t: given(1) },
     ),
   ],
-  'sm instanced': [
-    sm(
+  'instances in a ShaderMaterial': [
+    shader(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * mat3(instanceMatrix) * normal; gl_Position = projectionMatrix * modelViewMatrix * instanceMatrix * vec4(p, 1.0); }',
     ),
     { instances: true },
   ],
-  'sm ifdef': [
-    sm(
+  defines: [
+    shader(
       'varying vec3 vNormal;\nvoid main() {\n vec3 p = position;\n#ifdef WAVE\n p.z += 0.3 * sin(p.x * AMOUNT);\n#endif\n vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
       {},
       { defines: { WAVE: '', AMOUNT: '3.0' } },
     ),
   ],
-  'sm fog chunk': [
-    sm(
+  fog: [
+    shader(
       'varying vec3 vNormal;\n#include <common>\n#include <fog_pars_vertex>\nvoid main() {\n vec3 p = position; p.z += 0.3 * sin(p.x * 3.0);\n vec4 mvPosition = modelViewMatrix * vec4(p, 1.0);\n vNormal = normalMatrix * normal; gl_Position = projectionMatrix * mvPosition;\n#include <fog_vertex>\n }',
     ),
   ],
-  'sm transposed inverse': [
-    sm(
+  'a normal matrix by hand': [
+    shader(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position + normal * 0.3 * sin(position.x * 3.0); mat3 nm = transpose(inverse(mat3(modelViewMatrix))); vNormal = normalize(nm * normal); gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
     ),
   ],
-  'sm glsl3': [
-    sm(
+  'GLSL ES 3.00': [
+    shader(
       'out vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
       {},
       { glslVersion: THREE.GLSL3 },
       'in vec3 vNormal;\nout vec4 fragColor;\nvoid main() { fragColor = vec4(normalize(vNormal), 1.0); }',
     ),
   ],
-  'sm function sets varying': [
-    sm(
+  'a function that sets the varying': [
+    shader(
       'varying vec3 vNormal;\nvoid light() { vNormal = normalMatrix * normal; }\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); light(); gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
     ),
   ],
-  'sm helper takes normal': [
-    sm(
+  'functions that take the normal': [
+    shader(
       'varying vec3 vNormal;\nvec3 toView(vec3 n) { return normalMatrix * n; }\nvec3 displaced(vec3 p, vec3 n) { return p + n * 0.3 * sin(p.x * 3.0); }\nvoid main() { vNormal = toView(normal); gl_Position = projectionMatrix * modelViewMatrix * vec4(displaced(position, normal), 1.0); }',
     ),
   ],
-  'sm position in if': [
-    sm(
+  'position and light in one branch': [
+    shader(
       'varying vec3 vNormal; uniform float k;\nvoid main() { vec3 p = position; if (k > 0.5) { p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; } else { vNormal = normalMatrix * normal; } gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
-      { k: u(1) },
+      { k: given(1) },
     ),
   ],
-  'sm matrix mult order': [
-    sm(
+  'a product of matrices': [
+    shader(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); mat4 mvp = projectionMatrix * modelViewMatrix; vNormal = normalMatrix * normal; gl_Position = mvp * vec4(p, 1.0); }',
     ),
   ],
-  'sm compound': [
-    sm(
+  'a varying that changes': [
+    shader(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normal; vNormal = normalMatrix * vNormal; vNormal *= 2.0; gl_Position = projectionMatrix * (modelViewMatrix * vec4(p, 1.0)); }',
     ),
   ],
-  'sm two declared': [
-    sm(
+  'two variables in one declaration': [
+    shader(
       'varying vec3 vNormal;\nvoid main() { vec3 p = position, n = normal; p += n * 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * n; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
     ),
   ],
-  'csm FD and varyings': [
+  'csm_Position and a varying': [
     () =>
-      new CSM({
+      new CustomShaderMaterial({
         baseMaterial: THREE.MeshPhongMaterial,
         vertexShader:
           'varying float vE; uniform float uT; void main() { vE = sin(position.x * 3.0 + uT) * 0.3; vec3 q = position; q.z += vE; csm_Position = q; }',
-        uniforms: { uT: u(0.5) },
+        uniforms: { uT: given(0.5) },
       }),
     { chunks: true },
   ],
-  'csm raw': [
+  csm_PositionRaw: [
     () =>
-      new CSM({
+      new CustomShaderMaterial({
         baseMaterial: THREE.MeshPhongMaterial,
         vertexShader:
           'void main() { vec3 q = position; q.z += 0.3 * sin(3.0 * q.x); csm_PositionRaw = projectionMatrix * modelViewMatrix * vec4(q, 1.0); }',
@@ -430,102 +420,81 @@ export const cases = {
     { chunks: true },
   ],
 }
-const bump = (dx, dy) => {
-  const g = new THREE.PlaneGeometry(2, 2, 20, 20)
-  const { position, uv } = g.attributes
+/** A plane whose vertices are shifted within it. */
+async function plane([dx, dy], { attribute, colors }) {
+  const geometry = new THREE.PlaneGeometry(2, 2, 20, 20)
+  const { position, uv } = geometry.attributes
   for (let i = 0; i < position.count; i++) {
     position.setXY(i, position.getX(i) + dx, position.getY(i) + dy)
     uv.setXY(i, uv.getX(i) + dx / 2, uv.getY(i) + dy / 2)
   }
-  return g
+  const add = (name, size, number) =>
+    geometry.setAttribute(
+      name,
+      new THREE.BufferAttribute(
+        Float32Array.from({ length: size * position.count }, (_, i) => number(i)),
+        size,
+      ),
+    )
+  if (attribute) add('aHeight', 1, (i) => (i % 7) / 20)
+  if (colors) add('color', 3, () => 0.3)
+  await addSurfaceVariation(geometry)
+  return geometry
 }
-globalThis.adhoc = {
-  names: Object.keys(cases),
-  async run(name, normals) {
-    const [make, { instances, attribute, colors, chunks, normals: wanted } = {}] = cases[name]
-    const prepare = async (g) => {
-      const n = g.attributes.position.count
-      if (attribute)
-        g.setAttribute(
-          'aHeight',
-          new THREE.BufferAttribute(
-            Float32Array.from({ length: n }, (_, i) => (i % 7) / 20),
-            1,
-          ),
-        )
-      if (colors)
-        g.setAttribute(
-          'color',
-          new THREE.BufferAttribute(
-            Float32Array.from({ length: 3 * n }, () => 0.3),
-            3,
-          ),
-        )
-      await addSurfaceVariation(g)
-      return g
-    }
-    const mesh = (g, m) => {
-      const o = instances ? new THREE.InstancedMesh(g, m, 3) : new THREE.Mesh(g, m)
-      if (instances)
-        for (let i = 0; i < 3; i++)
-          o.setMatrixAt(i, new THREE.Matrix4().makeRotationY(i).setPosition(i * 0.4 - 1, 0, 0))
-      o.rotation.set(0.4, 0.5, 0.1)
-      o.scale.set(1.2, 0.8, 1)
-      o.updateMatrixWorld()
-      return o
-    }
-    const plain = make()
-    const isChunks = chunks || !plain.isShaderMaterial
-    const shows = isChunks ? 'vec4(normal, 1.0)' : undefined
-    const own = probe(mesh(await prepare(bump(0, 0)), plain), camera, shows)
-    const m = make()
-    if (normals) exactNormals(m, { normals: wanted ?? normals })
-    const g = await prepare(bump(0, 0))
-    const o = mesh(g, m)
-    const shown = probe(o, camera, shows)
-    const clip = probe(o, camera, shows, true)
-    const e = 2e-3
-    const sides = []
-    const at = plain
-    for (const [dx, dy] of [
-      [e, 0],
-      [-e, 0],
-      [0, e],
-      [0, -e],
-      [0, 0],
-    ]) {
-      const gg = await prepare(bump(dx, dy))
-      sides.push([...probe(mesh(gg, at), camera, shows, true)])
-    }
-    const back = camera.projectionMatrixInverse
-    const view = (a, i) => {
-      const v = new THREE.Vector4(...a.slice(4 * i, 4 * i + 4)).applyMatrix4(back)
-      return [v.x / v.w, v.y / v.w, v.z / v.w]
-    }
-    const errors = [],
-      before = []
-    let far = 0
-    for (let i = 0; i < shown.length / 4; i++) {
-      const [a, b, c, d] = sides.slice(0, 4).map((s) => view(s, i))
-      const n = cross(
+
+function meshOf(geometry, material, { instances }) {
+  const mesh = instances
+    ? new THREE.InstancedMesh(geometry, material, 3)
+    : new THREE.Mesh(geometry, material)
+  for (let i = 0; instances && i < 3; i++)
+    mesh.setMatrixAt(i, new THREE.Matrix4().makeRotationY(i).setPosition(i * 0.4 - 1, 0, 0))
+  mesh.rotation.set(0.4, 0.5, 0.1)
+  mesh.scale.set(1.2, 0.8, 1)
+  mesh.updateMatrixWorld()
+  return mesh
+}
+
+const step = 2e-3
+const shifts = [
+  [step, 0],
+  [-step, 0],
+  [0, step],
+  [0, -step],
+]
+
+/** → the largest error of 95% of the normals, with `exactNormals` and without, and whether the position stays the same. */
+export async function measureHabit(name) {
+  const [create, needs = {}] = habits[name]
+  const plain = create()
+  const shows = needs.chunks || !plain.isShaderMaterial ? 'vec4(normal, 1.0)' : undefined
+  const draw = async (material, shift, isClip) =>
+    probe(meshOf(await plane(shift, needs), material, needs), camera, shows, isClip)
+  const material = exactNormals(create(), { normals: needs.normals })
+  const own = await draw(plain, [0, 0])
+  const exact = await draw(material, [0, 0])
+  const clips = [await draw(plain, [0, 0], true), await draw(material, [0, 0], true)]
+  const sides = []
+  for (const shift of shifts) sides.push(await draw(plain, shift, true))
+  const placeIn = (clip, i) => {
+    const { x, y, z, w } = new THREE.Vector4(...clip.subarray(4 * i, 4 * i + 4)).applyMatrix4(
+      camera.projectionMatrixInverse,
+    )
+    return [x / w, y / w, z / w]
+  }
+  const errorsOf = (normals) => {
+    const errors = Array.from({ length: normals.length / 4 }, (_, i) => {
+      const [a, b, c, d] = sides.map((side) => placeIn(side, i))
+      const normal = cross(
         a.map((x, k) => x - b[k]),
         c.map((x, k) => x - d[k]),
       )
-      errors.push(angle(n, [...shown.subarray(4 * i, 4 * i + 3)]))
-      before.push(angle(n, [...own.subarray(4 * i, 4 * i + 3)]))
-      for (let k = 0; k < 4; k++)
-        far = Math.max(far, Math.abs(clip[4 * i + k] - sides[4][4 * i + k]))
-    }
-    errors.sort((a, b) => a - b)
-    before.sort((a, b) => a - b)
-    const q = (l, t) => +l[Math.min(l.length - 1, Math.floor(l.length * t))].toFixed(3)
-    return {
-      median: q(errors, 0.5),
-      p95: q(errors, 0.95),
-      worst: q(errors, 1),
-      before: q(before, 0.5),
-      far,
-    }
-  },
+      return angle(normal, [...normals.subarray(4 * i, 4 * i + 3)])
+    }).sort((a, b) => a - b)
+    return errors[Math.floor(0.95 * errors.length)]
+  }
+  return {
+    own: errorsOf(own),
+    exact: errorsOf(exact),
+    isSamePlace: clips[0].every((number, i) => Object.is(number, clips[1][i])),
+  }
 }
-document.title = 'ready'
