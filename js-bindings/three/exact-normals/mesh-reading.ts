@@ -48,7 +48,7 @@ export class MeshReading {
   }
 
   /** Calls the material's own `onBeforeCompile` with a new shader, once. */
-  private plainShader({ material, own, warn }: ExactMaterial): ExactShader | undefined {
+  private plainShader({ material, own }: ExactMaterial): ExactShader | undefined {
     if (this.plain?.material === material && this.plain.own === own) return this.plain.shader
     let shader = plainShader(material, this.mesh)
     try {
@@ -57,7 +57,6 @@ export class MeshReading {
       // It may need the renderer.
       shader = undefined
     }
-    void warn
     this.plain = { material, own, shader }
     return shader
   }

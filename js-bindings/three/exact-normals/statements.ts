@@ -119,7 +119,7 @@ export function effectsOf(top: string, globals: ReadonlySet<string>): Map<string
   const effects = new Map<string, Effects>()
   const head = /\b\w+\s+(\w+)\s*\(([^(){}]*)\)\s*\{/g
   for (let match = head.exec(top); match; match = head.exec(top)) {
-    const end = closing(top, head.lastIndex - 1)
+    const end = findClosing(top, head.lastIndex - 1)
     const text = top.slice(head.lastIndex, end)
     const parameters = new Set(words(match[2]!))
     const isGlobal = (name: string) => globals.has(name) && !parameters.has(name)
@@ -142,7 +142,7 @@ export function effectsOf(top: string, globals: ReadonlySet<string>): Map<string
   return effects
 }
 
-function closing(text: string, open: number): number {
+function findClosing(text: string, open: number): number {
   let depth = 0
   for (let i = open; i < text.length; i++) {
     if (text[i] === '{') depth++

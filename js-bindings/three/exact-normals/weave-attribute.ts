@@ -111,7 +111,7 @@ function withNewNormals(
   )
   const some = (names: ReadonlySet<string>, test: (name: string) => boolean) =>
     [...names].some(test)
-  const renamed = (text: string) =>
+  const rename = (text: string) =>
     text.replace(/(?<![.\w])[A-Za-z_]\w*/g, (word) =>
       word === 'normal' ? newNormal : (copies.get(word) ?? word),
     )
@@ -146,7 +146,7 @@ function withNewNormals(
         ends.push(`${name} = ${own};`)
         return `${varyings.get(name)} ${own};\n`
       })
-      return `${text}\n${copy.join('')}${renamed(text)}`
+      return `${text}\n${copy.join('')}${rename(text)}`
     }
     const readsPosition = some(reads, (name) => name === 'position' || ofPosition.has(name))
     if (readsNormal) {
@@ -164,7 +164,7 @@ function withNewNormals(
       if (some(writes, (name) => varyings.has(name))) hasNormals = true
     }
     if (readsPosition) for (const name of writes) ofPosition.add(name)
-    return renamed(text)
+    return rename(text)
   })
   if (!hasNormals)
     throw new WarpError(

@@ -54,9 +54,9 @@ ${pixel ? passToPixels(after, pixel) : after}`
 
 /** Keeps the position behind morph targets and bones, from which a displacement after them starts. */
 const keepPosed = (before: string) =>
-  before.replace(skinning(), (chunk) => `${chunk}\nvec3 warpjetStart = transformed;\n`)
+  before.replace(skinningChunk(), (chunk) => `${chunk}\nvec3 warpjetStart = transformed;\n`)
 
-const skinning = () => chunkSource('skinning_vertex')
+const skinningChunk = () => chunkSource('skinning_vertex')
 
 function normalBlock(code: WarpCode, pixel: PixelNormals | undefined): string {
   const isRest = code.warp.settings.space === 'rest'
