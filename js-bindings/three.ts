@@ -4,6 +4,7 @@
  */
 export { warp, type WarpedObject } from './three/warp.js'
 export { warpMaterial, type Warped, type WarpedMaterial } from './three/material.js'
+export { exactNormals, type ExactNormalsOptions } from './three/exact-normals/exact-normals.js'
 export { fromBufferGeometry, toBufferGeometry } from './three/geometry.js'
 export { addSurfaceVariation } from './three/variation.js'
 export type { ThreeOffset, WarpOptions, WarpSpace } from './three/settings.js'

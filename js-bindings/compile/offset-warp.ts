@@ -77,6 +77,11 @@ export class OffsetWarp {
     return this.recorded.isApproximate
   }
 
+  /** `true` if all vertices move by the same offset, so that normals stay as they are. */
+  get isRigid(): boolean {
+    return this.inputsOf('offset').length === 0
+  }
+
   /** Tests whether the warped position of a vertex depends on the input. */
   reads(input: InputName): boolean {
     return this.numbersRead().has(this.recorded.inputs[input])
@@ -126,6 +131,14 @@ export class OffsetWarp {
     const others = inputsOf(this.recorded.module).filter(({ number }) => !numbers.has(number))
     return new Set([...this.uniforms.names, ...others.map(({ name }) => this.userName(name))])
   })
+
+  /** Returns the user's names of the variables that the warped position, normal or tangent depends on. */
+  namesRead(): ReadonlySet<string> {
+    const results: Result[] = this.recorded.settings.tangents
+      ? ['position', 'normal', 'tangent']
+      : ['position', 'normal']
+    return new Set(this.inputsOf(...results).map(({ name }) => this.userName(name)))
+  }
 
   /** Maps the shader's name of a uniform → the user's name. Other names are unchanged. */
   protected userName(label: string): string {

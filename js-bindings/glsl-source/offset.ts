@@ -7,7 +7,7 @@ import { type KindsOf, object } from '../options/schema.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { UniformValues, Vec3, WarpInputs } from '../core/types/types.js'
 import { bindExternals, inputNamed, inputTypes } from './bind.js'
-import { type FunctionHead, withSource } from './listing.js'
+import { type External, type FunctionHead, withSource } from './listing.js'
 import {
   type GlslOptions,
   type SourceLanguage,
@@ -67,12 +67,20 @@ export function wgslOffset<Uniforms extends UniformValues = {}>(
   return offsetOf(new Place('wgslOffset'), 'wgsl', source, options)
 }
 
-function offsetOf<Uniforms extends UniformValues>(
+const offsetOf = <Uniforms extends UniformValues>(
   place: Place,
   language: SourceLanguage,
   source: string,
   options: GlslOffsetOptions | undefined,
-): GlslOffset<Uniforms> {
+): GlslOffset<Uniforms> => readOffset<Uniforms>(place, language, source, options).offset
+
+/** Returns the offset function of a source, and the uniforms and attributes that the source has. */
+export function readOffset<Uniforms extends UniformValues>(
+  place: Place,
+  language: SourceLanguage,
+  source: string,
+  options: GlslOffsetOptions | undefined,
+): { offset: GlslOffset<Uniforms>; externals: readonly External[] } {
   const text = sourceKinds[language].read(source, place.part('the source'))
   const { function: name, maxIterations, returns } = offsetOptions.read(options, place)
   const listing = withSource(place, { text, language }, (open) => {
@@ -81,7 +89,7 @@ function offsetOf<Uniforms extends UniformValues>(
     return open.list(head, maxIterations)
   })
   const { head } = listing
-  return asOwn((inputs) => {
+  const offset: GlslOffset<Uniforms> = asOwn((inputs) => {
     const given = inputs as unknown as WarpInputs
     const glsl = inputs.glsl as unknown as Builder
     const operands = head.parameters.map(({ name }) =>
@@ -92,6 +100,7 @@ function offsetOf<Uniforms extends UniformValues>(
     const result = pack(glsl, head.type, numbers) as unknown as WarpInputs['position']
     return returns === 'position' ? result.sub(inputs.position) : result
   })
+  return { offset, externals: listing.externals }
 }
 
 const isInput = (name: string) => name in inputTypes

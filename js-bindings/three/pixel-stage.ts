@@ -26,6 +26,7 @@ export function pixelNormalsFor(
   { capabilities }: WebGLRenderer,
   warp: ThreeWarp,
   name: string,
+  obstacleInVertices = obstacleInVertex,
 ): PixelNormals | undefined {
   // Facets stay facets.
   if (warp.normals === 'vertex' || shader.flatShading) return undefined
@@ -36,6 +37,7 @@ export function pixelNormalsFor(
   const left = capabilities.maxVaryings - varyingsOfThree(shader)
   const obstacle =
     obstacleIn(shader, material, warp) ??
+    obstacleInVertices(shader.vertexShader) ??
     (pixel.varyingCount > left
       ? `it passes ${pixel.varyingCount} vectors to pixels, of which this browser has ${left} left`
       : undefined)
@@ -46,12 +48,12 @@ export function pixelNormalsFor(
 }
 
 function obstacleIn(shader: Shader, material: Material, warp: ThreeWarp): string | undefined {
-  const { fragmentShader, vertexShader, morphNormals } = shader
+  const { fragmentShader, morphNormals } = shader
   if (!hasNormalLine(fragmentShader) || isRaw(material))
     return "its fragment shader lacks the chunk normal_fragment_begin of three.js, or that chunk's line vec3 normal = normalize( vNormal );"
   if (warp.settings.space === 'rest' && morphNormals)
     return "morph targets change normals after a warp in the space 'rest'"
-  return obstacleInVertex(vertexShader)
+  return undefined
 }
 
 const isRaw = (material: Material) =>

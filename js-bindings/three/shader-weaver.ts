@@ -82,7 +82,8 @@ export class ShaderWeaver {
   }
 }
 
-function uniformsFor(warp: ThreeWarp, surface: Material): Shader['uniforms'] {
+/** Returns the uniforms of a warp for a shader of three.js. */
+export function uniformsFor(warp: ThreeWarp, surface: Material): Shader['uniforms'] {
   const live = (read: () => unknown) => ({
     get value() {
       return read()

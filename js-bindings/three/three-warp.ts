@@ -55,9 +55,10 @@ export class ThreeWarp extends HostWarp {
   constructor(
     offset: OffsetFunction,
     readonly settings: Settings,
+    host = three,
   ) {
     super(new Place(settings.method), offset, {
-      host: three,
+      host,
       uniforms: settings.uniforms,
       target: 'glsl300',
       names: { millis: shaderNames.millis },

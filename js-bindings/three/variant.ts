@@ -12,6 +12,7 @@ import {
   type WebGLRenderer,
 } from 'three'
 import { type AddedUniforms, addedUniformsOf } from './added-uniforms.js'
+import { withNormalsAtVertices } from './exact-normals/at-vertices.js'
 import { ForwardingMaterial } from './forwarding-material.js'
 import { ShaderWeaver, type WovenSurface } from './shader-weaver.js'
 import type { ThreeWarp } from './three-warp.js'
@@ -47,7 +48,7 @@ export class Variant extends ForwardingMaterial {
     const { original } = this
     this.compilations++
     const before = new Set(Object.keys(shader.uniforms))
-    original.onBeforeCompile(shader, renderer)
+    withNormalsAtVertices(() => original.onBeforeCompile(shader, renderer))
     if (original.isShaderMaterial) {
       // These are the user's own uniforms: this way they stay live, and ours are not added to them.
       shader.uniforms = Object.create(shader.uniforms) as Shader['uniforms']
@@ -60,7 +61,7 @@ export class Variant extends ForwardingMaterial {
   }
 
   customProgramCacheKey() {
-    return `${this.weaver.key} ${this.original.customProgramCacheKey()}`
+    return `${this.weaver.key} ${withNormalsAtVertices(() => this.original.customProgramCacheKey())}`
   }
 
   /** Copies the original material. */

@@ -97,12 +97,21 @@ ${back('transformedNormal', 'transformedTangent', false)}
 transformedNormal = warpjetViewNormal;`
 }
 
-/** Runs three's own lines from the normal of the object to that of the view, with the results of an evaluation. */
-const toView = ({ warp }: WarpCode, { normal, tangent }: Surface, hasVarying: boolean) => `{
+/**
+ * Runs three's own lines from the normal of the object to that of the view, with the results of an evaluation. `pose` are lines
+ * that come before these.
+ */
+export const toView = (
+  { warp }: WarpCode,
+  { normal, tangent }: Surface,
+  hasVarying: boolean,
+  pose = '',
+) => `{
 vec3 objectNormal = ${normal};
 #ifdef USE_TANGENT
 vec3 objectTangent = ${tangent};
 #endif
+${pose}
 ${chunkSource('defaultnormal_vertex')}
 ${avoidNaN}
 ${

@@ -15,7 +15,7 @@ import { readsNormal, readsPosition, weaveAttributes, wrapMain } from './weave-a
 import type { WeaveOptions } from './weave-options.js'
 
 /** Matches the first statement that uses the finished position of the vertex. */
-const anchor = /\b(?:vec4\s+mvPosition|gl_Position)\s*=[^;]*\btransformed\b[^;]*;/
+export const anchor = /\b(?:vec4\s+mvPosition|gl_Position)\s*=[^;]*\btransformed\b[^;]*;/
 
 /** Tests whether a warp can be put into a vertex shader. */
 export function canWeave(vertexShader: string): boolean {
@@ -24,7 +24,7 @@ export function canWeave(vertexShader: string): boolean {
 }
 
 /** Splits a source in front of the function that has the anchor, which need not be `main`: others may call it. */
-function splitAtAnchor(source: string) {
+export function splitAtAnchor(source: string) {
   const { index } = anchor.exec(source) ?? {}
   if (index === undefined) return undefined
   const heads = [...source.slice(0, index).matchAll(/\bvoid\s+\w+\s*\([^)]*\)\s*\{/g)]
@@ -46,7 +46,8 @@ export function weave(
   if (!parts) return weaveAttributes(source, warp, options)
   const isLit = /\btransformedNormal\b/.test(parts.main)
   // A shader that makes its own normal from the attribute.
-  const readsAttribute = !isLit && options.isShaderMaterial && readsNormal(withoutChunks(source))
+  const readsAttribute =
+    !isLit && options.isShaderMaterial && readsNormal(withoutNormalChunks(source))
   const code = new WarpCode(warp, {
     isLit: isLit || readsAttribute,
     mayHaveTangents: isLit && options.mayHaveTangents,
@@ -71,9 +72,9 @@ ${isRest ? afterPose(warp) : ''}${pixel ? passToPixels(after, pixel) : after}`
 
 const assignment = /\b(?:vNormal|vTangent|vBitangent)\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
 
-const projection = /\bgl_Position\s*=\s*projectionMatrix\s*\*\s*mvPosition\s*;/
+export const projection = /\bgl_Position\s*=\s*projectionMatrix\s*\*\s*mvPosition\s*;/
 
-const passToPixels = (after: string, pixel: PixelNormals) =>
+export const passToPixels = (after: string, pixel: PixelNormals) =>
   `${pixel.passMatrices}\n${after.replace(projection, `$&\n${passViewPosition}`)}`
 
 /** Returns why a vertex shader cannot leave the normals to the fragment shader; `undefined` if it can. */
@@ -84,7 +85,7 @@ export function obstacleInVertex(vertexShader: string): string | undefined {
   if (
     !/\btransformedNormal\b/.test(main) ||
     !isUnchanged(before) ||
-    assignment.test(withoutChunks(source))
+    assignment.test(withoutNormalChunks(source))
   )
     return 'its vertex shader changes normals by statements that three.js does not have'
   return projection.test(main)
@@ -93,21 +94,21 @@ export function obstacleInVertex(vertexShader: string): string | undefined {
 }
 
 /** Lets the preprocessor know which variables there are, also where that depends on conditions. */
-const markNormals = (main: string) =>
+export const markNormals = (main: string) =>
   main
     .replace(/\bvec3\s+objectNormal\s*=[^;]*;/g, '$&\n#define WARPJET_OBJECT_NORMAL\n')
     .replace(/\bvec3\s+transformedNormal\s*=[^;]*;/g, '$&\n#define WARPJET_TRANSFORMED_NORMAL\n')
 
-const markVaryings = (top: string) =>
+export const markVaryings = (top: string) =>
   top.replace(/\b(?:varying|out)\s+vec3\s+vNormal\s*;/g, '$&\n#define WARPJET_VARYING_NORMAL\n')
 
 const normalNames =
   /\b(?:objectNormal|transformedNormal|vNormal|objectTangent|transformedTangent|vTangent|vBitangent)\b/
 
 /** Tests whether only three's own chunks have made the normal. */
-const isUnchanged = (main: string) => !normalNames.test(withoutChunks(main))
+const isUnchanged = (main: string) => !normalNames.test(withoutNormalChunks(main))
 
-function withoutChunks(source: string): string {
+export function withoutNormalChunks(source: string): string {
   const names = ['beginnormal', 'morphnormal', 'skinnormal', 'defaultnormal', 'normal']
   const chunks = [...names, 'displacementmap'].map((name) => chunkSource(`${name}_vertex`))
   return chunks.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), source)

@@ -1,47 +1,14 @@
 // 'warpjet/three' with packages that have their own rendering, deformation or instancing; each row works like those of company.browser.test.js.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { fileURLToPath } from 'node:url'
-import { build } from 'vite'
-import { launchBrowser, openPage } from '../support/browser/browser.js'
-import { servePages } from '../support/browser/server.js'
+import { bundledPage } from '../support/browser/three/bundled-page.js'
 
-const root = fileURLToPath(new URL('../../', import.meta.url))
-const project = '.build/libraries'
-
-let browser, pages, page, messages
+let opened, page, messages
 before(async () => {
-  await build({
-    configFile: false,
-    logLevel: 'error',
-    root,
-    publicDir: false,
-    resolve: { dedupe: ['three', 'react'] },
-    define: { 'process.env.NODE_ENV': '"development"' },
-    build: {
-      outDir: project,
-      minify: false,
-      target: 'es2022',
-      rolldownOptions: {
-        input: `${root}tests/support/browser/three/company/libraries.js`,
-        output: { entryFileNames: 'page.js' },
-      },
-    },
-  })
-  browser = await launchBrowser()
-  pages = await servePages()
-  const html = `<!doctype html><body><script type="module" src="/${project}/page.js"></script>`
-  ;({ page, messages } = await openPage(browser, pages.page(html)))
-  await page
-    .waitForFunction(() => document.title === 'ready')
-    .catch((error) => {
-      throw new Error(`${error.message}\n${messages.join('\n')}`)
-    })
+  opened = await bundledPage('company/libraries.js', '.build/libraries')
+  ;({ page, messages } = opened)
 })
-after(async () => {
-  await browser.close()
-  await pages.close()
-})
+after(() => opened.close())
 
 test('each package draws a warp like vertices moved on the CPU', async (t) => {
   for (const name of await page.evaluate(() => company.names.libraries))

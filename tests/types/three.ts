@@ -16,7 +16,7 @@ import {
 import { MeshStandardNodeMaterial } from 'three/webgpu'
 import { createElement } from 'react'
 import { Warp } from '../../js-bindings/react.js'
-import { type WarpOptions, warp, warpMaterial } from '../../js-bindings/three.js'
+import { type WarpOptions, exactNormals, warp, warpMaterial } from '../../js-bindings/three.js'
 import { warpNode } from '../../js-bindings/three.webgpu.js'
 
 const warped = warp(
@@ -84,3 +84,14 @@ new MeshStandardNodeMaterial().positionNode = warpNode(({ position }) => positio
 createElement(Warp, { offset: ({ position }) => position, space: 'rest', normals: 'vertex' })
 // @ts-expect-error there must be an offset
 createElement(Warp, {})
+
+// exactNormals returns what it got.
+const exactMaterial: MeshStandardMaterial = exactNormals(new MeshStandardMaterial(), {
+  normals: 'pixel',
+  surfaceVariation: false,
+})
+const exactMesh: Mesh = exactNormals(new Mesh(undefined, exactMaterial))
+// @ts-expect-error It takes a material or a mesh.
+exactNormals(new Vector3())
+// @ts-expect-error There is no such stage.
+exactNormals(exactMesh, { normals: 'face' })

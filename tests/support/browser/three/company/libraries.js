@@ -1,6 +1,4 @@
 // Rows for the pipelines of other packages, bundled by Vite for libraries.browser.test.js.
-import { createElement as e, act } from 'react'
-import { createRoot, extend } from '@react-three/fiber'
 import { MeshDistortMaterial } from '@react-three/drei/core/MeshDistortMaterial'
 import { MeshWobbleMaterial } from '@react-three/drei/core/MeshWobbleMaterial'
 import { InstancedMesh2 } from '@three.ez/instanced-mesh'
@@ -29,27 +27,8 @@ import {
   torus,
   userMotionByHand,
 } from './lib.js'
+import { materialOf } from './react-material.js'
 import { straightCamera, twistByHand } from './twisted.js'
-
-globalThis.IS_REACT_ACT_ENVIRONMENT = true
-extend(THREE)
-
-/** Returns the material that a React component creates. */
-async function materialOf(component, props) {
-  const canvas = document.createElement('canvas')
-  const root = createRoot(canvas)
-  await root.configure({
-    size: { width: 8, height: 8, top: 0, left: 0 },
-    frameloop: 'never',
-    gl: { antialias: false },
-  })
-  let material
-  const ref = (given) => (material = given ?? material)
-  await act(async () =>
-    root.render(e('mesh', {}, e('boxGeometry'), e(component, { ...props, ref }))),
-  )
-  return material
-}
 
 const wobble = await materialOf(MeshWobbleMaterial, { speed: 0, factor: 1, roughness: 0.6 })
 wobble.time = 1

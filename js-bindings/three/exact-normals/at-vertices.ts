@@ -1,0 +1,15 @@
+// Remembers that a warp is about to be put on top of a shader.
+let isWarping = false
+
+/** Runs `work` such that exact normals stay at vertices, where the warp can transform them. */
+export function withNormalsAtVertices<Result>(work: () => Result): Result {
+  const before = isWarping
+  isWarping = true
+  try {
+    return work()
+  } finally {
+    isWarping = before
+  }
+}
+
+export const areNormalsAtVertices = () => isWarping

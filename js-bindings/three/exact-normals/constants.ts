@@ -1,0 +1,35 @@
+// Notes about inputs of a displacement that count as constant over the surface.
+import type { BufferGeometry, Mesh, Object3D } from 'three'
+import { variationAttribute, variationNames } from '../../compile/hosts.js'
+import { noteApproximation } from '../../errors/notes.js'
+import type { ExactSettings, Reading } from './reading.js'
+
+interface Noting {
+  settings: ExactSettings
+  warn: (message: string) => void
+}
+
+const ofInstances = new Set(['instanceMatrix', 'instanceColor', 'gl_InstanceID'])
+
+/** Warns if the normals of an object are only approximate, since how an attribute varies over the surface is unknown. */
+export function noteConstants(
+  exact: Noting,
+  { warp, parameters }: Reading,
+  object: Object3D | undefined,
+) {
+  const { method, surfaceVariation } = exact.settings
+  if (surfaceVariation === false) return
+  const { attributes } = (object as Partial<Mesh> | undefined)?.geometry ?? ({} as BufferGeometry)
+  const hasVariation = variationNames.some((name) => variationAttribute(name) in (attributes ?? {}))
+  if (warp.varies && attributes && !hasVariation)
+    noteApproximation(method, 'await addSurfaceVariation(geometry)')
+  const isOfVertices = (name: string) =>
+    !ofInstances.has(name) &&
+    (attributes?.[name] as { isInstancedBufferAttribute?: boolean } | undefined)
+      ?.isInstancedBufferAttribute !== true
+  const [first] = parameters.filter(({ isAttribute, name }) => isAttribute && isOfVertices(name))
+  if (first)
+    exact.warn(
+      `moves vertices by the attribute ${first.name}, which counts as constant over the surface, so that its normals are approximate where that varies; surfaceVariation: false silences this.`,
+    )
+}

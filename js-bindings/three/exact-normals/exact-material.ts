@@ -1,0 +1,214 @@
+// A material whose normals are exact: what happens when three.js compiles its shaders.
+import type { Material, Object3D, RawShaderMaterial, WebGLRenderer } from 'three'
+import { Place } from '../../options/place.js'
+import { nameOfMaterial } from '../describe.js'
+import { orientFaces } from '../faces.js'
+import type { PixelNormals } from '../pixel-normals.js'
+import { pixelNormalsFor } from '../pixel-stage.js'
+import { wrapMethod } from '../properties.js'
+import { uniformsFor } from '../shader-weaver.js'
+import { weavePixelNormals, weaveVertexNormals } from '../weave-fragment.js'
+import type { WeaveOptions } from '../weave-options.js'
+import { areNormalsAtVertices } from './at-vertices.js'
+import { noteConstants } from './constants.js'
+import { withNamesOfShader, withOwnFunctions, withOwnNames } from './own-names.js'
+import { declareParameters, obstacleInParameters } from './parameters.js'
+import { spaceOf } from './pose-space.js'
+import { type ExactSettings, type Reading, readDisplacement } from './reading.js'
+import type { ExactShader } from './shader.js'
+import { weaveAttribute } from './weave-attribute.js'
+import { makesNormal, obstacleInChunks, weaveChunks } from './weave-chunks.js'
+
+const exact = new WeakMap<Material, ExactMaterial>()
+
+export const exactMaterialOf = (material: Material) => exact.get(material)
+
+/** Makes the normals of a material exact. A second call changes the options. */
+export function exactMaterial(material: Material, settings: ExactSettings): ExactMaterial {
+  let made = exact.get(material)
+  if (made) made.settings = settings
+  else exact.set(material, (made = new ExactMaterial(material, settings)))
+  material.needsUpdate = true
+  return made
+}
+
+export class ExactMaterial {
+  /** The shader that was compiled last, as it was before exact normals. */
+  last: ExactShader | undefined
+  /** The method without exact normals. */
+  own!: Material['onBeforeCompile']
+  private drawn: Object3D | undefined
+  private readonly warned = new Set<string>()
+
+  constructor(
+    readonly material: Material,
+    public settings: ExactSettings,
+  ) {
+    this.wrapCompile()
+    this.wrapKey()
+    const note = (object: Object3D) => void (this.drawn = object)
+    wrapMethod<Material['onBeforeRender']>(material, 'onBeforeRender', (own) => {
+      return function (this: Material, ...given) {
+        note(given[4] as never)
+        own?.apply(this, given)
+      }
+    })
+  }
+
+  get place() {
+    return new Place(this.settings.method)
+  }
+
+  /** Writes a message to the console, once. */
+  warn(message: string) {
+    const text = `${this.settings.method}: ${nameOfMaterial(this.material)} ${message}`
+    if (this.warned.has(text)) return
+    this.warned.add(text)
+    console.warn(text)
+  }
+
+  /** Reads the displacement of a shader. Throws a `WarpError` if that is impossible. */
+  read(shader: ExactShader, values?: Record<string, () => unknown>): Reading {
+    return readDisplacement(
+      shader,
+      this.settings,
+      spaceOf(shader, this.place),
+      values,
+      this.material,
+    )
+  }
+
+  private wrapCompile() {
+    const compile = this.compile.bind(this)
+    let depth = 0
+    wrapMethod<Material['onBeforeCompile']>(this.material, 'onBeforeCompile', (own) => {
+      this.own = own
+      return function (this: Material, shader, renderer) {
+        // A method that was assigned later may call this one.
+        depth++
+        try {
+          own.call(this, shader, renderer)
+        } finally {
+          depth--
+        }
+        if (depth === 0) compile(shader as unknown as ExactShader, renderer)
+      }
+    })
+  }
+
+  private wrapKey() {
+    const { material } = this
+    const keyOf = (own: () => string) => {
+      // The default key is the text of the method onBeforeCompile.
+      const user = Object.create(material, { onBeforeCompile: { value: this.own } }) as Material
+      const { normals, surfaceVariation } = this.settings
+      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${own.call(user)}`
+    }
+    wrapMethod<Material['customProgramCacheKey']>(
+      material,
+      'customProgramCacheKey',
+      (own) => () => keyOf(own),
+    )
+  }
+
+  /** Adds exact normals to a shader. An error here would leave `render()`, so the shader stays as it is then, with a message. */
+  private compile(shader: ExactShader, renderer: WebGLRenderer) {
+    this.last = { ...shader }
+    const { isShaderMaterial } = this.material as Partial<RawShaderMaterial>
+    const isOfChunks = makesNormal(shader.vertexShader)
+    // Materials without light have no normals.
+    if (!isOfChunks && !isShaderMaterial) return
+    try {
+      const reading = this.read(shader)
+      if (reading.note) this.warn(reading.note)
+      if (reading.warp.isRigid) return
+      const drawn = isOfChunks
+        ? this.weaveChunks(shader, renderer, reading)
+        : this.weaveAttribute(shader, reading)
+      this.put(shader, reading, drawn)
+      noteConstants(this, reading, this.drawn)
+    } catch (error) {
+      this.warn(`keeps its own normals: ${messageOf(error)}`)
+    }
+  }
+
+  private weaveChunks(shader: ExactShader, renderer: WebGLRenderer, reading: Reading) {
+    const { warp } = reading
+    const pixel = this.pixelFor(shader, renderer, reading)
+    const vertexShader = weaveChunks(shader.vertexShader, reading, this.weaveOptions(shader), pixel)
+    if (areNormalsAtVertices()) return { vertexShader, fragmentShader: shader.fragmentShader }
+    const fragmentShader = pixel
+      ? weavePixelNormals(
+          declareParameters(shader.fragmentShader, reading),
+          pixel,
+          String(shader.precision),
+        )
+      : weaveVertexNormals(shader.fragmentShader)
+    return { vertexShader, fragmentShader: orientFaces(fragmentShader, warp) }
+  }
+
+  private pixelFor(
+    shader: ExactShader,
+    renderer: WebGLRenderer,
+    reading: Reading,
+  ): PixelNormals | undefined {
+    if (areNormalsAtVertices()) return undefined
+    return pixelNormalsFor(
+      shader as never,
+      this.material,
+      renderer,
+      reading.warp,
+      nameOfMaterial(this.material),
+      (vertexShader) => obstacleInParameters(reading) ?? obstacleInChunks(vertexShader),
+    )
+  }
+
+  private weaveAttribute(shader: ExactShader, reading: Reading) {
+    if (this.settings.normals === 'pixel')
+      this.warn(
+        "has its normals computed at vertices, although the option normals is 'pixel': its fragment shader lacks the chunk normal_fragment_begin of three.js.",
+      )
+    return {
+      vertexShader: weaveAttribute(
+        shader.vertexShader,
+        reading,
+        this.weaveOptions(shader),
+        this.place,
+      ),
+      fragmentShader: shader.fragmentShader,
+    }
+  }
+
+  private weaveOptions({ vertexTangents = true }: ExactShader): WeaveOptions {
+    const { isRawShaderMaterial, isShaderMaterial, glslVersion } = this
+      .material as Partial<RawShaderMaterial>
+    return {
+      mayHaveTangents: vertexTangents,
+      hasColors: false,
+      isShaderMaterial: isShaderMaterial === true,
+      isRaw: isRawShaderMaterial === true,
+      isGlsl100: isRawShaderMaterial === true && glslVersion !== '300 es',
+    }
+  }
+
+  private put(
+    shader: ExactShader,
+    { warp }: Reading,
+    { vertexShader, fragmentShader }: Pick<ExactShader, 'vertexShader' | 'fragmentShader'>,
+  ) {
+    // The uniforms of a ShaderMaterial are the user's object.
+    if ((this.material as Partial<RawShaderMaterial>).isShaderMaterial)
+      shader.uniforms = Object.create(shader.uniforms) as ExactShader['uniforms']
+    Object.assign(shader.uniforms, ownUniforms(uniformsFor(warp, this.material)))
+    shader.vertexShader = withOwnNames(withOwnFunctions(vertexShader))
+    shader.fragmentShader = withOwnNames(withOwnFunctions(fragmentShader))
+  }
+}
+
+export const ownUniforms = (uniforms: object) =>
+  Object.fromEntries(
+    Object.entries(uniforms).map(([name, uniform]) => [withOwnNames(name), uniform as never]),
+  )
+
+export const messageOf = (error: unknown) =>
+  withNamesOfShader((error as Error).message.replace(/^exactNormals: /, ''))

@@ -1,0 +1,96 @@
+// `exactNormals`: right normals for materials of WebGLRenderer whose vertex shaders already move vertices.
+import type { Material, Mesh } from 'three'
+import { normalsKinds } from '../../compile/hosts.js'
+import { WarpError } from '../../errors/errors.js'
+import { kind, optional } from '../../options/kinds.js'
+import { Place } from '../../options/place.js'
+import { type KindsOf, object } from '../../options/schema.js'
+import { describeOfThree, nameOfMaterial } from '../describe.js'
+import { isWarpedByHand } from '../supported.js'
+import { exactMaterial } from './exact-material.js'
+import { followDisplacement } from './follow.js'
+import type { ExactSettings } from './reading.js'
+
+export interface ExactNormalsOptions {
+  /**
+   * The stage that computes normals: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'`
+   * chooses `'pixel'` for a displacement that contains noise or bends strongly, unless that takes too many operations per pixel.
+   * @default 'auto'
+   */
+  normals?: 'auto' | 'vertex' | 'pixel'
+  /** `false` accepts that attributes of vertices count as constant over the surface, without a note. */
+  surfaceVariation?: false
+}
+
+const optionKinds = object({
+  normals: normalsKinds.normals,
+  surfaceVariation: optional(
+    kind<false>('only false', (given) => given === false, {
+      advice: () => 'addSurfaceVariation(geometry) says how a geometry varies',
+    }),
+  ),
+} satisfies KindsOf<ExactNormalsOptions>)
+
+/**
+ * Gives a material right normals where its own vertex shader moves vertices: by `onBeforeCompile`, as a `ShaderMaterial` or
+ * `RawShaderMaterial`, or by three-custom-shader-material. The shader is read when three.js compiles it, differentiated, and its normals
+ * and tangents are transformed by the exact derivative, in place of any normals that it computes by itself. Returns what it was given.
+ *
+ * With a mesh, its shadows, culling and rays follow the displacement, too.
+ *
+ * A shader that cannot be read stays as it is, with one message on the console. Throws a `WarpError` for anything but a material or a
+ * mesh, and for a material that has no normals.
+ *
+ * ```js
+ * material.onBeforeCompile = (shader) => {
+ *   shader.vertexShader = shader.vertexShader.replace('#include <begin_vertex>', `
+ *     #include <begin_vertex>
+ *     transformed.y += 0.2 * sin(4.0 * position.x);`)
+ * }
+ * exactNormals(material)
+ * ```
+ */
+export function exactNormals<Given extends Material | Mesh>(
+  given: Given,
+  options: ExactNormalsOptions = {},
+): Given {
+  const method = 'exactNormals'
+  const settings = { method, ...optionKinds.read(options, new Place(method)) } as ExactSettings
+  const mesh = (given as Partial<Mesh> | undefined)?.isMesh ? (given as Mesh) : undefined
+  if (!mesh && !(given as Partial<Material> | undefined)?.isMaterial)
+    throw new WarpError(
+      `${method}: expected a material or a Mesh of three.js, got ${describeOfThree(given)}.`,
+    )
+  const materials = mesh ? [mesh.material].flat() : [given as Material]
+  for (const material of materials) rejectMaterial(method, material)
+  for (const material of materials) exactMaterial(material, settings)
+  if (mesh) followDisplacement(mesh, method)
+  return given
+}
+
+type Flags = Partial<
+  Record<
+    | 'isNodeMaterial'
+    | 'isSpriteMaterial'
+    | 'isLineBasicMaterial'
+    | 'isPointsMaterial'
+    | 'isLineMaterial',
+    boolean
+  >
+>
+
+/** Throws for a material that has no normals, or none that WebGLRenderer draws. */
+function rejectMaterial(method: string, material: Material) {
+  const flags = material as Material & Flags
+  const problem = flags.isNodeMaterial
+    ? "is of nodes, which only WebGPURenderer draws; import exactNormals of 'warpjet/three/webgpu'"
+    : flags.isSpriteMaterial ||
+        flags.isLineBasicMaterial ||
+        flags.isPointsMaterial ||
+        flags.isLineMaterial
+      ? 'has no normals'
+      : isWarpedByHand(material)
+        ? 'is warped by warpMaterial; call exactNormals first'
+        : undefined
+  if (problem) throw new WarpError(`${method}: ${nameOfMaterial(material)} ${problem}.`)
+}

@@ -1,0 +1,135 @@
+/**
+ * Finds what the position in a vertex shader is made of: the statements up to where it is finished, and the matrices that are applied
+ * to it after that.
+ */
+import { WarpError } from '../../errors/errors.js'
+import { chunkSource } from '../shader-source.js'
+import { anchor } from '../weave.js'
+import { assignmentsTo, countOf, isAssigned, plainLines, withoutComments } from './plain-source.js'
+
+/** The function that is read. */
+export const movedFunction = 'warpjetMoved'
+
+/** The statements of a shader that compute where a vertex is, and the expression for that in the units of the geometry. */
+export interface MovedBody {
+  body: string
+  result: string
+  /** Matrices that are replaced by 1, since the result is led back before they count. */
+  hidden: readonly string[]
+  /** What does not count, for a message. */
+  note?: string
+}
+
+/** `isInstancing` is `true` for a shader of an InstancedMesh. */
+export function movedBody(main: string, top: string, isInstancing: boolean): MovedBody {
+  const user = withoutProjection(main)
+  const found = bodyOf(
+    main.replace(afterProjection, (found) => found.replace(/[^\n]/g, ' ')),
+    user.replace(afterProjection, ''),
+    top,
+    isInstancing,
+  )
+  return user.search(afterProjection) < 0
+    ? found
+    : {
+        ...found,
+        note: 'changes gl_Position after projectionMatrix, which does not count for its normals.',
+      }
+}
+
+/** Matches statements that change `gl_Position`, but do not make it. */
+const afterProjection =
+  /(?<![.\w])gl_Position\s*(?:\.\w+\s*[-+*/]?=(?!=)|[-+*/]=|=(?!=)[^;]*\bgl_Position\b)[^;]*;/g
+
+/** `user` is `main` without three's own lines for matrices. */
+function bodyOf(main: string, user: string, top: string, isInstancing: boolean): MovedBody {
+  const end = anchor.exec(main)?.index
+  const open = (text: string) =>
+    text.replace(/\bvoid\s+main\s*\([^)]*\)/, `vec3 ${movedFunction}()`)
+  if (end !== undefined && !isAssigned(user, 'gl_Position') && !isAssigned(user, 'mvPosition'))
+    return { body: open(main.slice(0, end)), result: 'vec3( transformed )', hidden: [] }
+  rejectOtherProjections(`${top}\n${user}`)
+  // Three's own lines apply the matrices of instances to normals, whatever happens to the position.
+  const isInstanced = /\btransformedNormal\b/.test(main)
+    ? isInstancing
+    : countOf(user, 'instanceMatrix') > 0
+  return { body: open(main).replace(/\}\s*$/, ''), ...chainOf(user, top, isInstanced) }
+}
+
+/** Throws for a position that is moved after the projection, or by it. */
+function rejectOtherProjections(text: string) {
+  const reads = text.match(/(?<![.\w])projectionMatrix\b(?!\s*\*)/)
+  if (reads)
+    throw new WarpError(
+      'the vertex shader reads projectionMatrix by itself, while exactNormals takes the position in front of it; write gl_Position = projectionMatrix * position.',
+    )
+  for (const [, name] of text.matchAll(/\bvec4\s+(\w+)\s*=\s*[^;]*\bprojectionMatrix\s*\*/g))
+    if ([...text.matchAll(assignmentsTo(name!))].length > 1)
+      throw new WarpError(
+        `the vertex shader changes ${name} after projectionMatrix; move the vertex in front of that.`,
+      )
+}
+
+/** Chunks of three.js that read matrices, or make `gl_Position` of `transformed`. */
+const projecting = [
+  'project_vertex',
+  'logdepthbuf_vertex',
+  'defaultnormal_vertex',
+  'worldpos_vertex',
+  'shadowmap_vertex',
+  'envmap_vertex',
+].map((name) => plainLines(withoutComments(chunkSource(name))))
+
+const withoutProjection = (main: string) =>
+  projecting.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), plainLines(main))
+
+/**
+ * Finds the last matrix that is known to be applied to a finished position, and leads the result back before it. Matrices before that
+ * are computed with, since the shader may move vertices between them.
+ */
+function chainOf(user: string, top: string, isInstanced: boolean): Omit<MovedBody, 'body'> {
+  const text = `${top}\n${user}`
+  const isLast = (matrix: string, others: readonly string[]) =>
+    countOf(text, matrix) === 1 &&
+    countOf(text, 'projectionMatrix') === 1 &&
+    others.every((name) => countOf(text, name) === 0) &&
+    isAppliedAtEnd(user, matrix)
+  if (isLast('modelViewMatrix', ['viewMatrix'])) {
+    const hidesInstance =
+      isInstanced &&
+      countOf(text, 'instanceMatrix') === 1 &&
+      /\bmodelViewMatrix\s*\*\s*instanceMatrix\s*\*\s*vec4\s*\(/.test(user)
+    return hidesInstance
+      ? {
+          result: 'warpjetClip.xyz',
+          hidden: ['projectionMatrix', 'modelViewMatrix', 'instanceMatrix'],
+        }
+      : {
+          result: isInstanced
+            ? '( inverse( instanceMatrix ) * warpjetClip ).xyz'
+            : 'warpjetClip.xyz',
+          hidden: ['projectionMatrix', 'modelViewMatrix'],
+        }
+  }
+  const toObject = (matrix: string) =>
+    `( inverse( ${matrix}${isInstanced ? ' * instanceMatrix' : ''} ) * warpjetClip ).xyz`
+  if (isLast('viewMatrix', ['modelViewMatrix']))
+    return { result: toObject('modelMatrix'), hidden: ['projectionMatrix', 'viewMatrix'] }
+  return { result: toObject('( viewMatrix * modelMatrix )'), hidden: ['projectionMatrix'] }
+}
+
+/** Tests whether nothing changes the product of a matrix and a position before it reaches `gl_Position`. */
+function isAppliedAtEnd(user: string, matrix: string): boolean {
+  if (user.match(/(?<![.\w])gl_Position\b/g)?.length !== 1) return false
+  if (
+    new RegExp(`gl_Position\\s*=\\s*projectionMatrix\\s*\\*\\s*\\(?\\s*${matrix}\\s*\\*`).test(user)
+  )
+    return true
+  const [, name] = new RegExp(`\\bvec4\\s+(\\w+)\\s*=\\s*\\(?\\s*${matrix}\\s*\\*`).exec(user) ?? []
+  if (!name) return false
+  const assignments = user.match(assignmentsTo(name))
+  return (
+    assignments?.length === 1 &&
+    new RegExp(`gl_Position\\s*=\\s*projectionMatrix\\s*\\*\\s*${name}\\s*;`).test(user)
+  )
+}

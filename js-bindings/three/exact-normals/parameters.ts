@@ -1,0 +1,32 @@
+// Variables of the vertex shader that normals at pixels need in the fragment shader.
+import type { Reading } from './reading.js'
+
+/** Uniforms that three.js sets for every program, and those of them that it declares in fragment shaders. */
+const types: Record<string, string> = {
+  modelMatrix: 'mat4',
+  modelViewMatrix: 'mat4',
+  projectionMatrix: 'mat4',
+  viewMatrix: 'mat4',
+  cameraPosition: 'vec3',
+}
+const declared = new Set(['viewMatrix', 'cameraPosition'])
+
+/** Returns why normals cannot be computed in the fragment shader; `undefined` if they can. */
+export function obstacleInParameters({ parameters }: Reading): string | undefined {
+  const found = parameters.find(({ name }) => !(name in types))
+  if (!found) return undefined
+  return found.isAttribute
+    ? `it moves vertices by the attribute ${found.name}, which pixels do not have`
+    : `it moves vertices by the uniform ${found.name}, whose value is unknown on the CPU`
+}
+
+/** Declares the uniforms in a fragment shader. */
+export const declareParameters = (fragmentShader: string, { parameters }: Reading): string =>
+  parameters
+    .filter(
+      ({ name }) =>
+        !declared.has(name) &&
+        !new RegExp(`\\buniform\\b[^;]*\\b${name}\\s*;`).test(fragmentShader),
+    )
+    .map(({ name }) => `uniform highp ${types[name]} ${name};\n`)
+    .join('') + fragmentShader

@@ -1,0 +1,25 @@
+// GLSL in a form that can be compared and searched.
+
+/** Replaces comments by spaces, so that lines and columns stay. */
+export function withoutComments(text: string): string {
+  return text.replace(/\/\/[^\n]*|\/\*[^]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' '))
+}
+
+/** A text without marks of lines and without spaces at the ends of lines, to be compared. */
+export function plainLines(text: string): string {
+  const lines = text.replace(/^#line \d+\n/gm, '').split('\n')
+  return lines
+    .map((line) => line.trim())
+    .filter(Boolean)
+    .join('\n')
+}
+
+/** Matches assignments to a variable or its components. */
+export const assignmentsTo = (name: string) =>
+  new RegExp(`(?<![.\\w])${name}\\s*(?:\\.\\w+\\s*)?(?:[-+*/]?=(?!=))`, 'g')
+
+export const isAssigned = (text: string, name: string) => assignmentsTo(name).test(text)
+
+/** Counts how often a variable is named. */
+export const countOf = (text: string, name: string) =>
+  text.match(new RegExp(`(?<![.\\w])${name}\\b`, 'g'))?.length ?? 0

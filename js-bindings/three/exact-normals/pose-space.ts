@@ -1,0 +1,35 @@
+// Finds out whether a displacement is before or after morph targets and bones.
+import type { Place } from '../../options/place.js'
+import { chunkSource, resolveIncludes } from '../shader-source.js'
+import type { WarpSpace } from '../settings.js'
+import { anchor, splitAtAnchor } from '../weave.js'
+import type { ExactShader } from './shader.js'
+
+const assignment = /(?<![.\w])transformed\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
+
+/** Returns the space of the displacement. Throws a `WarpError` if it is in both. */
+export function spaceOf(shader: ExactShader, place: Place): WarpSpace {
+  if (!shader.skinning && !shader.morphTargets) return 'rest'
+  const { main = '' } = splitAtAnchor(resolveIncludes(shader.vertexShader)) ?? {}
+  const [before = '', after] = main
+    .slice(0, anchor.exec(main)?.index)
+    .split(chunkSource('skinning_vertex'))
+  if (after === undefined)
+    throw place.error(
+      'the vertex shader lacks the chunk skinning_vertex of three.js, so that bones and morph targets cannot be told from the displacement.',
+    )
+  const own = without(after, ['displacementmap_vertex'])
+  if (!assignment.test(own)) return 'rest'
+  if (assignment.test(without(before, ['begin_vertex', 'morphtarget_vertex'])))
+    throw place.error(
+      'the vertex shader moves vertices before morph targets and bones, and again after them; write both in one place.',
+    )
+  if (/(?<![.\w])position\b/.test(own))
+    throw place.error(
+      'the vertex shader moves vertices after morph targets and bones by the attribute position, which is from before them; read transformed.',
+    )
+  return 'local'
+}
+
+const without = (text: string, chunks: readonly string[]) =>
+  chunks.reduce((rest, name) => rest.replace(chunkSource(name), ''), text)

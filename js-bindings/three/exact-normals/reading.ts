@@ -1,0 +1,128 @@
+// Reads where a vertex shader moves vertices, as a warp.
+import type { IUniform } from 'three'
+import { readOffset } from '../../glsl-source/offset.js'
+import type { External } from '../../glsl-source/listing.js'
+import { asOwn } from '../../errors/operators.js'
+import { Place } from '../../options/place.js'
+import type { Settings, WarpSpace } from '../settings.js'
+import { ThreeWarp } from '../three-warp.js'
+import { three } from '../values.js'
+import type { ExactShader } from './shader.js'
+import { movedFunction } from './moved-body.js'
+import { withNamesOfShader } from './own-names.js'
+import { vertexSource } from './vertex-source.js'
+
+/** A variable of the shader that the displacement reads there, and that the CPU has no value of. */
+export interface Parameter {
+  name: string
+  type: string
+  isAttribute: boolean
+}
+
+export interface Reading {
+  warp: ThreeWarp
+  parameters: readonly Parameter[]
+  /** What of the shader does not count, for a message. */
+  note?: string
+}
+
+/** The displacement of a shader as a warp. It cannot be evaluated on the CPU if it reads variables that only the shader has. */
+class Displacement extends ThreeWarp {
+  parameters: readonly Parameter[] = []
+
+  override get runs() {
+    return this.parameters.length === 0 && super.runs
+  }
+
+  override get mirrors() {
+    return this.parameters.length === 0 ? super.mirrors : false
+  }
+}
+
+export type ExactSettings = Pick<Settings, 'method' | 'normals' | 'surfaceVariation'>
+
+const host = { ...three, hasParameters: true }
+
+/** Returns the displacement of a shader. `values` are uniforms in addition to those of the shader, which the CPU knows. */
+export function readDisplacement(
+  shader: ExactShader,
+  settings: ExactSettings,
+  space: WarpSpace,
+  values: Record<string, () => unknown> = {},
+  material: object = {},
+): Reading {
+  const { text, attributes, note } = vertexSource(shader)
+  const { offset, externals } = readOffset(new Place(settings.method), 'glsl', text, {
+    function: movedFunction,
+    returns: 'position',
+    maxIterations: 256,
+  })
+  const uniforms: Record<string, () => unknown> = {}
+  for (const external of externals) {
+    const value = values[external.name] ?? valueOf(shader.uniforms, external, attributes, material)
+    if (value) uniforms[external.name] = value
+  }
+  const warp = new Displacement(
+    // Withholds the other inputs, since millis, size and instance are names of the shader here.
+    asOwn(({ glsl, position, normal, uv, uniforms }) =>
+      offset({ glsl, position, normal, uv, uniforms } as never),
+    ),
+    { ...settings, space, uniforms, fadeNoise: false, isShared: false },
+    host,
+  )
+  const read = warp.namesRead()
+  const inputs = new Set(['position', 'normal', 'uv'])
+  warp.parameters = externals
+    .filter(
+      ({ name, type, isRead }) =>
+        !inputs.has(name) && !uniforms[name] && (isSampler(type) ? isRead : read.has(name)),
+    )
+    .map(({ name, type }) => ({
+      name: withNamesOfShader(name),
+      type,
+      isAttribute: attributes.has(withNamesOfShader(name)) || name.startsWith('gl_'),
+    }))
+  return { warp, parameters: warp.parameters, ...(note && { note }) }
+}
+
+const isSampler = (type: string) => /sampler/i.test(type)
+
+/** Returns a function for the present value of a uniform; `undefined` if the shader has no usable one. */
+function valueOf(
+  uniforms: Record<string, IUniform>,
+  { name, shape, type }: External,
+  attributes: ReadonlySet<string>,
+  material: object,
+): (() => unknown) | undefined {
+  const [root = '', ...path] = withNamesOfShader(name).match(/\w+/g) ?? []
+  if (!uniforms[root] || attributes.has(root)) return undefined
+  // Three.js sets its own uniforms to properties of the material after the shader is compiled.
+  const rootValue = () => uniforms[root]?.value ?? (material as Record<string, unknown>)[root]
+  const read = () => path.reduce<unknown>((value, part) => partOf(value, part, shape), rootValue())
+  let last = read()
+  if (!isUsable(last, type, shape)) return undefined
+  // An error here would leave `render()`, so a value of another kind, such as a missing texture, does not count.
+  return () => {
+    const now = read()
+    if (isUsable(now, type, shape)) last = now
+    return last
+  }
+}
+
+/** Returns a part of an array or a structure. An array of vectors may be a list of their numbers. */
+function partOf(value: unknown, part: string, [columns, rows]: readonly [number, number]) {
+  const list = value as ArrayLike<number> | undefined
+  const size = columns * rows
+  const start = Number(part) * size
+  return size > 1 && typeof list?.[0] === 'number' && start >= 0
+    ? Array.from({ length: size }, (_, i) => list[start + i])
+    : (value as Record<string, unknown> | undefined)?.[part]
+}
+
+function isUsable(value: unknown, type: string, [columns, rows]: readonly [number, number]) {
+  if (isSampler(type)) return type === 'sampler2D' && host.values!.isImage(value)
+  if (typeof value === 'boolean') return type === 'bool'
+  const numbers = [host.values!.toNumbers(value)].flat() as unknown[]
+  const all = ArrayBuffer.isView(numbers[0]) ? [...(numbers[0] as Float32Array)] : numbers
+  return all.length === columns * rows && all.every((each) => typeof each === 'number')
+}

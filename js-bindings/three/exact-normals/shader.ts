@@ -1,0 +1,21 @@
+// What `onBeforeCompile` of a material receives.
+import type { IUniform } from 'three'
+
+/** A shader with the parameters of its program that decide what is in it. Older versions of three.js have fewer. */
+export interface ExactShader {
+  vertexShader: string
+  fragmentShader: string
+  uniforms: Record<string, IUniform>
+  defines?: Record<string, unknown>
+  instancing?: boolean
+  instancingColor?: boolean
+  skinning?: boolean
+  morphTargets?: boolean
+  vertexColors?: boolean
+  vertexAlphas?: boolean
+  vertexUv1s?: boolean
+  vertexUv2s?: boolean
+  vertexUv3s?: boolean
+  vertexTangents?: boolean
+  precision?: string
+}

@@ -1,0 +1,62 @@
+// Materials that draw the shadow of a displaced mesh: three's own, with the displacement as a warp.
+import type { Material } from 'three'
+import { uniformsFor } from '../shader-weaver.js'
+import { weave } from '../weave.js'
+import { messageOf, ownUniforms } from './exact-material.js'
+import type { MeshReading } from './mesh-reading.js'
+import { withOwnFunctions, withOwnNames } from './own-names.js'
+import type { Reading } from './reading.js'
+import type { ExactShader } from './shader.js'
+
+/** Variables that are different for a light than for the camera. */
+const ofCamera = [
+  'viewMatrix',
+  'modelViewMatrix',
+  'projectionMatrix',
+  'normalMatrix',
+  'cameraPosition',
+  'isOrthographic',
+]
+
+/** Attributes that three.js declares. */
+const declared = new Set(['instanceMatrix', 'instanceColor'])
+
+export function putShadow<Kind extends Material>(material: Kind, reading: MeshReading): Kind {
+  material.customProgramCacheKey = () => `exactNormals ${reading.onGpu()?.warp.key}`
+  material.onBeforeCompile = (shader) => {
+    const found = reading.onGpu()
+    if (!found) return
+    try {
+      putDisplacement(shader as unknown as ExactShader, found, material)
+    } catch (error) {
+      reading.exact?.warn(
+        `has the shadow of the mesh without its displacement: ${messageOf(error)}`,
+      )
+    }
+  }
+  return material
+}
+
+function putDisplacement(shader: ExactShader, { warp, parameters }: Reading, material: Material) {
+  const unknown = parameters.find(
+    ({ name, isAttribute }) => ofCamera.includes(name) || !(isAttribute || name === 'modelMatrix'),
+  )
+  if (unknown)
+    throw new Error(
+      `it moves vertices by ${unknown.name}, which ${ofCamera.includes(unknown.name) ? 'is that of the light there' : 'has no value yet'}.`,
+    )
+  const attributes = parameters
+    .filter(
+      ({ name, isAttribute }) => isAttribute && !declared.has(name) && !name.startsWith('gl_'),
+    )
+    .map(({ name, type }) => `attribute ${type} ${name};\n`)
+  const woven = weave(`${attributes.join('')}${shader.vertexShader}`, warp, {
+    mayHaveTangents: false,
+    hasColors: false,
+    isShaderMaterial: false,
+    isRaw: false,
+    isGlsl100: false,
+  })
+  Object.assign(shader.uniforms, ownUniforms(uniformsFor(warp, material)))
+  shader.vertexShader = withOwnNames(withOwnFunctions(woven))
+}

@@ -1,0 +1,96 @@
+/**
+ * Completes the vertex shader of a material, so that it can be read by itself: as a GLSL function that returns where the shader moves a
+ * vertex, in the units of the geometry.
+ */
+import { splitAtMain } from '../shader-source.js'
+import { definesFor } from './defines.js'
+import { numberedIncludes } from './numbered-includes.js'
+import { isInputName, ownPrefix } from './own-names.js'
+import { type MovedBody, movedBody } from './moved-body.js'
+import type { ExactShader } from './shader.js'
+import { withoutComments } from './plain-source.js'
+
+/** Maps a variable that three.js declares → type. */
+export const uniforms: Record<string, string> = {
+  modelMatrix: 'mat4',
+  modelViewMatrix: 'mat4',
+  projectionMatrix: 'mat4',
+  viewMatrix: 'mat4',
+  normalMatrix: 'mat3',
+  cameraPosition: 'vec3',
+  isOrthographic: 'bool',
+}
+
+export interface VertexSource {
+  /** GLSL with the function. */
+  text: string
+  /** Attributes that an offset function does not have. They are uniforms of `text`. */
+  attributes: ReadonlySet<string>
+  /** What of the shader does not count, for a message. */
+  note?: string
+}
+
+export function vertexSource(shader: ExactShader): VertexSource {
+  const resolved = withoutComments(numberedIncludes(shader.vertexShader))
+  const { top, main } = splitAtMain(resolved)!
+  const { body, result, hidden, note }: MovedBody = movedBody(
+    main,
+    withoutKnown(top),
+    shader.instancing === true,
+  )
+  const attributes = new Set<string>()
+  const own = withoutKnown(top).replace(
+    /\b(?:attribute|in)\s+((?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*(?:\[[^\]]*\]\s*)?;)/g,
+    (_, rest: string, name: string) => {
+      attributes.add(name)
+      return `uniform ${rest}`
+    },
+  )
+  const given = givenAttributes(shader)
+  for (const [name] of given) attributes.add(name)
+  const declared = [...own.matchAll(/\buniform\s[^;{]*?\b(\w+)\s*(?:\[[^\]]*\]\s*)?;/g)]
+  const renamed = [...declared.map(([, name]) => name!), ...attributes].filter(isInputName)
+  const text = `${definesFor(shader)}
+${Object.entries(uniforms)
+  .filter(([name]) => !hidden.includes(name))
+  .map(([name, type]) => `uniform ${type} ${name};`)
+  .join('\n')}
+attribute vec3 position;
+attribute vec3 normal;
+attribute vec2 uv;
+${[...new Set(renamed)].map((name) => `#define ${name} ${ownPrefix}${name}`).join('\n')}
+${given.map(([name, type]) => `uniform ${type} ${name};`).join('\n')}
+vec4 warpjetClip;
+#define gl_Position warpjetClip
+${hidden.map((name) => `#define ${name} mat4( 1.0 )`).join('\n')}
+#line 1
+${own}${body}
+return ${result};
+}
+`
+  return { text, attributes, ...(note && { note }) }
+}
+
+/** Returns name and type of the attributes that three.js declares only if a geometry or an object has them. */
+function givenAttributes(shader: ExactShader) {
+  const all: (readonly [name: string, type: string, isThere: boolean | undefined])[] = [
+    ['instanceMatrix', 'mat4', shader.instancing],
+    ['instanceColor', 'vec3', shader.instancingColor],
+    ['color', shader.vertexAlphas ? 'vec4' : 'vec3', shader.vertexColors],
+    ['tangent', 'vec4', shader.vertexTangents],
+    ['uv1', 'vec2', shader.vertexUv1s],
+    ['uv2', 'vec2', shader.vertexUv2s],
+    ['uv3', 'vec2', shader.vertexUv3s],
+  ]
+  return all.filter(([, , isThere]) => isThere)
+}
+
+/** A RawShaderMaterial declares by itself what three.js declares for others. */
+const withoutKnown = (top: string) =>
+  top.replace(
+    new RegExp(
+      `\\b(?:uniform|attribute|in)\\s+(?:(?:high|medium|low)p\\s+)?\\w+\\s+(?:${[...Object.keys(uniforms), 'position', 'normal', 'uv', 'instanceMatrix'].join('|')})\\s*;`,
+      'g',
+    ),
+    '',
+  )

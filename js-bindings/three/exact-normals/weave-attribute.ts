@@ -1,0 +1,188 @@
+/**
+ * Puts exact normals into vertex shaders that make varyings from the attribute `normal`, as those of a ShaderMaterial. Statements that the
+ * position depends on keep reading the attribute, since vertices may move along it; all others read the transformed normal.
+ */
+import { WarpError } from '../../errors/errors.js'
+import type { Place } from '../../options/place.js'
+import { resolveIncludes, splitAtMain } from '../shader-source.js'
+import { WarpCode } from '../warp-code.js'
+import type { WeaveOptions } from '../weave-options.js'
+import type { Reading } from './reading.js'
+import { type Statement, declaredBy, effectsOf, statementsOf } from './statements.js'
+import { withoutComments } from './plain-source.js'
+import { uniforms } from './vertex-source.js'
+
+const newNormal = 'warpjetAttributeNormal'
+
+/** Throws a `WarpError` for a shader whose varyings cannot be told from its position. */
+export function weaveAttribute(
+  vertexShader: string,
+  { warp }: Reading,
+  options: WeaveOptions,
+  place: Place,
+): string {
+  const { top, main } = splitAtMain(withoutComments(resolveIncludes(vertexShader)))!
+  const open = main.indexOf('{')
+  const close = main.lastIndexOf('}')
+  const code = new WarpCode(warp, {
+    isLit: true,
+    mayHaveTangents: false,
+    hasColors: options.hasColors,
+    target: options.isGlsl100 ? 'glsl100' : 'glsl300',
+  })
+  const { code: statements, normal } = code.evaluate('vec3( position )', {
+    normal: 'vec3( normal )',
+    tangent: '',
+  })
+  const body = withNewNormals(main.slice(open + 1, close), top, (statement, problem) =>
+    place.error(
+      `${lineOf(vertexShader, statement)}the statement "${short(statement)}" ${problem}.`,
+    ),
+  )
+  return `${top}
+${options.isRaw ? declareMissing(top, statements) : ''}${code.declarations}
+${main.slice(0, open + 1)}
+vec3 ${newNormal} = vec3( normal );
+{
+${code.preparation}${statements}
+if ( ${normal} != vec3( 0.0 ) ) ${newNormal} = ${normal};
+}
+${body}
+}
+${main.slice(close + 1)}`
+}
+
+/** A RawShaderMaterial declares only the matrices that it reads itself. */
+const declareMissing = (top: string, statements: string) =>
+  Object.entries(uniforms)
+    .filter(
+      ([name]) =>
+        new RegExp(`\\b${name}\\b`).test(statements) &&
+        !new RegExp(`\\buniform\\b[^;]*\\b${name}\\s*[;,]`).test(top),
+    )
+    .map(([name, type]) => `uniform ${type} ${name};\n`)
+    .join('')
+
+const varyingTypes = (top: string) =>
+  new Map(
+    [...top.matchAll(/\b(?:varying|out)\s+(?:(?:high|medium|low)p\s+)?(\w+)\s+([^;]+);/g)].flatMap(
+      ([, type, names]) => names!.split(',').map((name) => [name.trim(), type!] as const),
+    ),
+  )
+
+const globalsOf = (top: string) =>
+  new Set(
+    [
+      ...top.matchAll(
+        /(?:^|[;}])\s*(?:(?:uniform|attribute|varying|in|out|const|flat)\s+)*(?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*(?:=[^;]*|\[[^\]]*\])?;/g,
+      ),
+    ].map(([, name]) => name!),
+  )
+
+const short = (statement: string) => statement.trim().replace(/\s+/g, ' ').slice(0, 80)
+
+/** Returns line and column of a statement in the source, as messages about GLSL have them; empty for one of a chunk. */
+function lineOf(vertexShader: string, statement: string): string {
+  const at = withoutComments(vertexShader).indexOf(statement.trim())
+  if (at < 0) return ''
+  const lines = vertexShader.slice(0, at).split('\n')
+  return `line ${lines.length}, column ${lines.at(-1)!.length + 1}: `
+}
+
+function withNewNormals(
+  body: string,
+  top: string,
+  error: (statement: string, problem: string) => Error,
+): string {
+  const varyings = varyingTypes(top)
+  const globals = new Set([...globalsOf(top), ...varyings.keys(), 'normal', 'position'])
+  const effects = effectsOf(top, globals)
+  const statements = statementsOf(body, effects)
+  const isMoving = sliceOf(statements, 'gl_Position')
+  const fail = ({ text }: Statement, problem: string) => error(text, problem)
+  /** Variables that both the position and the light depend on, and that are made of the normal alone. */
+  const copies = new Map<string, string>()
+  /** Variables that other statements make of the normal, and of the position in front of the displacement. */
+  const ofNormal = new Set<string>()
+  const ofPosition = new Set<string>()
+  const movingPositions = new Set(['position'])
+  const movingCalls = new Set(
+    statements.filter((_, i) => isMoving[i]).flatMap(({ calls }) => [...calls]),
+  )
+  const some = (names: ReadonlySet<string>, test: (name: string) => boolean) =>
+    [...names].some(test)
+  const rename = (text: string) =>
+    text.replace(/(?<![.\w])[A-Za-z_]\w*/g, (word) =>
+      word === 'normal' ? newNormal : (copies.get(word) ?? word),
+    )
+  const ends: string[] = []
+  let hasNormals = false
+  const lines = statements.map((statement, i) => {
+    const { text, isBlock, isDirective, reads, writes, calls } = statement
+    if (isDirective) return text
+    const readsNormal =
+      reads.has('normal') || some(reads, (name) => copies.has(name) || ofNormal.has(name))
+    if (isMoving[i]) {
+      const isPlace = some(reads, (name) => movingPositions.has(name))
+      if (isPlace) for (const name of writes) movingPositions.add(name)
+      const lit = [...writes].filter((name) => varyings.has(name))
+      if (!readsNormal || isPlace) {
+        if (isBlock && readsNormal && lit.length)
+          throw fail(
+            statement,
+            'moves the vertex and makes a varying of the normal; write these as two',
+          )
+        return text
+      }
+      if (isBlock || [...calls].some((name) => effects.get(name)?.reads.has('normal')))
+        throw fail(statement, 'reads the normal for the position and for light; write these as two')
+      const copy = [...writes].map((name) => {
+        const own = `warpjetCopy_${name}`
+        const isDeclared = copies.has(name) || declaredBy(text) === name
+        copies.set(name, own)
+        if (!varyings.has(name)) return ''
+        hasNormals = true
+        if (isDeclared) return ''
+        ends.push(`${name} = ${own};`)
+        return `${varyings.get(name)} ${own};\n`
+      })
+      return `${text}\n${copy.join('')}${rename(text)}`
+    }
+    const readsPosition = some(reads, (name) => name === 'position' || ofPosition.has(name))
+    if (readsNormal) {
+      if (readsPosition || some(calls, (name) => movingCalls.has(name)))
+        throw fail(
+          statement,
+          'makes something of normal and position together, which looks like a normal by hand; leave that out and write vNormal = normalMatrix * normal',
+        )
+      if (some(calls, (name) => effects.get(name)?.reads.has('normal') ?? false))
+        throw fail(
+          statement,
+          'calls a function that reads the attribute normal; pass the normal to it as an argument',
+        )
+      for (const name of writes) ofNormal.add(name)
+      if (some(writes, (name) => varyings.has(name))) hasNormals = true
+    }
+    if (readsPosition) for (const name of writes) ofPosition.add(name)
+    return rename(text)
+  })
+  if (!hasNormals)
+    throw new WarpError(
+      'the vertex shader makes no varying of the attribute normal; write vNormal = normalMatrix * normal, and leave out normals by hand.',
+    )
+  return [...lines, ...ends].join('\n')
+}
+
+/** Tests for each statement whether `name` may depend on it. */
+function sliceOf(statements: readonly Statement[], name: string): boolean[] {
+  const needed = new Set([name])
+  return statements
+    .map(({ reads, writes }, i) => ({ reads, writes, i }))
+    .reverse()
+    .map(({ reads, writes }) => {
+      if (![...writes].some((each) => needed.has(each))) return false
+      for (const each of reads) needed.add(each)
+      return true
+    })
+    .reverse()
+}

@@ -1,0 +1,500 @@
+// Other habits in vertex shaders. Their normals are compared with differences of the positions that the GPU computes, at vertices that are
+// shifted by a little.
+import * as THREE from 'three'
+import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
+import { addSurfaceVariation, exactNormals } from 'warpjet/three'
+import { angle, camera, cross } from './measure.js'
+import { probe } from './probe.js'
+
+const given = (value) => ({ value })
+
+/** A standard material whose `onBeforeCompile` replaces parts of its vertex shader. */
+const changed =
+  (pairs, uniforms = {}, Material = THREE.MeshStandardMaterial, options = {}) =>
+  () => {
+    const material = new Material(options)
+    material.onBeforeCompile = (shader) => {
+      Object.assign(shader.uniforms, uniforms)
+      for (const [part, other] of pairs)
+        shader.vertexShader = shader.vertexShader.replace(part, other)
+    }
+    material.customProgramCacheKey = () => JSON.stringify(pairs)
+    return material
+  }
+
+const shown = 'varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(normalize(vNormal), 1.0); }'
+const shader =
+  (vertexShader, uniforms = {}, options = {}, fragmentShader = shown) =>
+  () =>
+    new THREE.ShaderMaterial({ vertexShader, fragmentShader, uniforms, ...options })
+
+/** Shaders by what is particular to each: a function that creates the material, and what the mesh needs. */
+export const habits = {
+  'functions above main, and uniforms with names of inputs': [
+    changed(
+      [
+        [
+          'void main() {',
+          'uniform float size; uniform vec2 mouse;\nfloat wave(float x) { return sin(x * size) * mouse.y; }\nvoid main() {',
+        ],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n transformed.z += wave(transformed.x);',
+        ],
+      ],
+      { size: given(3), mouse: given(new THREE.Vector2(0, 0.3)) },
+    ),
+  ],
+  'int and bool uniforms': [
+    changed(
+      [
+        [
+          '#include <common>',
+          '#include <common>\nuniform int octaves; uniform bool isOn; uniform float k[3];',
+        ],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n if (isOn) { float a = 0.3; for (int i = 0; i < 8; i++) { if (i >= octaves) break; transformed.z += a * sin(position.x * k[i % 3]); a *= 0.5; } }',
+        ],
+      ],
+      { octaves: given(3), isOn: given(true), k: given([2, 3.5, 5]) },
+    ),
+  ],
+  'struct uniforms': [
+    changed(
+      [
+        [
+          '#include <common>',
+          '#include <common>\nstruct Wave { vec2 d; float a; }; uniform Wave ws[2];',
+        ],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n for (int i = 0; i < 2; i++) transformed.z += ws[i].a * sin(dot(ws[i].d, position.xy));',
+        ],
+      ],
+      {
+        ws: given([
+          { d: new THREE.Vector2(2, 1), a: 0.2 },
+          { d: new THREE.Vector2(-1, 3), a: 0.1 },
+        ]),
+      },
+    ),
+  ],
+  'vec3 array flat': [
+    changed(
+      [
+        ['#include <common>', '#include <common>\nuniform vec3 pts[2];'],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n for (int i = 0; i < 2; i++) transformed.z += 0.3 * exp(-2.0 * distance(position, pts[i]));',
+        ],
+      ],
+      { pts: given(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
+    ),
+  ],
+  'vec3 array flat pixel': [
+    changed(
+      [
+        ['#include <common>', '#include <common>\nuniform vec3 pts[2];//p'],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n for (int i = 0; i < 2; i++) transformed.z += 0.3 * exp(-2.0 * distance(position, pts[i]));',
+        ],
+      ],
+      { pts: given(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
+    ),
+    { normals: 'pixel' },
+  ],
+  'matrix uniform': [
+    changed(
+      [
+        ['#include <common>', '#include <common>\nuniform mat4 bend; uniform mat3 rot;'],
+        [
+          '#include <begin_vertex>',
+          'vec3 transformed = rot * (bend * vec4(position, 1.0)).xyz; transformed.z += 0.2 * sin(4.0 * transformed.x);',
+        ],
+      ],
+      {
+        bend: given(new THREE.Matrix4().makeRotationX(0.4)),
+        rot: given(new THREE.Matrix3().set(1, 0.2, 0, 0, 1.3, 0, 0.1, 0, 0.7)),
+      },
+    ),
+  ],
+  'more uniforms with names of inputs': [
+    changed(
+      [
+        [
+          '#include <common>',
+          '#include <common>\nuniform vec3 color; uniform float width; uniform float time; uniform float instance;',
+        ],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n transformed.z += color.r * sin(width * position.x + time) + instance;',
+        ],
+      ],
+      {
+        color: given(new THREE.Color(0.3, 0.5, 0.6)),
+        width: given(3),
+        time: given(1),
+        instance: given(0.2),
+      },
+    ),
+  ],
+  'gl_Position changes after the projection': [
+    changed([
+      [
+        '#include <project_vertex>',
+        '#include <project_vertex>\n gl_Position.y += 0.2 * gl_Position.x * gl_Position.x / 25.0;',
+      ],
+    ]),
+  ],
+  'mvPosition changes': [
+    changed([
+      [
+        '#include <project_vertex>',
+        '#include <project_vertex>\n mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition;',
+      ],
+    ]),
+  ],
+  'instances in the wind of the world': [
+    changed([
+      [
+        '#include <project_vertex>',
+        'vec4 mvPosition = vec4(transformed, 1.0);\n#ifdef USE_INSTANCING\nmvPosition = instanceMatrix * mvPosition;\n#endif\nvec4 wp = modelMatrix * mvPosition; wp.x += 0.3 * sin(wp.y * 3.0) ; mvPosition = viewMatrix * wp; gl_Position = projectionMatrix * mvPosition;',
+      ],
+    ]),
+    { instances: true },
+  ],
+  'mvPosition changes, with instances': [
+    changed([
+      [
+        '#include <project_vertex>',
+        '#include <project_vertex>\n mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition; //i',
+      ],
+    ]),
+    { instances: true },
+  ],
+  'a position snapped to pixels': [
+    shader(
+      'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; vec4 clip = projectionMatrix * modelViewMatrix * vec4(p, 1.0); clip.xy = floor(clip.xy * 90.0) / 90.0; gl_Position = clip; }',
+    ),
+  ],
+  tangent: [
+    changed([
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n#ifdef USE_TANGENT\n transformed += tangent.xyz * 0.2 * sin(position.x * 3.0);\n#endif\ntransformed.z += 0.2 * sin(4.0 * position.x);',
+      ],
+    ]),
+  ],
+  gl_VertexID: [
+    changed([
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n transformed.z += 0.01 * float(gl_VertexID % 2);',
+      ],
+    ]),
+  ],
+  'attribute per vertex': [
+    changed([
+      ['#include <common>', '#include <common>\nattribute float aHeight;'],
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n transformed.z += aHeight * sin(position.x);',
+      ],
+    ]),
+    { attribute: true },
+  ],
+  macro: [
+    changed([
+      [
+        '#include <common>',
+        '#include <common>\n#define WAVE(x, k) (0.2 * sin((x) * (k)))\n#define AXES xy\n#if 1\nconst float A = 1.5;\n#else\n broken\n#endif',
+      ],
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n transformed.z += A * WAVE(transformed.AXES.x, 3.0);',
+      ],
+    ]),
+  ],
+  'out parameters': [
+    changed([
+      [
+        '#include <common>',
+        '#include <common>\nvoid displace(inout vec3 p, out float h) { h = 0.3 * sin(p.x * 3.0); p.z += h; }\nvarying float vH;',
+      ],
+      ['#include <begin_vertex>', '#include <begin_vertex>\n displace(transformed, vH);'],
+    ]),
+  ],
+  'while and hash': [
+    changed([
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n float f = 1.0; int n = 0; while (n < 3) { transformed.z += sin(position.y * f * 2.0) / f * 0.2; f *= 2.0; n++; }',
+      ],
+    ]),
+  ],
+  'fract sin hash noise': [
+    changed([
+      [
+        '#include <common>',
+        '#include <common>\nfloat hsh(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453123); }\nfloat vn(vec2 p) { vec2 i = floor(p), f = fract(p); vec2 u = f * f * (3.0 - 2.0 * f); return mix(mix(hsh(i), hsh(i + vec2(1, 0)), u.x), mix(hsh(i + vec2(0, 1)), hsh(i + vec2(1, 1)), u.x), u.y); }',
+      ],
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n transformed.z += 0.4 * vn(position.xy * 2.7 + 0.3);',
+      ],
+    ]),
+  ],
+  vertexColors: [
+    changed(
+      [
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n transformed.z += color.r * sin(position.x * 3.0);',
+        ],
+      ],
+      {},
+      undefined,
+      { vertexColors: true },
+    ),
+    { colors: true },
+  ],
+  vUv: [
+    changed(
+      [
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n transformed.z += 0.3 * sin(vMapUv.x * 9.0);',
+        ],
+      ],
+      {},
+      undefined,
+      { map: new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1) },
+    ),
+  ],
+  texelFetch: [
+    changed(
+      [
+        ['#include <common>', '#include <common>\nuniform highp sampler2D tx;'],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n vec4 q = texelFetch(tx, ivec2(1, 0), 0); transformed.z += q.r * sin(position.x * 3.0);',
+        ],
+      ],
+      {
+        tx: given(
+          (() => {
+            const t = new THREE.DataTexture(
+              new Float32Array([1, 0, 0, 1, 0.3, 0, 0, 1]),
+              2,
+              1,
+              THREE.RGBAFormat,
+              THREE.FloatType,
+            )
+            t.needsUpdate = true
+            return t
+          })(),
+        ),
+      },
+    ),
+  ],
+  'null texture': [
+    changed(
+      [
+        ['#include <common>', '#include <common>\nuniform sampler2D tx;'],
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n transformed.z += texture2D(tx, uv).r + sin(position.x * 3.0) * 0.2;',
+        ],
+      ],
+      { tx: given(null) },
+    ),
+  ],
+  'distance to camera': [
+    changed([
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n vec4 ww = modelMatrix * vec4(transformed, 1.0); float dd = distance(ww.xyz, cameraPosition); transformed.z += 0.2 * sin(dd * 5.0);',
+      ],
+    ]),
+  ],
+  'a ShaderMaterial of chunks': [
+    () =>
+      new THREE.ShaderMaterial({
+        vertexShader: THREE.ShaderLib.phong.vertexShader.replace(
+          '#include <begin_vertex>',
+          'vec3 transformed = position + normal * 0.3 * sin(position.x * 4.0);',
+        ),
+        fragmentShader: THREE.ShaderLib.phong.fragmentShader,
+        uniforms: THREE.UniformsUtils.clone(THREE.ShaderLib.phong.uniforms),
+        lights: true,
+      }),
+    { chunks: true },
+  ],
+  'a Fresnel term': [
+    shader(
+      'varying vec3 vNormal; varying float vF; uniform float t;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0 + t); vec4 world = modelMatrix * vec4(p, 1.0); vec3 wn = normalize(mat3(modelMatrix) * normal); vF = dot(wn, normalize(cameraPosition - world.xyz)); vNormal = normalMatrix * normal; gl_Position = projectionMatrix * viewMatrix * world; }',
+      { t: given(1) },
+    ),
+  ],
+  'instances in a ShaderMaterial': [
+    shader(
+      'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * mat3(instanceMatrix) * normal; gl_Position = projectionMatrix * modelViewMatrix * instanceMatrix * vec4(p, 1.0); }',
+    ),
+    { instances: true },
+  ],
+  defines: [
+    shader(
+      'varying vec3 vNormal;\nvoid main() {\n vec3 p = position;\n#ifdef WAVE\n p.z += 0.3 * sin(p.x * AMOUNT);\n#endif\n vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
+      {},
+      { defines: { WAVE: '', AMOUNT: '3.0' } },
+    ),
+  ],
+  fog: [
+    shader(
+      'varying vec3 vNormal;\n#include <common>\n#include <fog_pars_vertex>\nvoid main() {\n vec3 p = position; p.z += 0.3 * sin(p.x * 3.0);\n vec4 mvPosition = modelViewMatrix * vec4(p, 1.0);\n vNormal = normalMatrix * normal; gl_Position = projectionMatrix * mvPosition;\n#include <fog_vertex>\n }',
+    ),
+  ],
+  'a normal matrix by hand': [
+    shader(
+      'varying vec3 vNormal;\nvoid main() { vec3 p = position + normal * 0.3 * sin(position.x * 3.0); mat3 nm = transpose(inverse(mat3(modelViewMatrix))); vNormal = normalize(nm * normal); gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
+    ),
+  ],
+  'GLSL ES 3.00': [
+    shader(
+      'out vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
+      {},
+      { glslVersion: THREE.GLSL3 },
+      'in vec3 vNormal;\nout vec4 fragColor;\nvoid main() { fragColor = vec4(normalize(vNormal), 1.0); }',
+    ),
+  ],
+  'a function that sets the varying': [
+    shader(
+      'varying vec3 vNormal;\nvoid light() { vNormal = normalMatrix * normal; }\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); light(); gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
+    ),
+  ],
+  'functions that take the normal': [
+    shader(
+      'varying vec3 vNormal;\nvec3 toView(vec3 n) { return normalMatrix * n; }\nvec3 displaced(vec3 p, vec3 n) { return p + n * 0.3 * sin(p.x * 3.0); }\nvoid main() { vNormal = toView(normal); gl_Position = projectionMatrix * modelViewMatrix * vec4(displaced(position, normal), 1.0); }',
+    ),
+  ],
+  'position and light in one branch': [
+    shader(
+      'varying vec3 vNormal; uniform float k;\nvoid main() { vec3 p = position; if (k > 0.5) { p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; } else { vNormal = normalMatrix * normal; } gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
+      { k: given(1) },
+    ),
+  ],
+  'a product of matrices': [
+    shader(
+      'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); mat4 mvp = projectionMatrix * modelViewMatrix; vNormal = normalMatrix * normal; gl_Position = mvp * vec4(p, 1.0); }',
+    ),
+  ],
+  'a varying that changes': [
+    shader(
+      'varying vec3 vNormal;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0); vNormal = normal; vNormal = normalMatrix * vNormal; vNormal *= 2.0; gl_Position = projectionMatrix * (modelViewMatrix * vec4(p, 1.0)); }',
+    ),
+  ],
+  'two variables in one declaration': [
+    shader(
+      'varying vec3 vNormal;\nvoid main() { vec3 p = position, n = normal; p += n * 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * n; gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
+    ),
+  ],
+  'csm_Position and a varying': [
+    () =>
+      new CustomShaderMaterial({
+        baseMaterial: THREE.MeshPhongMaterial,
+        vertexShader:
+          'varying float vE; uniform float uT; void main() { vE = sin(position.x * 3.0 + uT) * 0.3; vec3 q = position; q.z += vE; csm_Position = q; }',
+        uniforms: { uT: given(0.5) },
+      }),
+    { chunks: true },
+  ],
+  csm_PositionRaw: [
+    () =>
+      new CustomShaderMaterial({
+        baseMaterial: THREE.MeshPhongMaterial,
+        vertexShader:
+          'void main() { vec3 q = position; q.z += 0.3 * sin(3.0 * q.x); csm_PositionRaw = projectionMatrix * modelViewMatrix * vec4(q, 1.0); }',
+      }),
+    { chunks: true },
+  ],
+}
+/** A plane whose vertices are shifted within it. */
+async function plane([dx, dy], { attribute, colors }) {
+  const geometry = new THREE.PlaneGeometry(2, 2, 20, 20)
+  const { position, uv } = geometry.attributes
+  for (let i = 0; i < position.count; i++) {
+    position.setXY(i, position.getX(i) + dx, position.getY(i) + dy)
+    uv.setXY(i, uv.getX(i) + dx / 2, uv.getY(i) + dy / 2)
+  }
+  const add = (name, size, number) =>
+    geometry.setAttribute(
+      name,
+      new THREE.BufferAttribute(
+        Float32Array.from({ length: size * position.count }, (_, i) => number(i)),
+        size,
+      ),
+    )
+  if (attribute) add('aHeight', 1, (i) => (i % 7) / 20)
+  if (colors) add('color', 3, () => 0.3)
+  await addSurfaceVariation(geometry)
+  return geometry
+}
+
+function meshOf(geometry, material, { instances }) {
+  const mesh = instances
+    ? new THREE.InstancedMesh(geometry, material, 3)
+    : new THREE.Mesh(geometry, material)
+  for (let i = 0; instances && i < 3; i++)
+    mesh.setMatrixAt(i, new THREE.Matrix4().makeRotationY(i).setPosition(i * 0.4 - 1, 0, 0))
+  mesh.rotation.set(0.4, 0.5, 0.1)
+  mesh.scale.set(1.2, 0.8, 1)
+  mesh.updateMatrixWorld()
+  return mesh
+}
+
+const step = 2e-3
+const shifts = [
+  [step, 0],
+  [-step, 0],
+  [0, step],
+  [0, -step],
+]
+
+/** → the largest error of 95% of the normals, with `exactNormals` and without, and whether the position stays the same. */
+export async function measureHabit(name) {
+  const [create, needs = {}] = habits[name]
+  const plain = create()
+  const shows = needs.chunks || !plain.isShaderMaterial ? 'vec4(normal, 1.0)' : undefined
+  const draw = async (material, shift, isClip) =>
+    probe(meshOf(await plane(shift, needs), material, needs), camera, shows, isClip)
+  const material = exactNormals(create(), { normals: needs.normals })
+  const own = await draw(plain, [0, 0])
+  const exact = await draw(material, [0, 0])
+  const clips = [await draw(plain, [0, 0], true), await draw(material, [0, 0], true)]
+  const sides = []
+  for (const shift of shifts) sides.push(await draw(plain, shift, true))
+  const placeIn = (clip, i) => {
+    const { x, y, z, w } = new THREE.Vector4(...clip.subarray(4 * i, 4 * i + 4)).applyMatrix4(
+      camera.projectionMatrixInverse,
+    )
+    return [x / w, y / w, z / w]
+  }
+  const errorsOf = (normals) => {
+    const errors = Array.from({ length: normals.length / 4 }, (_, i) => {
+      const [a, b, c, d] = sides.map((side) => placeIn(side, i))
+      const normal = cross(
+        a.map((x, k) => x - b[k]),
+        c.map((x, k) => x - d[k]),
+      )
+      return angle(normal, [...normals.subarray(4 * i, 4 * i + 3)])
+    }).sort((a, b) => a - b)
+    return errors[Math.floor(0.95 * errors.length)]
+  }
+  return {
+    own: errorsOf(own),
+    exact: errorsOf(exact),
+    isSamePlace: clips[0].every((number, i) => Object.is(number, clips[1][i])),
+  }
+}
