@@ -36,6 +36,11 @@ interface Box {
   uvs?: { min: number[]; max: number[] } | undefined
 }
 
+/** Maps a variable of the shader that an offset reads by name → its type. */
+export type OuterTypes = ReadonlyMap<string, string>
+
+const noOuterTypes: OuterTypes = new Map()
+
 export class ThreeWarp extends HostWarp {
   /** Maps the user's names to uniforms, as three.js has them. */
   readonly handles: Readonly<Record<string, UniformHandle<unknown>>>
@@ -55,9 +60,11 @@ export class ThreeWarp extends HostWarp {
   constructor(
     offset: OffsetFunction,
     readonly settings: Settings,
+    /** The variables of the shader that the offset may read, beside the uniforms. */
+    readonly outerTypes: OuterTypes = noOuterTypes,
   ) {
     super(new Place(settings.method), offset, {
-      host: three,
+      host: outerTypes.size > 0 ? { ...three, hasParameters: true } : three,
       uniforms: settings.uniforms,
       target: 'glsl300',
       names: { millis: shaderNames.millis },
@@ -106,7 +113,8 @@ export class ThreeWarp extends HostWarp {
   private hashOfText() {
     const { code, declarations } = this.text('glsl300', resultsOf.tangent)
     const types = this.uniforms.inShader.map(({ type }) => type)
-    return hash([this.settings.space, types, code, declarations].join('\n'))
+    const outer = [...this.outerTypes.values()]
+    return hash([this.settings.space, types, outer, code, declarations].join('\n'))
   }
 }
 

@@ -60,7 +60,22 @@ function orientFaces(warp: ThreeWarp, builder: Builder) {
     `( ${getFrontFacing()} == ( ${orientation.build(builder, 'float')} > 0.0 ) )`
 }
 
-function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, pixel?: PixelNormals) {
+/** Nodes of the variables of the shader that a warp reads by name, now and in the frame before. */
+export interface OuterNodes {
+  now: NodesByName
+  before: NodesByName
+}
+
+const noOuterNodes: OuterNodes = { now: {}, before: {} }
+
+/** Calls the warp in the vertex stage and assigns what it returns. */
+export function moveVertex(
+  warp: ThreeWarp,
+  builder: Builder,
+  space: Space,
+  pixel?: PixelNormals,
+  outer = noOuterNodes,
+) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
   const turned: Turned = geometry.hasAttribute('tangent')
@@ -83,10 +98,13 @@ function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, pixel?: Pix
     return call(Object.fromEntries(parameters.map(([name]) => [name, inputs[name]])))
   }
   const position = (result: AnyNode) => (turned === 'position' ? result : result.element(0))
-  if (builder.needsPreviousData())
-    space.assignPrevious(position(resultFor(space.previous(), nodes.previousUniforms)))
-  pixel?.pass(inputsFor(space.position, nodes.uniforms))
-  const result = resultFor(space.position, nodes.uniforms)
+  if (builder.needsPreviousData()) {
+    const uniforms = { ...nodes.previousUniforms, ...outer.before }
+    space.assignPrevious(position(resultFor(space.previous(), uniforms)))
+  }
+  const uniforms = { ...nodes.uniforms, ...outer.now }
+  pixel?.pass(inputsFor(space.position, uniforms))
+  const result = resultFor(space.position, uniforms)
   space.assign(
     position(result),
     turned === 'position' ? undefined : result.element(1),

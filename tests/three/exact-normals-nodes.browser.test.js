@@ -1,0 +1,38 @@
+// `exactNormals` for materials of nodes on both backends of WebGPURenderer: shown normals at pixels against differences, in double
+// precision, of the same motion written by hand.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { webgpuFlags } from '../support/browser/browser.js'
+import { threePages } from '../support/browser/three/open.js'
+
+let pages, page, messages
+before(async () => {
+  pages = await threePages(webgpuFlags)
+  ;({ page, messages } = await pages.open('three', 'exact-normals/page.js'))
+})
+after(() => pages.close())
+
+const maxDegrees = 0.05
+
+for (const backend of ['webgl', 'webgpu'])
+  describe(`the backend ${backend}`, () => {
+    test('displacements as people write them', async (t) => {
+      const only = process.env.WARPJET_ONLY
+      const failures = []
+      for (const name of await page.evaluate(() => exact.names)) {
+        if (only && !name.includes(only)) continue
+        messages.length = 0
+        const { covered, skipped, median, most, finite } = await page.evaluate(
+          (given) => exact.measure(...given),
+          [name, { backend }],
+        )
+        t.diagnostic(
+          `${name}: ${covered} pixels, ${skipped} at kinks, ${most}° at 99.9%, median ${median}°`,
+        )
+        if (messages.length) failures.push(`${name}: ${messages.join('\n')}`)
+        if (!(finite && covered > 500 && skipped < 0.02 * covered && most < maxDegrees))
+          failures.push(`${name}: ${most}°, ${covered} pixels, ${skipped} at kinks`)
+      }
+      assert.deepEqual(failures, [])
+    })
+  })
