@@ -35,4 +35,26 @@ for (const backend of ['webgl', 'webgpu'])
       }
       assert.deepEqual(failures, [])
     })
+
+    test('a position without a derivative keeps its normals, and the console says why', async () => {
+      for (const [name, message] of await page.evaluate(() => exact.refused)) {
+        messages.length = 0
+        const changed = await page.evaluate((given) => exact.changes(...given), [name, { backend }])
+        assert.equal(changed, 0, name)
+        assert.equal(messages.length, 1, name)
+        assert.match(
+          messages[0],
+          /exactNormals: the normals of the MeshNormalNodeMaterial of this Mesh stay/,
+        )
+        assert.match(messages[0], new RegExp(message))
+      }
+    })
+
+    test('these tests would detect normals that stay as they are', async () => {
+      const { median } = await page.evaluate(
+        (given) => exact.measure(...given),
+        ['a sine', { backend, isExact: false }],
+      )
+      assert.ok(median > 10, `${median}°`)
+    })
   })

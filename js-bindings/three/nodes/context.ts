@@ -77,6 +77,7 @@ interface Methods {
   setupPosition(builder: Builder): unknown
   setupPositionView(builder: Builder): unknown
   setupObserver(builder: Builder): { hasNode: boolean }
+  customProgramCacheKey(): string
 }
 
 let isInstalled = false
@@ -112,7 +113,12 @@ function installInRenderer(prototype: { renderObject: RenderObject }) {
 }
 
 function installInMaterials(prototype: Methods) {
-  const { setupPosition, setupObserver, setupPositionView } = prototype
+  const { setupPosition, setupObserver, setupPositionView, customProgramCacheKey } = prototype
+  prototype.customProgramCacheKey = function () {
+    const key = customProgramCacheKey.call(this)
+    const exact = exactOf(this)
+    return exact ? `${key} ${exact.key}` : key
+  }
   prototype.setupPosition = function (builder) {
     const { warpjet } = builder.context as { warpjet?: ThreeWarp }
     const ofNode = warpsOfNodes.get(this.positionNode as AnyNode)

@@ -4,6 +4,8 @@ import type { ExactWarp } from './exact-warp.js'
 
 export interface ExactMaterial {
   settings: Settings
+  /** Distinguishes the program from that of a material without, whose nodes may be the same. */
+  key: string
   /** Maps the code of a positionNode → the warp that it is, or the message why it cannot be one. */
   warps: Map<string, ExactWarp | string>
   /** The messages that the console has. */
@@ -17,5 +19,6 @@ export const exactOf = (material: { positionNode: unknown }): ExactMaterial | un
   material.positionNode ? materials.get(material) : undefined
 
 export function addExact(material: object, settings: Settings) {
-  materials.set(material, { settings, warps: new Map(), warned: new Set() })
+  const key = `exactNormals ${settings.normals}`
+  materials.set(material, { settings, key, warps: new Map(), warned: new Set() })
 }

@@ -4,7 +4,10 @@ import { exactNormals } from 'warpjet/three/webgpu'
 import { degreesBetween, exactVertex, quantile } from '../pixel-normals/exact.js'
 import { camera, objectFor, parts, seenOf, size } from '../pixel-normals/scenes.js'
 import { rendererFor } from '../webgpu-renderer.js'
-import { displacements } from './displacements.js'
+import { displacements, refused } from './displacements.js'
+
+const { Fn, attribute, normalGeometry, normalLocal, positionGeometry, positionLocal } = THREE.TSL
+const { varyingProperty, vec4 } = THREE.TSL
 
 const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
 
@@ -21,24 +24,11 @@ async function draw(renderer, object, view) {
   return renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)
 }
 
-/** How the normal and the uv of a shape vary over it: the gradients of normal x, y and z and of u and v. */
-const gradientsOf = {
-  plane: () => [
-    [0, 0, 0],
-    [0, 0, 0],
-    [0, 0, 0],
-    [0.5, 0, 0],
-    [0, 0.5, 0],
-  ],
-  sphere: (p) => {
-    const tangential = [0, 1, 2].map((k) => [0, 1, 2].map((i) => Number(i === k) - p[i] * p[k]))
-    return [...tangential, [0, 0, 0], [0, 0, 0]]
-  },
-}
-
-/** Compares shown normals with exact ones → degrees, by quantiles. */
-async function measure(name, { backend, normals = 'pixel', isExact = true }) {
-  const { shape, kind = 'plain', position, move, prepare } = displacements[name]
+/** Draws a case with `exactNormals`, or without, and what tells where its pixels are. */
+async function draws(
+  { kind = 'plain', shape, position, prepare },
+  { backend, normals = 'pixel', isExact = true },
+) {
   const renderer = await rendererFor(backend)
   const material = new THREE.MeshNormalNodeMaterial()
   material.positionNode = position()
@@ -47,25 +37,39 @@ async function measure(name, { backend, normals = 'pixel', isExact = true }) {
   prepare?.(object)
   const view = camera()
   const shown = await draw(renderer, object, view)
+  return { renderer, material, object, geometry, view, shown }
+}
+
+/** Compares shown normals with exact ones → degrees, by quantiles. */
+async function measure(name, settings) {
+  const given = displacements[name]
+  const { move, isOfGeometry } = given
+  const { renderer, material, object, geometry, view, shown } = await draws(given, settings)
   const seen = {}
+  const shows = positionShowing(material.positionNode, isOfGeometry)
   object.material = new THREE.MeshBasicNodeMaterial()
-  object.material.positionNode = material.positionNode
-  object.material.fragmentNode = THREE.TSL.attribute('seen', 'vec4')
-  for (const part of parts.slice(0, 3)) {
-    object.geometry.setAttribute('seen', new THREE.BufferAttribute(seenOf(kind, geometry, part), 4))
+  object.material.positionNode = shows.positionNode
+  for (const part of parts) {
+    if (part === 'tangent') continue
+    object.material.fragmentNode = shows[part] ?? attribute('seen', 'vec4')
+    object.material.needsUpdate = true
+    const numbers = seenOf('plain', geometry, part)
+    object.geometry.setAttribute('seen', new THREE.BufferAttribute(numbers, 4))
     seen[part] = await draw(renderer, object, view)
   }
-  const normalMatrix = new THREE.Matrix3().getNormalMatrix(object.matrixWorld)
+  const { matrixWorld } = object
+  const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
   const angles = []
   let skipped = 0
   for (let i = 0; i < 4 * size * size; i += 4) {
     if (shown[i + 3] === 0 || seen.position[i + 3] === 0) continue
     const at = (part, count) => Array.from(seen[part].slice(i, i + count))
-    const p = at('position', 3)
     const [x, y, z, length] = at('normal', 4)
     const normal = [x, y, z].map((k) => (k * length) / Math.hypot(x, y, z))
-    const vertex = { position: p, normal, uv: at('uv', 2), gradients: gradientsOf[shape](p) }
-    const exact = exactVertex(move, vertex)
+    const gradients = parts.filter((part) => part.endsWith('Gradient')).map((part) => at(part, 3))
+    const instance = Number((i / 4) % size >= size / 2)
+    const vertex = { position: at('position', 3), normal, uv: at('uv', 2), gradients }
+    const exact = exactVertex((...vectors) => move(...vectors, { instance, matrixWorld }), vertex)
     if (!exact) {
       skipped++
       continue
@@ -83,7 +87,32 @@ async function measure(name, { backend, normals = 'pixel', isExact = true }) {
   }
 }
 
-window.exact = { names: Object.keys(displacements), measure }
+/** A positionNode that shows the vertex that the other one moves, as three.js has posed it; a normal with its length. */
+function positionShowing(positionNode, isOfGeometry) {
+  const [position, normal] = [0, 1].map((i) => varyingProperty('vec4', `seen${i}`))
+  const [p, n] = isOfGeometry ? [positionGeometry, normalGeometry] : [positionLocal, normalLocal]
+  const show = Fn(() => {
+    position.assign(vec4(p, 1))
+    normal.assign(vec4(n, n.length()))
+    return positionNode
+  })
+  return { positionNode: show(), position, normal }
+}
+
+/** Counts pixels that `exactNormals` changes. */
+async function changes(name, settings) {
+  const pictures = []
+  for (const isExact of [true, false])
+    pictures.push((await draws(refused[name], { ...settings, isExact })).shown)
+  return pictures[0].filter((x, i) => x !== pictures[1][i]).length
+}
+
+window.exact = {
+  names: Object.keys(displacements),
+  measure,
+  refused: Object.entries(refused).map(([name, { message }]) => [name, message.source]),
+  changes,
+}
 // Without somebody who holds it, the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'
