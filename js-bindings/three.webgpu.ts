@@ -8,6 +8,11 @@ export {
   exactNormals,
   type ExactNormalsOptions,
 } from './three/nodes/exact-normals/exact-normals.js'
+export {
+  tslOffset,
+  type TslOffset,
+  type TslOffsetOptions,
+} from './three/nodes/exact-normals/tsl-offset.js'
 export type { AnyNode } from './three/nodes/tsl.js'
 export type { Warped } from './three/material.js'
 export { fromBufferGeometry, toBufferGeometry } from './three/geometry.js'

@@ -14,6 +14,10 @@ after(() => pages.close())
 
 const maxDegrees = 0.05
 
+/** Counts the loops of a height. Waves of the sea that glow have one more. */
+const heightsIn = ({ vertexShader, fragmentShader }) =>
+  [vertexShader, fragmentShader].join('').match(/\bfor \(/g).length
+
 for (const backend of ['webgl', 'webgpu'])
   describe(`the backend ${backend}`, () => {
     test('displacements as people write them', async (t) => {
@@ -35,6 +39,27 @@ for (const backend of ['webgl', 'webgpu'])
       }
       assert.deepEqual(failures, [])
     })
+
+    for (const name of ['sea', 'terrain'])
+      test(`the showcase ${name}, at 102,400 pixels`, async (t) => {
+        messages.length = 0
+        const measured = {}
+        for (const by of ['hand', 'us'])
+          measured[by] = await page.evaluate(
+            (given) => exact.measureShowcase(...given),
+            [name, { backend, by }],
+          )
+        const { hand, us } = measured
+        t.diagnostic(`${us.most}° at 99.9%, mean ${us.mean}°, by hand ${hand.mean}°`)
+        assert.deepEqual(messages, [])
+        assert.equal(us.covered, 102_400)
+        assert.ok(us.skipped < 100, `${us.skipped} pixels at kinks`)
+        assert.ok(us.most < maxDegrees, `${us.most}°`)
+        // As shifted by three.js, with its tuned shift.
+        assert.ok(hand.mean > 1, `${hand.mean}°`)
+        assert.equal(heightsIn(us.shaders), 2, 'a height in each stage')
+        assert.equal(heightsIn(hand.shaders), 4 - Number(name === 'terrain'))
+      })
 
     test('a position without a derivative keeps its normals, and the console says why', async () => {
       for (const [name, message] of await page.evaluate(() => exact.refused)) {

@@ -30,13 +30,13 @@ export function setupWarped(
   const pixel = pixelNormalsFor(warp, builder, material)
   orientFaces(warp, builder)
   const instances = space === 'local' ? instancesOf(object) : undefined
-  if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious), pixel)
+  if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious), { pixel })
   if (instances) withoutInstances(builder, material, setup)
   else setup()
-  if (space === 'world') moveVertex(warp, builder, world(isPosed(object)), pixel)
+  if (space === 'world') moveVertex(warp, builder, world(isPosed(object)), { pixel })
   if (space === 'local') {
     const previous = isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal
-    moveVertex(warp, builder, local(previous), pixel)
+    moveVertex(warp, builder, local(previous), { pixel })
   }
   instances?.(object)
   pixel?.passMatrix()
@@ -68,13 +68,19 @@ export interface OuterNodes {
 
 const noOuterNodes: OuterNodes = { now: {}, before: {} }
 
+export interface MoveOptions {
+  pixel?: PixelNormals | undefined
+  outer?: OuterNodes
+  /** The new position, if the shader has it already. */
+  position?: AnyNode | undefined
+}
+
 /** Calls the warp in the vertex stage and assigns what it returns. */
 export function moveVertex(
   warp: ThreeWarp,
   builder: Builder,
   space: Space,
-  pixel?: PixelNormals,
-  outer = noOuterNodes,
+  { pixel, outer = noOuterNodes, position }: MoveOptions,
 ) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
@@ -84,8 +90,6 @@ export function moveVertex(
       ? 'normal'
       : 'position'
   const nodes = nodesOf(warp)
-  const call = nodes.call(turned, isWebGPU)
-  const parameters = parametersOf(warp, turned, isWebGPU)
   const inputsFor = (position: AnyNode, uniforms: NodesByName): Record<string, unknown> => ({
     ...uniforms,
     ...inputsOf(builder, uniforms, space.isLocal),
@@ -95,18 +99,24 @@ export function moveVertex(
   })
   const resultFor = (position: AnyNode, uniforms: NodesByName) => {
     const inputs = inputsFor(position, uniforms)
-    return call(Object.fromEntries(parameters.map(([name]) => [name, inputs[name]])))
+    const names = parametersOf(warp, turned, isWebGPU).map(([name]) => name)
+    return nodes.call(
+      turned,
+      isWebGPU,
+    )(Object.fromEntries(names.map((name) => [name, inputs[name]])))
   }
-  const position = (result: AnyNode) => (turned === 'position' ? result : result.element(0))
+  const positionOf = (result: AnyNode) => (turned === 'position' ? result : result.element(0))
   if (builder.needsPreviousData()) {
     const uniforms = { ...nodes.previousUniforms, ...outer.before }
-    space.assignPrevious(position(resultFor(space.previous(), uniforms)))
+    space.assignPrevious(positionOf(resultFor(space.previous(), uniforms)))
   }
   const uniforms = { ...nodes.uniforms, ...outer.now }
   pixel?.pass(inputsFor(space.position, uniforms))
+  // Pixels compute their own normals.
+  if (position && (pixel || turned === 'position')) return space.assign(position)
   const result = resultFor(space.position, uniforms)
   space.assign(
-    position(result),
+    position ?? positionOf(result),
     turned === 'position' ? undefined : result.element(1),
     turned === 'tangent' ? result.element(2) : undefined,
   )
@@ -148,7 +158,7 @@ export const nodeFor = (warp: ThreeWarp): AnyNode =>
       warnOfVertices(warp, nameOf(object), 'its node is only a part of a positionNode')
     orientFaces(warp, builder)
     if (instances) restoreGeometry(builder)
-    moveVertex(warp, builder, isWorld ? world(isPosed(object)) : local(tsl.positionLocal))
+    moveVertex(warp, builder, isWorld ? world(isPosed(object)) : local(tsl.positionLocal), {})
     // Three.js has applied these matrices already, which come after the warp.
     instances?.(object)
     return tsl.positionLocal

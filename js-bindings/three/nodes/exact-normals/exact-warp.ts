@@ -7,10 +7,7 @@ import type { Settings } from '../../settings.js'
 import { type Stage, ThreeWarp } from '../../three-warp.js'
 import { type AnyNode, tsl } from '../tsl.js'
 import type { NodesByName } from '../uniforms.js'
-import { type PositionSource, functionName } from './read-position.js'
-
-/** The max number of iterations of a loop whose end depends on a uniform, as in p5's `exactNormals`. */
-const maxIterations = 256
+import { type PositionSource, functionName, maxIterations } from './read-position.js'
 
 /** Returns the offset function of a positionNode. */
 export function offsetOf({ language, text }: PositionSource): OffsetFunction {

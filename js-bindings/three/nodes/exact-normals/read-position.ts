@@ -1,5 +1,6 @@
 // Reads a positionNode as source: a function of the vertex in GLSL or WGSL, whatever three.js writes for the node.
 import type { Texture } from 'three'
+import { WarpError } from '../../../errors/errors.js'
 import type { SourceLanguage } from '../../../glsl-source/options.js'
 import type { Builder } from '../builder.js'
 import { type AnyNode, tsl } from '../tsl.js'
@@ -30,6 +31,9 @@ export interface PositionSource {
 
 export const functionName = 'warpjetMoved'
 
+/** The max number of iterations of a loop whose end depends on a uniform, as in p5's `exactNormals`. */
+export const maxIterations = 256
+
 /** Makes a builder for the same object and renderer as another. */
 export function siblingOf(builder: Builder): ReadingBuilder {
   const given = builder as ReadingBuilder & Record<string, unknown>
@@ -58,9 +62,10 @@ export function readPosition(
   node: AnyNode,
 ): PositionSource {
   const reading = new NodeReading(place, builder)
-  const flow = reading.read(tsl.subBuild(node, 'POSITION', 'vec3'))
+  const flow = flowOf(place, reading, node)
   const isWebGPU = builder.renderer.backend.isWebGPUBackend === true
   const nodes = [...builder.nodes]
+  rejectFragmentNodes(place, nodes)
   const parts: Parts = {
     ...flow,
     functions: (builder.codes.vertex ?? []).map(({ code }) => code),
@@ -77,6 +82,26 @@ export function readPosition(
     updated: nodes.filter(isUpdated),
     hasEffects: nodes.some(isEffect),
   }
+}
+
+function flowOf(place: string, reading: NodeReading, node: AnyNode) {
+  try {
+    return reading.read(tsl.subBuild(node, 'POSITION', 'vec3'))
+  } catch (error) {
+    if (error instanceof WarpError) throw error
+    throw new WarpError(
+      `${place}: three.js cannot write the code of the position: ${(error as Error).message}`,
+    )
+  }
+}
+
+/** Throws for nodes that three.js leaves out in the vertex stage. */
+function rejectFragmentNodes(place: string, nodes: readonly ReadNode[]) {
+  const found = nodes.find(({ method }) => /^(?:dFd[xy]|fwidth)$/.test(method ?? ''))
+  if (found)
+    throw new WarpError(
+      `${place}: the position depends on ${found.method}(), which exists in the fragment stage only; expected a function of position, normal, uv and uniforms.`,
+    )
 }
 
 interface Parts {
@@ -138,7 +163,8 @@ function baseOf({ code, result, functions }: Parts): Base {
   return 'posed'
 }
 
-const isUpdated = ({ updateType, updateBeforeType, updateAfterType }: ReadNode) =>
+const isUpdated = ({ isUniformGroup, updateType, updateBeforeType, updateAfterType }: ReadNode) =>
+  !isUniformGroup &&
   [updateType, updateBeforeType, updateAfterType].some((each) => each && each !== 'none')
 
 /** The variable of three.js that we assign ourselves. */

@@ -26,6 +26,7 @@ interface Flow {
 /** The part of three's NodeBuilder that reading a node needs. */
 export interface ReadingBuilder extends Builder {
   codes: { vertex?: { code: string }[] }
+  hasGeometryAttribute(name: string): boolean
   varyings: { name: string; type: string }[]
   nodes: Iterable<ReadNode>
   scene: unknown
@@ -44,6 +45,9 @@ export interface ReadNode extends AnyNode {
   isStorageArrayElementNode?: boolean
   isArrayBufferElementNode?: boolean
   isAssignNode?: boolean
+  /** The function that a node of mathematics calls. */
+  method?: string | null
+  isUniformGroup?: boolean
   isBufferNode?: boolean
   isTextureNode?: boolean
   instanced?: boolean
@@ -67,7 +71,7 @@ export interface ReadNode extends AnyNode {
 }
 
 /** The attributes that differentiation knows, with the names of an offset's inputs. */
-const knownAttributes = new Set(['position', 'normal', 'uv'])
+export const knownAttributes = new Set(['position', 'normal', 'uv'])
 
 /** What a name of ours in the code begins with. */
 const prefix = 'warpjetOuter'

@@ -59,10 +59,10 @@ function moveExactly(
   const pixel = pixelNormalsFor(warp, builder, material, now)
   const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
   // The original assigns variables that other nodes read.
-  const own = source.hasEffects && tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
-  if (own) own.toStack()
-  moveVertex(warp, builder, space, pixel, { now, before: now })
-  if (own) tsl.positionLocal.assign(own)
+  const position = source.hasEffects
+    ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
+    : undefined
+  moveVertex(warp, builder, space, { pixel, outer: { now, before: now }, position })
   pixel?.replaceNormals()
 }
 

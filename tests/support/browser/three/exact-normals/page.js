@@ -5,23 +5,38 @@ import { degreesBetween, exactVertex, quantile } from '../pixel-normals/exact.js
 import { camera, objectFor, parts, seenOf, size } from '../pixel-normals/scenes.js'
 import { rendererFor } from '../webgpu-renderer.js'
 import { displacements, refused } from './displacements.js'
+import { showcases } from './showcases.js'
 
 const { Fn, attribute, normalGeometry, normalLocal, positionGeometry, positionLocal } = THREE.TSL
 const { varyingProperty, vec4 } = THREE.TSL
 
-const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
+/** Each renderer has a target of its own: one that another has drawn to stays empty on WebGL. */
+const targets = new Map()
 
-/** MeshNormalMaterial takes its colours for sRGB, and writes linear ones. */
-const decode = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055)
+function targetOf(renderer, side) {
+  const key = `${renderer.backend.isWebGPUBackend} ${side}`
+  if (!targets.has(key))
+    targets.set(key, new THREE.RenderTarget(side, side, { type: THREE.FloatType }))
+  return targets.get(key)
+}
 
-async function draw(renderer, object, view) {
-  const scene = new THREE.Scene()
-  scene.add(object)
+/** Draws a scene → its numbers, four for each pixel. */
+async function picture(renderer, scene, view, side = size) {
+  const target = targetOf(renderer, side)
   renderer.setRenderTarget(target)
   renderer.setClearColor(0, 0)
   renderer.render(scene, view)
   renderer.setRenderTarget(null)
-  return renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)
+  return renderer.readRenderTargetPixelsAsync(target, 0, 0, side, side)
+}
+
+/** MeshNormalMaterial takes its colours for sRGB, and writes linear ones. */
+const decode = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055)
+
+function draw(renderer, object, view) {
+  const scene = new THREE.Scene()
+  scene.add(object)
+  return picture(renderer, scene, view)
 }
 
 /** Draws a case with `exactNormals`, or without, and what tells where its pixels are. */
@@ -107,7 +122,68 @@ async function changes(name, settings) {
   return pictures[0].filter((x, i) => x !== pictures[1][i]).length
 }
 
+/** The half side of a showcase's plane, all of which is seen from above, and the side of its picture in pixels. */
+const halves = { sea: 1, terrain: 5 }
+const wide = 320
+
+/** Shows the normals of a showcase, `by`: 'hand', 'us' or 'nobody' → degrees from those of differences of its height, by quantiles. */
+async function measureShowcase(name, { backend, by, normals = 'pixel', pieces }) {
+  const renderer = await rendererFor(backend)
+  const { geometry, parameters, material: make, heightNear } = showcases[name]
+  const original = make(parameters(), by === 'hand')
+  const material = new THREE.MeshNormalNodeMaterial()
+  Object.assign(material, { positionNode: original.positionNode, normalNode: original.normalNode })
+  if (by === 'us') exactNormals(material, { normals })
+  const mesh = new THREE.Mesh(geometry(pieces), material)
+  const half = halves[name]
+  const view = new THREE.OrthographicCamera(-half, half, half, -half, 0.1, 40)
+  view.position.y = 20
+  view.lookAt(0, 0, 0)
+  view.updateMatrixWorld()
+  const scene = new THREE.Scene()
+  scene.add(mesh)
+  const shown = await picture(renderer, scene, view, wide)
+  const shaders = await renderer.debug.getShaderAsync(scene, view, mesh)
+  mesh.material = new THREE.MeshBasicNodeMaterial()
+  mesh.material.positionNode = material.positionNode
+  mesh.material.fragmentNode = vec4(positionLocal, 1)
+  const seen = await picture(renderer, scene, view, wide)
+  const angles = []
+  let skipped = 0
+  for (let i = 0; i < 4 * wide * wide; i += 4) {
+    if (shown[i + 3] === 0 || seen[i + 3] === 0) continue
+    const slopes = [
+      [1, 0],
+      [0, 1],
+    ].map(([x, z]) => {
+      const at = heightNear(seen[i], seen[i + 2])
+      const slope = (h) => (at(h * x, h * z) - at(-h * x, -h * z)) / (2 * h)
+      const [coarse, fine] = [slope(2e-5), slope(1e-5)]
+      return Math.abs(coarse - fine) < 1e-4 ? (4 * fine - coarse) / 3 : NaN
+    })
+    if (!slopes.every(Number.isFinite)) {
+      skipped++
+      continue
+    }
+    const normal = new THREE.Vector3(-slopes[0], 1, -slopes[1]).transformDirection(
+      view.matrixWorldInverse,
+    )
+    const colour = [0, 1, 2].map((k) => 2 * decode(shown[i + k]) - 1)
+    angles.push(degreesBetween(colour, normal.toArray()))
+  }
+  return {
+    covered: angles.length + skipped,
+    skipped,
+    mean: angles.reduce((a, b) => a + b, 0) / angles.length,
+    worst: angles.reduce((a, b) => Math.max(a, b), 0),
+    most: quantile(angles, 0.999),
+    median: quantile(angles, 0.5),
+    shaders,
+  }
+}
+
 window.exact = {
+  measureShowcase,
   names: Object.keys(displacements),
   measure,
   refused: Object.entries(refused).map(([name, { message }]) => [name, message.source]),
