@@ -75,6 +75,16 @@ for (const backend of ['webgl', 'webgpu'])
       }
     })
 
+    test('velocities are those of the uniforms in the frame before', async () => {
+      messages.length = 0
+      const [first, raised, still] = await page.evaluate((given) => exact.velocities(given), {
+        backend,
+      })
+      assert.deepEqual(messages, [])
+      assert.ok(Math.abs(first) < 1e-6 && Math.abs(still) < 1e-6, `${first}, ${still}`)
+      assert.ok(Math.abs(raised - 0.3) < 1e-4, `${raised}`)
+    })
+
     test('these tests would detect normals that stay as they are', async () => {
       const { median } = await page.evaluate(
         (given) => exact.measure(...given),

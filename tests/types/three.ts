@@ -17,7 +17,7 @@ import { MeshStandardNodeMaterial } from 'three/webgpu'
 import { createElement } from 'react'
 import { Warp } from '../../js-bindings/react.js'
 import { type WarpOptions, warp, warpMaterial } from '../../js-bindings/three.js'
-import { warpNode } from '../../js-bindings/three.webgpu.js'
+import { exactNormals, tslOffset, warpNode } from '../../js-bindings/three.webgpu.js'
 
 const warped = warp(
   new Mesh(),
@@ -84,3 +84,15 @@ new MeshStandardNodeMaterial().positionNode = warpNode(({ position }) => positio
 createElement(Warp, { offset: ({ position }) => position, space: 'rest', normals: 'vertex' })
 // @ts-expect-error there must be an offset
 createElement(Warp, {})
+
+const nodeMaterial: MeshStandardNodeMaterial = exactNormals(new MeshStandardNodeMaterial(), {
+  normals: 'pixel',
+})
+// @ts-expect-error there is no such stage
+exactNormals(nodeMaterial, { normals: 'pixels' })
+
+const tslWave = tslOffset((position) => position.mul(2), { returns: 'position' })
+warp(new Mesh(), tslWave, { uniforms: tslWave.uniforms })
+warp(new Mesh(), tslWave)
+// @ts-expect-error the function must return a node
+tslOffset(() => 3)

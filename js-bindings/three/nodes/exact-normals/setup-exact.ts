@@ -13,6 +13,7 @@ import { type AnyNode, tsl } from '../tsl.js'
 import { moveVertex } from '../vertex.js'
 import type { ExactMaterial } from './exact-materials.js'
 import { ExactWarp } from './exact-warp.js'
+import { previousValues } from './previous-values.js'
 import { type PositionSource, readPosition, siblingOf } from './read-position.js'
 
 const method = 'exactNormals'
@@ -62,7 +63,7 @@ function moveExactly(
   const position = source.hasEffects
     ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
     : undefined
-  moveVertex(warp, builder, space, { pixel, outer: { now, before: now }, position })
+  moveVertex(warp, builder, space, { pixel, outer: { now, before: previousValues(now) }, position })
   pixel?.replaceNormals()
 }
 

@@ -155,8 +155,8 @@ const isUpdatedByThree = ({ updateType }: ReadNode) =>
   updateType !== undefined && updateType !== 'none'
 
 function notKnown(node: ReadNode): WarpError {
-  const { type } = node as unknown as { type?: string }
+  const { type } = node as unknown as { type: string }
   return place.error(
-    `the function reads a ${type ?? 'node'} that three.js computes as it draws; expected a function of position, normalLocal, uv(), time, uniform() and texture().`,
+    `the function reads ${/^[AEIO]/.test(type) ? 'an' : 'a'} ${type} that three.js computes as it draws; expected a function of position, normalLocal, uv(), time, uniform() and texture().`,
   )
 }

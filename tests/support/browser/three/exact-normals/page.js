@@ -182,8 +182,37 @@ async function measureShowcase(name, { backend, by, normals = 'pixel', pieces })
   }
 }
 
+/** Raises a plane that faces the viewer between two frames → the velocities at its middle, in pixels upwards. */
+async function velocities({ backend }) {
+  const renderer = await rendererFor(backend)
+  const { mrt, output, uniform, vec3, velocity } = THREE.TSL
+  const shift = uniform(0)
+  const material = new THREE.MeshBasicNodeMaterial()
+  material.positionNode = positionLocal.add(vec3(0, shift, 0))
+  exactNormals(material)
+  const scene = new THREE.Scene()
+  scene.add(new THREE.Mesh(new THREE.PlaneGeometry(2, 2), material))
+  const target = new THREE.RenderTarget(size, size, { count: 2, type: THREE.FloatType })
+  target.textures[0].name = 'output'
+  target.textures[1].name = 'velocity'
+  renderer.setMRT(mrt({ output, velocity }))
+  const found = []
+  for (const value of [0, 0.3, 0.3]) {
+    shift.value = value
+    renderer.setRenderTarget(target)
+    renderer.render(scene, camera())
+    renderer.setRenderTarget(null)
+    const numbers = await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size, 1)
+    // Both have the same middle, whichever row is first; a velocity is in units of half a picture.
+    found.push(numbers[4 * (size / 2) * (size + 1) + 1] * 1.5)
+  }
+  renderer.setMRT(null)
+  return found
+}
+
 window.exact = {
   measureShowcase,
+  velocities,
   names: Object.keys(displacements),
   measure,
   refused: Object.entries(refused).map(([name, { message }]) => [name, message.source]),
