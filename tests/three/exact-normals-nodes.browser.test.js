@@ -55,7 +55,7 @@ for (const backend of ['webgl', 'webgpu'])
         assert.equal(us.covered, 102_400)
         assert.ok(us.skipped < 100, `${us.skipped} pixels at kinks`)
         assert.ok(us.most < maxDegrees, `${us.most}°`)
-        // As shifted by three.js, with its tuned shift.
+        // Three's own shift is tuned.
         assert.ok(hand.mean > 1, `${hand.mean}°`)
         assert.equal(heightsIn(us.shaders), 2, 'a height in each stage')
         assert.equal(heightsIn(hand.shaders), 4 - Number(name === 'terrain'))

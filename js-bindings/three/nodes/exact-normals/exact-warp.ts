@@ -28,7 +28,7 @@ const elementName = /^(\w+?)(?:\.value)?\[(\d+)u?\]$/
 const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
 
 export class ExactWarp extends ThreeWarp {
-  /** What it mirrors, three.js draws from the back, as it does without us. */
+  /** Three.js draws the back of a triangle that it mirrors, as it does without us. */
   override get mirrors() {
     return false
   }

@@ -73,7 +73,7 @@ export interface ReadNode extends AnyNode {
 /** The attributes that differentiation knows, with the names of an offset's inputs. */
 export const knownAttributes = new Set(['position', 'normal', 'uv'])
 
-/** What a name of ours in the code begins with. */
+/** The start of our names in the code. */
 const prefix = 'warpjetOuter'
 
 export class NodeReading {

@@ -100,7 +100,7 @@ class Uniforms {
       if (!list.array) throw notKnown(list)
       this.nodes.add(list)
       return list.array.map((_, i) =>
-        this.uniform(`${name}[${i}]`, undefined, () => padded(numbersOf(list.array![i]))),
+        this.uniform(`${name}[${i}]`, undefined, () => padToFour(numbersOf(list.array![i]))),
       )
     }
     const element = given as ElementNode
@@ -146,7 +146,7 @@ function numbersOf(value: unknown): number | readonly number[] {
 }
 
 /** Three.js pads the elements of an array of uniforms to four numbers. */
-const padded = (value: number | readonly number[]) => {
+const padToFour = (value: number | readonly number[]) => {
   const numbers = [value].flat()
   return numbers.length < 4 ? [...numbers, 0, 0, 0].slice(0, 4) : numbers
 }

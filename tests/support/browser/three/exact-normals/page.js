@@ -39,7 +39,7 @@ function draw(renderer, object, view) {
   return picture(renderer, scene, view)
 }
 
-/** Draws a case with `exactNormals`, or without, and what tells where its pixels are. */
+/** Draws a case with `exactNormals`, or without → the picture and everything that drew it. */
 async function draws(
   { kind = 'plain', shape, position, prepare },
   { backend, normals = 'pixel', isExact = true },
