@@ -68,6 +68,7 @@ export class ThreeWarp extends HostWarp {
       uniforms: settings.uniforms,
       target: 'glsl300',
       names: { millis: shaderNames.millis },
+      fadeNoise: settings.fadeNoise,
       tangents: true,
       surfaceVariation: settings.surfaceVariation ?? true,
     })
@@ -78,7 +79,7 @@ export class ThreeWarp extends HostWarp {
   textFor(target: Target, turned: Stage, names: Record<string, string>): HostText {
     const key = JSON.stringify([target, turned, names])
     let text = this.texts.get(key)
-    if (!text) this.texts.set(key, (text = this.text(target, resultsOf[turned], { names })))
+    if (!text) this.texts.set(key, (text = this.writeText(target, turned, names)))
     return text
   }
 
@@ -106,6 +107,12 @@ export class ThreeWarp extends HostWarp {
     return (this.hash ??= this.hashOfText())
   }
 
+  private writeText(target: Target, stage: Stage, names: Record<string, string>): HostText {
+    return stage === 'normal of pixel' || stage === 'tangent of pixel'
+      ? this.fragmentText(target, resultsOf[stage], { names })
+      : this.text(target, resultsOf[stage], { names })
+  }
+
   private get given() {
     return { millis: this.millis.value }
   }
@@ -114,7 +121,8 @@ export class ThreeWarp extends HostWarp {
     const { code, declarations } = this.text('glsl300', resultsOf.tangent)
     const types = this.uniforms.inShader.map(({ type }) => type)
     const outer = [...this.outerTypes.values()]
-    return hash([this.settings.space, types, outer, code, declarations].join('\n'))
+    const { space, fadeNoise } = this.settings
+    return hash([space, fadeNoise, types, outer, code, declarations].join('\n'))
   }
 }
 

@@ -1,7 +1,7 @@
 // `exactNormals` for materials of nodes.
 import type { Material } from 'three'
 import type { NodeMaterial } from 'three/webgpu'
-import { type NormalsOption, normalsKind } from '../../../compile/hosts.js'
+import { type NormalsOption, normalsKinds } from '../../../compile/hosts.js'
 import { Place } from '../../../options/place.js'
 import { type KindsOf, object } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
@@ -17,7 +17,7 @@ export interface ExactNormalsOptions {
 }
 
 const place = new Place('exactNormals')
-const optionsKind = object({ normals: normalsKind } satisfies KindsOf<ExactNormalsOptions>)
+const optionsKind = object({ normals: normalsKinds } satisfies KindsOf<ExactNormalsOptions>)
 
 /**
  * Makes the normals, tangents and velocities of a material follow its `positionNode`: `exactNormals(material)`. We read the position from
@@ -56,6 +56,8 @@ export function exactNormals<Kind extends Material>(
     isAfterInstances: true,
     uniforms: undefined,
     normals,
+    // The noise is that of the node, whose code we leave as it is.
+    fadeNoise: false,
     isShared: true,
     surfaceVariation: undefined,
   })
