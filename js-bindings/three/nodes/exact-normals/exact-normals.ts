@@ -17,7 +17,7 @@ export interface ExactNormalsOptions {
 }
 
 const place = new Place('exactNormals')
-const optionsKind = object({ normals: normalsKinds } satisfies KindsOf<ExactNormalsOptions>)
+const optionsKind = object({ normals: normalsKinds.normals } satisfies KindsOf<ExactNormalsOptions>)
 
 /**
  * Makes the normals, tangents and velocities of a material follow its `positionNode`: `exactNormals(material)`. We read the position from
