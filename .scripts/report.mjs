@@ -1,4 +1,4 @@
-// npm run report -- derivatives | noise | subdivision | uptime: measures warpjet, and writes the figures into that page of web/docs.
+// npm run report -- derivatives | noise | normals | subdivision | uptime: measures warpjet, and writes the figures into that page of web/docs.
 import { writeFileSync } from 'node:fs'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'
@@ -6,7 +6,7 @@ import { Stop, good, main, seconds } from './lib/terminal.mjs'
 import { pageWith } from './reference/parts.mjs'
 import { setup } from './setup.mjs'
 
-const names = ['derivatives', 'noise', 'subdivision', 'uptime']
+const names = ['derivatives', 'noise', 'normals', 'subdivision', 'uptime']
 
 await main(async () => {
   const [name] = process.argv.slice(2)

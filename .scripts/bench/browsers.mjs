@@ -22,7 +22,7 @@ async function rendererWith(launch, flags) {
 }
 
 /** Chooses the machine's GPU, or software if there is none or if `withoutGpu` → { flags, renderer, isSoftware } */
-async function chooseRenderer(launch, withoutGpu) {
+export async function chooseRenderer(launch, withoutGpu) {
   if (!withoutGpu) {
     // A GPU whose driver crashes the browser counts as no GPU.
     const renderer = await rendererWith(launch, gpuFlags).catch(() => null)

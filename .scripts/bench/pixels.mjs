@@ -4,7 +4,7 @@ import { servePages } from '../../tests/support/browser/server.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 
 /** Sources of offset functions of a sphere of radius 1. */
-const warps = {
+export const warps = {
   twist: `({ glsl, position }) => glsl.rotateY(position.y().mult(1.5)).mult(position).sub(position)`,
   wave: `({ glsl, position }) => glsl.vec3(position.y().mult(7).sin().mult(0.05), 0, 0)`,
   'three sines': `({ glsl, position: p }) => glsl.vec3(p.y().mult(7).sin(), p.z().mult(7).sin(), p.x().mult(7).sin()).mult(0.05)`,

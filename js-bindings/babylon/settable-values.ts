@@ -1,5 +1,10 @@
 // Makes the property `values` of a warp: it maps the names of uniforms → their values, which can be assigned.
-import type { HostWarp } from '../compile/hosts.js'
+import type { HostWarp, UniformOverrides } from '../compile/hosts.js'
+
+export type SettableValues<Uniforms> = {
+  -readonly [Name in keyof Uniforms]:
+    Required<UniformOverrides<Uniforms>>[Name] | (() => Required<UniformOverrides<Uniforms>>[Name])
+}
 
 /** Setting throws a `WarpError` for an unknown name and for a value of another type. */
 export const settableValues = (uniforms: HostWarp['uniforms']): Record<string, unknown> =>

@@ -26,7 +26,7 @@ import { meshDefines, names, variationDefines } from './names.js'
 import { NormalStages } from './normal-stages.js'
 import { type BabylonWarpOptions, place, rejectUnwarpable, settings } from './options.js'
 import { type PassWarp, codeDefine, installPasses, pluginName } from './passes.js'
-import { settableValues } from './settable-values.js'
+import { type SettableValues, settableValues } from './settable-values.js'
 import { declarationsOf } from './shader.js'
 import { type NumberSetter, type ShaderParts, sendUniforms, texturesOf } from './uniforms.js'
 import { babylon } from './values.js'
@@ -46,7 +46,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
 {
   /** Maps names → the values of the option `uniforms`, which may be set: `warp.values.height = 0.5`. Throws a `WarpError` for
    * another name and for a value of another type. */
-  readonly values: { [Name in keyof Uniforms]: Uniforms[Name] | (() => Uniforms[Name]) }
+  readonly values: SettableValues<Uniforms>
   /** @internal */
   readonly parts: ShaderParts
   private time = 0

@@ -40,7 +40,10 @@ const place = new Place('createWarp')
  */
 export interface Distort<Uniforms = {}> {
   (uniforms?: UniformOverrides<Uniforms> & WarpUniforms): void
-  /** Where normals are computed, as the option `normals` says or, for `'auto'`, as the warp makes advisable. */
+  /**
+   * Where normals are computed, as the option `normals` says or, for `'auto'`, as the warp makes advisable; `'vertex'` if its shader
+   * cannot compute them at pixels.
+   */
   readonly normals: NormalStage
 }
 
@@ -121,7 +124,10 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
         )
       apply(uniforms)
     })
-  Object.defineProperty(distort, 'normals', { value: settings.stage, enumerable: true })
+  Object.defineProperty(distort, 'normals', {
+    get: () => shaders.stageOfNormals(),
+    enumerable: true,
+  })
   return rememberWarp(distort as Distort, { canvas, warp, settings })
 }
 

@@ -1,5 +1,11 @@
 /** The shaders of one warp for one renderer, each made on first use. */
-import { type HostText, type HostWarp, type Target, lazily } from '../compile/hosts.js'
+import {
+  type HostText,
+  type HostWarp,
+  type NormalStage,
+  type Target,
+  lazily,
+} from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { checkDefs } from './page/defs.js'
 import { readsVariation } from './variation/variation-text.js'
@@ -76,8 +82,10 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
     return obstacleFor(pixel, base, { defs, isAfter, maxVaryings }) ?? pixel
   }
   const shaders: Partial<Record<MaterialKind, Shader>> = {}
+  const baseOf = (type: MaterialKind) =>
+    own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material)
   const makeShader = (type: MaterialKind) => {
-    const base = own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material)
+    const base = baseOf(type)
     const pixel = settings.stage === 'pixel' ? pixelCodeFor(base) : undefined
     if (typeof pixel === 'string') {
       if (settings.normals === 'pixel') warnOfVertices(pixel)
@@ -86,12 +94,19 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
     return addWarp(base, style, { ...warpCode, pixel }, type)
   }
   const shaderFor = (type: MaterialKind): Shader => (shaders[type] ??= makeShader(type))
-  if (defs.trim()) checkDefs(shaderFor(own ? 'own' : (settings.type ?? 'specular')), defs, renderer)
+  const defaultType = own ? 'own' : (settings.type ?? 'specular')
+  if (defs.trim()) checkDefs(shaderFor(defaultType), defs, renderer)
   return {
     renderer,
     inputs: warpCode.text.uniforms,
     varies: readsVariation(warpCode.text),
     shaderFor,
+    /** Returns the stage in which the shader of the option `shader`, or of p5's material, computes normals. */
+    stageOfNormals: lazily((): NormalStage => {
+      const isPixel =
+        settings.stage === 'pixel' && typeof pixelCodeFor(baseOf(defaultType)) === 'object'
+      return isPixel ? 'pixel' : 'vertex'
+    }),
     /** Returns `undefined` if the warp reads inputs that lines lack: then they cannot follow the fill. */
     strokeShaders: lazily((): StrokeShaders | undefined => {
       const text = warp.text(target, ['position', 'jacobian'], { names })

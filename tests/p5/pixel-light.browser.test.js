@@ -107,14 +107,18 @@ for (const [version, p5] of p5InThisRun)
         `function setup() {
           createCanvas(100, 100, WEBGL)
           const mine = baseMaterialShader().modify(${afterwards})
-          createWarp(${noise}, { shader: mine })()
-          sphere(20)
-          createWarp(${noise}, { shader: mine, normals: 'pixel' })()
-          sphere(20)
+          const warps = [{}, { normals: 'pixel' }].map((options) =>
+            createWarp(${noise}, { shader: mine, ...options }))
+          for (const warp of warps) {
+            warp()
+            sphere(20)
+          }
+          window.chosen = warps.map(({ normals }) => normals)
           noLoop()
           window.done = true
         }`,
       )
+      assert.deepEqual(await page.evaluate('chosen'), ['vertex', 'vertex'])
       await leavePage(page)
       assert.equal(messages.length, 1)
       assert.match(

@@ -8,8 +8,8 @@ import {
   describeShape,
   drawShape,
   geometries,
-  shapes,
   size,
+  somePairs,
 } from '../support/browser/p5-pixel-normals.js'
 import { pixelWarps } from '../support/browser/pixel-normals.js'
 import { readWebGPUPixels } from '../support/browser/pixels.js'
@@ -86,7 +86,7 @@ test('p5 on WebGPU: normals at pixels are exact', async (t) => {
     )
     return readWebGPUPixels(page, 'redraw()')
   }
-  for (const [shape, { with: names }] of Object.entries(shapes))
+  for (const [shape, names] of Object.entries(somePairs))
     for (const warp of names)
       await t.test(`${warp} on a ${shape}`, async () => {
         const images = []
@@ -107,4 +107,30 @@ test('p5 on WebGPU: normals at pixels are exact', async (t) => {
       })
   await leavePage(page)
   assert.deepEqual(messages, [])
+})
+
+test('p5 on WebGPU: an unlit shader of the sketch gets no varyings that it does not read', async () => {
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5Versions['2.x'], p5WebGPU, '/dist/p5.warpjet.min.js'],
+    `async function setup() {
+      await createCanvas(50, 50, WEBGPU)
+      noLoop(); noStroke()
+      const { shader } = p5.instance
+      let used
+      p5.instance.shader = (each) => shader.call(p5.instance, (used = each))
+      const show = (base) => {
+        createWarp(${pixelWarps.fbm.offset}, { shader: base.modify({}), normals: 'pixel' })()
+        sphere(20)
+        return /warpjet(Pixel|View)[A-Za-z]*/.exec(used.vertSrc() + used.fragSrc())?.[0] ?? ''
+      }
+      window.found = [baseColorShader(), baseMaterialShader()].map(show)
+      window.done = true
+    }`,
+  )
+  assert.deepEqual(messages, [])
+  const [unlit, lit] = await page.evaluate('found')
+  await leavePage(page)
+  assert.deepEqual([unlit, !!lit], ['', true])
 })

@@ -146,13 +146,27 @@ export const simplex = (p, { seed = 0 } = {}) => bases.simplex(p, hashOfSeed(see
 /** Returns the distances to the two nearest of random points, one per cell, [F1, F2] (Worley 1996). */
 export function worley(p, { seed = 0 } = {}) {
   const home = p.map(Math.floor)
-  const distances = lists([-3, -2, -1, 0, 1, 2, 3], p.length).map((step) => {
+  let nearest = [Infinity, Infinity]
+  for (const { step, distance } of stepsOf(p.length)) {
+    if (distance > nearest[1]) break
     const cell = home.map((c, i) => c + step[i])
     const point = randoms(hashOfCell(cell, hashOfSeed(seed)), p.length)
-    return Math.hypot(...p.map((x, i) => cell[i] + point[i] - x))
-  })
-  return distances.sort((a, b) => a - b).slice(0, 2)
+    const found = Math.hypot(...p.map((x, i) => cell[i] + point[i] - x))
+    if (found < nearest[1]) nearest = [...nearest.slice(0, 1), found].sort((a, b) => a - b)
+  }
+  return nearest
 }
+
+const knownSteps = {}
+
+/** Returns the steps to cells, each with the minimum distance of its points from the home cell; the nearest cells are first. */
+const stepsOf = (dimensions) =>
+  (knownSteps[dimensions] ??= lists([-3, -2, -1, 0, 1, 2, 3], dimensions)
+    .map((step) => ({
+      step,
+      distance: Math.hypot(...step.map((x) => Math.max(Math.abs(x) - 1, 0))),
+    }))
+    .sort((a, b) => a.distance - b.distance))
 
 const shifts = [0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.8566748838545029]
 

@@ -85,26 +85,26 @@ for (const backend of ['webgl', 'webgpu'])
 
     test('a surface that collapses is lit as its triangles are', async (t) => {
       for (const name of ['floor', 'pinch'])
-        for (const side of ['FrontSide', 'DoubleSide', 'BackSide']) {
-          messages.length = 0
-          const found = await page.evaluate(
-            (given) => pixels.collapse(...given),
-            [backend, name, { normals: 'pixel', side }],
-          )
-          t.diagnostic(`${name}, ${side}: ${JSON.stringify(found)}`)
-          assert.deepEqual([messages, found.wrong, found.finite], [[], 0, true])
-          assert.ok(found.dark < 0.03 * found.covered, `${found.dark} dark pixels`)
-          assert.ok(found.covered > 400)
-          if (name === 'floor') assert.deepEqual([found.differing, found.differingInLight], [0, 0])
-        }
+        for (const normals of ['pixel', 'vertex'])
+          for (const side of ['FrontSide', 'DoubleSide', 'BackSide']) {
+            messages.length = 0
+            const found = await page.evaluate(
+              (given) => pixels.collapse(...given),
+              [backend, name, { normals, side }],
+            )
+            t.diagnostic(`${name}, ${normals}, ${side}: ${JSON.stringify(found)}`)
+            assert.deepEqual([messages, found.wrong, found.finite], [[], 0, true])
+            assert.ok(found.dark < 0.03 * found.covered, `${found.dark} dark pixels`)
+            assert.ok(found.covered > 400)
+            if (name === 'floor')
+              assert.deepEqual([found.differing, found.differingInLight], [0, 0])
+          }
     })
 
-    test('maps, clearcoats, anisotropy and reflections follow, and are finite', async (t) => {
+    test('maps, clearcoats, anisotropy, transmission and reflections follow, and are finite', async (t) => {
       for (const name of await page.evaluate(() => pixels.mapNames)) {
-        // Three.js draws nothing of it in a target of floats.
-        if (name === 'transmission') continue
         messages.length = 0
-        const found = await page.evaluate((given) => pixels.mapped(...given), [backend, name])
+        const found = await page.evaluate((given) => pixels.drawWithMap(...given), [backend, name])
         t.diagnostic(`${name}: ${JSON.stringify(found)}`)
         assert.deepEqual([messages, found.wrong], [[], 0], name)
         assert.ok(found.differing > 0.5 * found.covered, name)

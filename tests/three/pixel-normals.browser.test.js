@@ -112,7 +112,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     test('maps, clearcoats, anisotropy and transmission follow, and are finite', async (t) => {
       for (const name of await page.evaluate(() => pixels.mapNames)) {
         messages.length = 0
-        const found = await page.evaluate((name) => pixels.mapped(name), name)
+        const found = await page.evaluate((name) => pixels.drawWithMap(name), name)
         t.diagnostic(`${name}: ${JSON.stringify(found)}`)
         assert.deepEqual([messages, found.wrong], [[], 0], name)
         assert.ok(found.differing > 0.5 * found.covered, name)

@@ -11,6 +11,12 @@ const warp = new BabylonWarp(
 export const stage: 'vertex' | 'pixel' = warp.normals
 // @ts-expect-error the warp decides
 warp.normals = 'pixel'
+warp.values.height = 0.7
+warp.values.height = () => 0.7
+warp.values.center = new Vector3(1, 2, 3)
+warp.values.center = [1, 2, 3]
+// @ts-expect-error a number
+warp.values.height = 'high'
 // @ts-expect-error there is no such uniform
 warp.values.hieght
 new BabylonWarp(new StandardMaterial('other'), ({ position }) => position, { normals: 'vertex' })

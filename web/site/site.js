@@ -106,3 +106,11 @@ addEventListener('keydown', (event) => {
 /* Offline use. */
 
 addEventListener('load', async () => (await import('../offline.js')).keepForOffline(root))
+
+/* Sliders between two pictures. */
+
+for (const slider of document.querySelectorAll('.compare input')) {
+  const show = () => slider.parentElement.style.setProperty('--share', `${slider.value}%`)
+  slider.addEventListener('input', show)
+  show()
+}

@@ -315,3 +315,24 @@ test('a slider changes the sketch, and the picture follows', async () => {
   assert.deepEqual(messages, [])
   await context.close()
 })
+
+test('a slider of the docs shows more of one of two pictures, by mouse and by keyboard', async () => {
+  const context = await browser.newContext({ ...desktop })
+  await context.addInitScript(withoutWorker)
+  const { page, messages } = await openPage(context, `${url}docs/normals.html`)
+  const figure = page.locator('.compare')
+  const shareOfFirst = () =>
+    figure.evaluate((element) => {
+      const { clipPath } = getComputedStyle(element.querySelector('img + img'))
+      return Number(/([\d.]+)%\)$/.exec(clipPath)[1])
+    })
+  await figure.scrollIntoViewIfNeeded()
+  assert.equal(await shareOfFirst(), 50)
+  const { width, height } = await figure.locator('img').first().boundingBox()
+  await figure.click({ position: { x: 0.8 * width, y: height / 3 } })
+  assert.ok(Math.abs((await shareOfFirst()) - 80) < 2, `${await shareOfFirst()}%`)
+  await page.keyboard.press('Home')
+  assert.equal(await shareOfFirst(), 0)
+  assert.deepEqual(messages, [])
+  await context.close()
+})

@@ -46,7 +46,7 @@ export type UniformExpression<Value> = Value extends number | boolean
   ? Scalar
   : Value extends ImageLike
     ? ImageName
-    : Value extends { readonly length: infer Length }
+    : Value extends { readonly length: infer Length extends number }
       ? number extends Length
         ? Vector | Mat3 | Mat4
         : OfLength<Length>

@@ -28,7 +28,9 @@ export const wgslHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill(warpCode, type, base) {
+  fill(given, type, base) {
+    const readsNormals = type === 'normal' || isLit(base)
+    const warpCode = readsNormals ? given : { ...given, pixel: undefined }
     const { pixel } = warpCode
     return {
       ...declarationsOf(
@@ -43,12 +45,17 @@ export const wgslHooks: HookStyle = {
       ]
         .filter(Boolean)
         .join('\n'),
-      varyingVariables: [
-        'warpjetViewNormal: vec3<f32>',
-        'warpjetViewPosition: vec3<f32>',
-        ...pixelVaryings(pixel),
-      ],
-      ...hooks('Vertex', fillHooks(warpCode, { ...this.names, ...variationVariables })),
+      ...(readsNormals && {
+        varyingVariables: [
+          'warpjetViewNormal: vec3<f32>',
+          'warpjetViewPosition: vec3<f32>',
+          ...pixelVaryings(pixel),
+        ],
+      }),
+      ...hooks(
+        'Vertex',
+        fillHooks(warpCode, { ...this.names, ...variationVariables }, readsNormals),
+      ),
       ...fragmentHooks(warpCode, type, base),
     }
   },
@@ -69,14 +76,15 @@ export const wgslHooks: HookStyle = {
   }),
 }
 
+const isLit = ({ hooks }: Shader) => 'Inputs getPixelInputs' in hooks.fragment
+
 /**
  * Returns the hook that lights the normal or, like p5's normal shader on WebGL, draws it as a colour; on WebGPU p5 has no such shader. A
  * collapsed surface, whose normal is zero, gets its geometric normal.
  */
 function fragmentHooks(warpCode: WarpCode, type: MaterialKind, base: Shader): Modifications {
   const { pixel, space } = warpCode
-  const isLit = 'Inputs getPixelInputs' in base.hooks.fragment
-  if (type !== 'normal' && !isLit) return {}
+  if (type !== 'normal' && !isLit(base)) return {}
   const statements = pixel
     ? `${readInputs(pixel)}${statementsOf(pixel.text, pixel.uniforms)}
   let warpjetShownNormal = ${toView('warpjetNormal', space, base)};`
@@ -104,6 +112,7 @@ ${body}
 function fillHooks(
   warpCode: WarpCode,
   names: Readonly<Record<string, string>>,
+  readsNormals: boolean,
 ): Record<string, string> {
   const warp = `${variationInWgsl(warpCode)}${warpStatements(warpCode, passInputs(warpCode.pixel, names, wgslTypes.vec4!))}
   warpjetNormalIsZero = all(warpjetNormal == vec3<f32>());
@@ -113,6 +122,7 @@ function fillHooks(
   warpjetViewNormal = vec3<f32>();
   if (!warpjetNormalIsZero) { warpjetViewNormal = normalize(warpjetInputs.normal); }`
   const name = hookIn[warpCode.space]
+  if (!readsNormals) return { [name]: warp }
   return { [name]: warp, getCameraInputs: warpCode.space === 'camera' ? warp + keep : keep }
 }
 

@@ -3,12 +3,13 @@
  * material's own nodes for normals run, the normal of the geometry is replaced by that of the warp at the interpolated inputs, so that
  * maps, both sides and clearcoats follow.
  */
-import { BackSide, DoubleSide, type Texture } from 'three'
+import type { Texture } from 'three'
 import { shaderNames } from '../../compile/hosts.js'
 import { nameOf, nameOfMaterial } from '../describe.js'
 import { warnOfVertices } from '../notes.js'
 import type { Stage, ThreeWarp } from '../three-warp.js'
 import type { Builder } from './builder.js'
+import { normalizeOr, onBack } from './facing.js'
 import { inputsOfStage, parameterNames, parametersOf } from './function.js'
 import { instanceMatrixOf, instancesAfter, isSkinned } from './instances.js'
 import { PackedVaryings, type VectorSize } from './packed-varyings.js'
@@ -173,6 +174,7 @@ export class PixelNormals {
   }
 
   private assignNormals() {
+    const { builder } = this
     const result = this.call().toVar()
     const [normal, tangent] = this.hasTangents
       ? [result.element(0), result.element(1)]
@@ -180,13 +182,13 @@ export class PixelNormals {
     const viewNormal = this.toView(normal).toVar()
     const facing = normalizeOr(tsl.normalFlat, tsl.vec3(0, 0, 1))
     // Three.js negates the normals of back faces later.
-    tsl.normalViewGeometry.assign(normalizeOr(viewNormal, this.onBack(facing)))
+    tsl.normalViewGeometry.assign(normalizeOr(viewNormal, onBack(builder, facing)))
     if (!tangent) return
     const viewTangent = this.tangentToView(tangent).toVar()
     const side = tsl.tangentGeometry.w.mul(this.orientation)
     const viewBitangent = viewNormal.cross(viewTangent).mul(side)
-    tsl.tangentView.assign(this.onBack(normalizeOr(viewTangent, tsl.vec3(1, 0, 0))))
-    tsl.bitangentView.assign(this.onBack(normalizeOr(viewBitangent, tsl.vec3(0, 1, 0))))
+    tsl.tangentView.assign(onBack(builder, normalizeOr(viewTangent, tsl.vec3(1, 0, 0))))
+    tsl.bitangentView.assign(onBack(builder, normalizeOr(viewBitangent, tsl.vec3(0, 1, 0))))
   }
 
   /** The normal, and the tangent, in the space of the offset. */
@@ -220,12 +222,6 @@ export class PixelNormals {
     return [...this.matrix!.read().values()]
   }
 
-  private onBack(vector: AnyNode): AnyNode {
-    const { side } = this.builder.material
-    if (side === BackSide) return vector.negate()
-    return side === DoubleSide ? vector.mul(tsl.faceDirection) : vector
-  }
-
   private get orientation(): unknown {
     return this.warp.mirrors === false ? 1 : nodesOf(this.warp).uniforms[shaderNames.orientation]
   }
@@ -237,10 +233,6 @@ const columnSizes = new Map<string, VectorSize>([
   ['y', 3],
   ['z', 3],
 ])
-
-/** Returns the vector with length 1, or `other` for one that is zero or not finite. */
-const normalizeOr = (vector: AnyNode, other: AnyNode) =>
-  tsl.select(vector.dot(vector).greaterThan(0), vector.normalize(), other)
 
 const withLength = (normal: AnyNode) =>
   normal.xyz.mul(normal.w.div(tsl.max(tsl.length(normal.xyz), 1e-30)))

@@ -11,7 +11,14 @@ import { type NormalMaterial, type PixelNormals, pixelNormalsFor } from './pixel
 import { type Space, local, world } from './spaces.js'
 import { type AnyNode, tsl } from './tsl.js'
 import type { NodesByName } from './uniforms.js'
+import { type VertexNormals, vertexNormalsFor } from './vertex-normals.js'
 import { nodesOf } from './warp-nodes.js'
+
+/** The source of normals at pixels: the warp, or the interpolation of vertices. */
+interface Normals {
+  pixel?: PixelNormals | undefined
+  vertex?: VertexNormals | undefined
+}
 
 /**
  * Adds a warp to the vertex that is being built. `setup` is what three.js does in its place: morph targets, bones,
@@ -27,21 +34,26 @@ export function setupWarped(
 ) {
   const { object } = builder
   const { space } = warp.settings
+  const ofVertex = vertexNormalsFor(builder, material)
+  // Replaces them again.
   const pixel = pixelNormalsFor(warp, builder, material)
+  const vertex = pixel ? undefined : ofVertex
+  const normals = { pixel, vertex }
   orientFaces(warp, builder)
   const instances = space === 'local' ? instancesOf(object) : undefined
-  if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious), { pixel })
+  if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious), normals)
   if (instances) withoutInstances(builder, material, setup)
   else setup()
-  if (space === 'world') moveVertex(warp, builder, world(isPosed(object)), { pixel })
+  if (space === 'world') moveVertex(warp, builder, world(isPosed(object)), normals)
   if (space === 'local') {
     const previous = isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal
-    moveVertex(warp, builder, local(previous), { pixel })
+    moveVertex(warp, builder, local(previous), normals)
   }
   instances?.(object)
   pixel?.passMatrix()
   if (instances && material.positionNode) displace(builder, material.positionNode)
   pixel?.replaceNormals()
+  vertex?.pass()
 }
 
 /** Applies a `positionNode` like three.js, and assumes that it displaced the vertex in the frame before as it does now. */
@@ -68,8 +80,7 @@ export interface OuterNodes {
 
 const noOuterNodes: OuterNodes = { now: {}, before: {} }
 
-export interface MoveOptions {
-  pixel?: PixelNormals | undefined
+export interface MoveOptions extends Normals {
   outer?: OuterNodes
   /** The new position, if the shader has it already. */
   position?: AnyNode | undefined
@@ -80,7 +91,7 @@ export function moveVertex(
   warp: ThreeWarp,
   builder: Builder,
   space: Space,
-  { pixel, outer = noOuterNodes, position }: MoveOptions,
+  { pixel, vertex, outer = noOuterNodes, position }: MoveOptions,
 ) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
@@ -114,7 +125,9 @@ export function moveVertex(
   pixel?.pass(inputsFor(space.position, uniforms))
   // Pixels compute their own normals.
   if (position && (pixel || turned === 'position')) return space.assign(position)
+  const rest = turned === 'position' ? undefined : space.normal().toVar()
   const result = resultFor(space.position, uniforms)
+  if (rest) vertex?.mark(result.element(1), rest)
   space.assign(
     position ?? positionOf(result),
     turned === 'position' ? undefined : result.element(1),

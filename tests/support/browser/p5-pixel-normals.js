@@ -1,17 +1,49 @@
 // The shapes of p5 that normals at pixels are tested on, how they are drawn, and the comparison.
 import assert from 'node:assert/strict'
+import { subdivide } from '../../../dist/mesh.js'
+import { icosahedron } from '../coarse-meshes.js'
 import * as m from './matrix.js'
 import { anglesOf, exactNormals, pixelWarps } from './pixel-normals.js'
 
 export const size = 160
 const radius = 60
 
-/** Maps a name → p5 code that draws the shape, of about radius 1, and the warps that it is drawn with. */
-export const shapes = {
-  sphere: { code: 'sphere(1)', with: Object.keys(pixelWarps) },
-  box: { code: 'box(1)', with: ['fbm', 'waves', 'blob'] },
-  plane: { code: 'plane(1, 1)', with: ['waves', 'flag'] },
-  torus: { code: 'torus(1, 0.3)', with: ['simplex', 'twist'] },
+/** Vertices and faces of a sphere of 1,280 nearly equal triangles. */
+function icosphere() {
+  const { positions, indices } = subdivide(icosahedron(1), { levels: 3 })
+  const threes = (list) =>
+    Array.from({ length: list.length / 3 }, (_, i) => [...list.subarray(3 * i, 3 * i + 3)])
+  return { vertices: threes(positions).map(m.normalize), faces: threes(indices) }
+}
+
+/** Maps a name → p5 code for the geometry, of about radius 1. */
+const shapes = {
+  sphere: 'buildGeometry(() => sphere(1))',
+  box: 'buildGeometry(() => box(1))',
+  plane: 'buildGeometry(() => plane(1, 1))',
+  torus: 'buildGeometry(() => torus(1, 0.3))',
+  icosahedron: `new p5.Geometry(1, 1, function () {
+    const { vertices, faces } = ${JSON.stringify(icosphere())}
+    this.gid = 'icosahedron'
+    this.vertices = vertices.map((p) => createVector(...p))
+    this.vertexNormals = vertices.map((p) => createVector(...p))
+    this.uvs = vertices.flatMap(([x, y]) => [0.5 + 0.5 * x, 0.5 + 0.5 * y])
+    this.faces = faces
+  })`,
+}
+
+const namesOfWarps = Object.keys(pixelWarps)
+
+/** Maps a shape → the warps that it is drawn with. */
+export const allPairs = Object.fromEntries(Object.keys(shapes).map((name) => [name, namesOfWarps]))
+
+/** The pairs of slower renderers and of old versions: each shape and each warp. */
+export const somePairs = {
+  sphere: namesOfWarps,
+  box: ['fbm', 'waves', 'blob'],
+  plane: ['waves', 'flag'],
+  torus: ['simplex', 'twist'],
+  icosahedron: ['worley'],
 }
 
 const turn = m.product(m.rotation(0.5, 1, 2), m.rotation(0.4, 2, 0))
@@ -39,7 +71,7 @@ const toScreen = (p) => {
   return [...[x, y].map((each) => size / 2 + (distance * each) / near), -1 / near, near]
 }
 
-export const geometries = `{ ${Object.entries(shapes).map(([name, { code }]) => `${name}: buildGeometry(() => ${code})`)} }`
+export const geometries = `{ ${Object.entries(shapes).map(([name, code]) => `${name}: ${code}`)} }`
 
 /** Returns a shape as a mesh of `exactNormals`, after it was drawn. */
 export const describeShape = `(shape) => {
@@ -50,11 +82,12 @@ export const describeShape = `(shape) => {
     gradients: names.map((name) => [...geometries[shape]['warpjet_' + name] ?? []]) }
 }`
 
-/** Asserts that 99.9% of the normals shown are within 0.1 degrees. `restAt` is that of `exactNormals`; `shownAt` is in view space. */
+/** Asserts that 99.9% of the normals shown are within 0.1 degrees, and returns that angle. `restAt` is that of `exactNormals`; `shownAt` is in view space. */
 export function checkNormals(warp, shape, mesh, { restAt, shownAt }) {
   const { exact, share } = exactNormals(warp, mesh, { toScreen, restAt, width: size, height: size })
   const inView = exact.map(({ pixel, normal }) => ({ pixel, normal: m.turnNormal(turn, normal) }))
   const { median, most, count } = anglesOf(inView, shownAt)
   assert.ok(count > 500 && share > 0.97, `${shape}: ${count} pixels, ${share} of them compared`)
   assert.ok(most < 0.1, `${shape}: ${most} degrees off at 99.9%, ${median} in the median`)
+  return most
 }

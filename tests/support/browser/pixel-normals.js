@@ -1,8 +1,9 @@
 // Warps and meshes whose normals at pixels are compared with exact ones, in all hosts.
 import { compileWarp } from '../../../dist/warpjet.js'
 import * as noise from '../noise.js'
+import { cross, dot, subtract } from './matrix.js'
 import { angleBetween, warpVertex } from './oracle.js'
-import { restPlaces } from './rest-places.js'
+import { mixValues, restPlaces } from './rest-places.js'
 
 const { cos, sin } = Math
 const scale = (p, factor) => p.map((x) => x * factor)
@@ -69,17 +70,33 @@ export function exactNormals(name, mesh, { toScreen, restAt, width, height, coun
   const corners = vertices.map((_, i) => toScreen([...moved.subarray(3 * i, 3 * i + 3)]))
   const places = restPlaces({ corners, values, faces }, width, height)
   const sample = places.filter((_, i) => i % Math.max(1, Math.floor(places.length / count)) === 0)
-  const seen = sample.flatMap(({ pixel, values }) => {
+  const seen = sample.flatMap(({ pixel, face, values: ours }) => {
     const rest = restAt(pixel)
-    const distance = Math.hypot(...three(rest, 0).map((x, i) => x - values[i]))
+    const distance = Math.hypot(...three(rest, 0).map((x, i) => x - ours[i]))
     const length = Math.hypot(...three(rest, 3))
     for (let k = 3; k < 6; k++) rest[k] /= length
-    return distance < 0.05 ? [{ pixel, values: [...rest.slice(0, 8), ...values.slice(8)] }] : []
+    const shares = sharesAt(
+      three(rest, 0),
+      face.map((i) => vertices[i]),
+    )
+    const corners = face.map((i) => values[i])
+    const varied = shares ? mixValues(shares, corners) : ours
+    return distance < 0.05 ? [{ pixel, values: [...rest.slice(0, 8), ...varied.slice(8)] }] : []
   })
   const share = seen.length / sample.length
   const exact = at ? seen.map((place) => exactNormal(at, place)) : interpolatedNormals(warp, seen)
   // At a kink there is no normal.
   return { share, exact: exact.filter(({ normal }) => normal) }
+}
+
+/** Returns the barycentric coordinates of a point in the plane of a triangle; `undefined` if the corners are on a line. */
+function sharesAt(point, [a, b, c]) {
+  const [u, v, w] = [b, c, point].map((end) => subtract(end, a))
+  const normal = cross(u, v)
+  const area = dot(normal, normal)
+  if (area < 1e-16) return undefined
+  const [second, third] = [dot(cross(w, v), normal) / area, dot(cross(u, w), normal) / area]
+  return [1 - second - third, second, third]
 }
 
 const arraysOf = (all) => ({

@@ -1,7 +1,7 @@
 // A rasterizer in double: the rest place of the surface at each pixel of a picture, from the corners of its triangles.
 
 /**
- * Returns { pixel, values } for each pixel that a triangle covers. `corners` are the vertices on screen, [x, y, depth, w] with the
+ * Returns { pixel, face, values } for each pixel that a triangle covers. `corners` are the vertices on screen, [x, y, depth, w] with the
  * smaller depth in front, and `values` their arrays of numbers, which are interpolated as a GPU does; `w` is 1 without perspective.
  */
 export function restPlaces({ corners, values, faces }, width, height) {
@@ -31,14 +31,22 @@ export function restPlaces({ corners, values, faces }, width, height) {
   }
   return Array.from(found, ([pixel, { face, shares }]) => ({
     pixel,
-    values: values[face[0]].map((_, k) =>
-      mix(
-        shares,
-        face.map((i) => values[i][k]),
-      ),
+    face,
+    values: mixValues(
+      shares,
+      face.map((i) => values[i]),
     ),
   }))
 }
+
+/** Interpolates lists of numbers between the corners of a triangle. */
+export const mixValues = (shares, lists) =>
+  lists[0].map((_, k) =>
+    mix(
+      shares,
+      lists.map((list) => list[k]),
+    ),
+  )
 
 const edge = (a, b, p) => (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 const mix = (shares, numbers) => numbers.reduce((sum, number, i) => sum + shares[i] * number, 0)

@@ -11,6 +11,7 @@ import { type NormalMaterial, pixelNormalsFor } from '../pixel.js'
 import { local, ofGeometry } from '../spaces.js'
 import { type AnyNode, tsl } from '../tsl.js'
 import { moveVertex } from '../vertex.js'
+import { vertexNormalsFor } from '../vertex-normals.js'
 import type { ExactMaterial } from './exact-materials.js'
 import { ExactWarp } from './exact-warp.js'
 import { previousValues } from './previous-values.js'
@@ -57,14 +58,23 @@ function moveExactly(
     builder.addSequentialNode(node)
   }
   const now = warp.outerNodes(source)
+  const ofVertex = vertexNormalsFor(builder, material)
+  // Replaces them again.
   const pixel = pixelNormalsFor(warp, builder, material, now)
+  const vertex = pixel ? undefined : ofVertex
   const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
   // The original assigns variables that other nodes read.
   const position = source.hasEffects
     ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
     : undefined
-  moveVertex(warp, builder, space, { pixel, outer: { now, before: previousValues(now) }, position })
+  moveVertex(warp, builder, space, {
+    pixel,
+    vertex,
+    outer: { now, before: previousValues(now) },
+    position,
+  })
   pixel?.replaceNormals()
+  vertex?.pass()
 }
 
 function warpFor(exact: ExactMaterial, source: PositionSource): ExactWarp {

@@ -5,11 +5,11 @@ import { measure } from './measure.js'
 import {
   bumps,
   collapse,
-  differing,
+  countDifferences,
   facets,
   litScene,
   mapNames,
-  mapped,
+  drawWithMap,
   summarize,
 } from './pictures.js'
 import { camera, size } from './scenes.js'
@@ -70,21 +70,21 @@ function sources(normals, kind = 'standard') {
 /** Materials in which normals cannot be computed at pixels. */
 const obstacles = {
   'normals changed after the warp': () =>
-    changed((shader) => {
+    makeMaterialChangedBy((shader) => {
       shader.vertexShader = shader.vertexShader.replace(
         '#include <project_vertex>',
         '#include <project_vertex>\nvNormal = normalize( vNormal + vec3( 0.3, 0.0, 0.0 ) );',
       )
     }),
   'normals changed before the warp': () =>
-    changed((shader) => {
+    makeMaterialChangedBy((shader) => {
       shader.vertexShader = shader.vertexShader.replace(
         '#include <begin_vertex>',
         '#include <begin_vertex>\nvNormal = normalize( vNormal + vec3( 0.3, 0.0, 0.0 ) );',
       )
     }),
   'a fragment shader without the line': () =>
-    changed((shader) => {
+    makeMaterialChangedBy((shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
         '#include <normal_fragment_begin>',
         THREE.ShaderChunk.normal_fragment_begin.replace('normalize( vNormal )', 'vNormal'),
@@ -110,7 +110,7 @@ const obstacles = {
 
 const { maxVaryings } = renderer.capabilities
 
-function changed(change) {
+function makeMaterialChangedBy(change) {
   const material = new THREE.MeshStandardMaterial()
   material.onBeforeCompile = change
   material.customProgramCacheKey = () => String(change)
@@ -126,7 +126,7 @@ function obstacle(name, normals) {
     return twice[1]
   })
   renderer.capabilities.maxVaryings = maxVaryings
-  return { differing: differing(...pictures), ...summarize(pictures[1]) }
+  return { differing: countDifferences(...pictures), ...summarize(pictures[1]) }
 }
 
 /** The stage that `auto` chooses for each warp, and one of a shift. */
@@ -167,7 +167,7 @@ window.pixels = {
   collapse: (name, settings) => collapse(host, name, settings),
   facets: (name) => facets(host, name),
   mapNames,
-  mapped: (name) => mapped(host, name),
+  drawWithMap: (name) => drawWithMap(host, name),
   obstacles: Object.keys(obstacles),
   obstacle,
   sources,

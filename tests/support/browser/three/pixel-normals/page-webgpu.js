@@ -7,17 +7,20 @@ import { measure } from './measure.js'
 import {
   bumps,
   collapse,
-  differing,
+  countDifferences,
   facets,
   litScene,
   mapNames,
-  mapped,
+  drawWithMap,
   summarize,
 } from './pictures.js'
 import { camera, size } from './scenes.js'
 import { warps } from './warps.js'
 
-const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
+const floats = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
+
+/** Transmission reads the picture behind, in levels of detail, which WebGPU does not filter in floats. A row has 256 bytes. */
+const bytes = new THREE.RenderTarget(64, 64, { type: THREE.UnsignedByteType })
 
 /** MeshNormalMaterial takes its colours for sRGB, and writes linear ones. */
 const decode = (picture) =>
@@ -37,14 +40,14 @@ const makers = {
   physical: (options) => new THREE.MeshPhysicalMaterial(options),
 }
 
-async function hostFor(backend) {
+async function hostFor(backend, target = floats) {
   const renderer = await rendererFor(backend)
   const draw = async (scene, view = camera()) => {
     renderer.setRenderTarget(target)
     renderer.setClearColor(0, 0)
     renderer.render(scene, view)
     renderer.setRenderTarget(null)
-    return renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)
+    return renderer.readRenderTargetPixelsAsync(target, 0, 0, target.width, target.height)
   }
   return { draw, decode, normalMaterial: makers.normal, seenMaterial, makers }
 }
@@ -87,7 +90,7 @@ async function reflection(backend) {
     pictures.push(await draw(scene))
     warped.dispose()
   }
-  return { differing: differing(...pictures), ...summarize(pictures[1]) }
+  return { differing: countDifferences(...pictures), ...summarize(pictures[1]) }
 }
 
 /** A warp in front of bones, whose normals stay those of vertices. */
@@ -107,7 +110,7 @@ async function obstacle(backend, normals) {
     pictures.push(await draw(scene))
     warped.dispose()
   }
-  return differing(...pictures)
+  return countDifferences(...pictures)
 }
 
 window.pixels = {
@@ -116,7 +119,8 @@ window.pixels = {
   collapse: async (backend, name, settings) => collapse(await hostFor(backend), name, settings),
   facets: async (backend, name) => facets(await hostFor(backend), name),
   mapNames,
-  mapped: async (backend, name) => mapped(await hostFor(backend), name),
+  drawWithMap: async (backend, name) =>
+    drawWithMap(await hostFor(backend, name === 'transmission' ? bytes : floats), name),
   ownNode,
   reflection,
   obstacle,

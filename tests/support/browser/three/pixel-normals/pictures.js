@@ -48,7 +48,7 @@ export function summarize(picture) {
 }
 
 /** Counts the pixels of two pictures that differ. */
-export function differing(a, b, tolerance = 1e-3) {
+export function countDifferences(a, b, tolerance = 1e-3) {
   let count = 0
   for (let i = 0; i < a.length; i += 4)
     if ([0, 1, 2, 3].some((k) => !(Math.abs(a[i + k] - b[i + k]) <= tolerance))) count++
@@ -76,8 +76,8 @@ export async function collapse({ draw, makers }, name, { normals, side = 'FrontS
   return {
     ...summarize(lit),
     finite: shown.every(Number.isFinite),
-    differing: differing(shown, facets),
-    differingInLight: differing(lit, litFacets),
+    differing: countDifferences(shown, facets),
+    differingInLight: countDifferences(lit, litFacets),
   }
 }
 
@@ -91,7 +91,7 @@ export async function facets({ draw, makers }, name) {
     pictures.push(await draw(scene))
     warped.dispose()
   }
-  return differing(...pictures)
+  return countDifferences(...pictures)
 }
 
 const maps = {
@@ -107,7 +107,7 @@ const maps = {
 export const mapNames = Object.keys(maps)
 
 /** A material with a map, with normals of both kinds → finite pixels, and how many differ. */
-export async function mapped({ draw, makers }, name, offsetName = 'simplex') {
+export async function drawWithMap({ draw, makers }, name, offsetName = 'simplex') {
   const pictures = []
   for (const normals of ['vertex', 'pixel']) {
     const geometry = new THREE.SphereGeometry(1, 24, 16)
@@ -121,5 +121,5 @@ export async function mapped({ draw, makers }, name, offsetName = 'simplex') {
     pictures.push(await draw(scene))
     warped.dispose()
   }
-  return { ...summarize(pictures[1]), differing: differing(...pictures) }
+  return { ...summarize(pictures[1]), differing: countDifferences(...pictures) }
 }

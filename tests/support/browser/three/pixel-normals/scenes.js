@@ -34,7 +34,7 @@ function place(object, isPlane) {
 const turn = new THREE.Euler(0.3, 0.7, 0)
 
 /** Bones that turn the whole geometry. */
-function skinned(geometry, material) {
+function makeSkinnedMesh(geometry, material) {
   const { count } = geometry.attributes.position
   const weights = Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0))
   geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4))
@@ -51,7 +51,7 @@ function skinned(geometry, material) {
 const boneMatrix = () => new THREE.Matrix4().makeRotationFromEuler(turn)
 
 /** A morph target that adds to positions and normals. */
-function morphed(geometry, material) {
+function makeMorphingMesh(geometry, material) {
   const targets = morphsOf(geometry)
   Object.assign(geometry.morphAttributes, targets)
   geometry.morphTargetsRelative = true
@@ -83,13 +83,13 @@ export const instances = [
   ),
 )
 
-function instanced(geometry, material) {
+function makeInstancedMesh(geometry, material) {
   const mesh = new THREE.InstancedMesh(geometry, material, 2)
   instances.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
   return mesh
 }
 
-function batched(geometry, material) {
+function makeBatchedMesh(geometry, material) {
   const mesh = new THREE.BatchedMesh(2, 4000, 12000, material)
   // Two geometries of different attributes would not fit into one batch.
   const id = mesh.addGeometry(geometry)
@@ -108,21 +108,21 @@ export const kinds = {
     },
   },
   skin: {
-    make: skinned,
-    posed: (_, numbers) => transformed(numbers, boneMatrix()),
+    make: makeSkinnedMesh,
+    posed: (_, numbers) => transformPoints(numbers, boneMatrix()),
   },
   morphs: {
-    make: morphed,
+    make: makeMorphingMesh,
     posed(name, numbers, geometry) {
       const [{ array }] = morphsOf(geometry)[name]
       return numbers.map((x, i) => x + 0.7 * array[i])
     },
   },
-  instances: { make: instanced, matrices: instances },
-  batch: { make: batched, matrices: instances },
+  instances: { make: makeInstancedMesh, matrices: instances },
+  batch: { make: makeBatchedMesh, matrices: instances },
 }
 
-function transformed(numbers, matrix) {
+function transformPoints(numbers, matrix) {
   const vector = new THREE.Vector3()
   const moved = new Float32Array(numbers.length)
   for (let i = 0; i < numbers.length; i += 3)

@@ -1,0 +1,101 @@
+// Shaders of WebGL 2 that draw a warped sheet with normals at vertices, at pixels, and by differences at pixels.
+
+/** Values of the inputs of a warp at a corner of the sheet, from -1 to 1. */
+const values = {
+  position: 'vec3(corner, 0.2)',
+  normal: 'normalize(vec3(0.3 * corner, 1.0))',
+  uv: '0.5 * corner + 0.5',
+  color: 'vec4(0.5 * corner + 0.5, 0.5, 1.0)',
+}
+const gradient = 'vec3(0.1 * corner, 0.5)'
+
+const declare = (qualifier) => (variables) =>
+  variables.map(({ type, name }) => `${qualifier} ${type} ${name};\n`).join('')
+const declareUniforms = declare('uniform highp')
+
+const varyingsFor = (variables) =>
+  variables.map(({ type, name }) => ({ type, name: `passed_${name}`, input: name }))
+
+/** `outputs` are variables for pixels; their `input` is an expression. */
+const vertexShader = ({ code, declarations, uniforms, attributes }, outputs) => {
+  const inputs = new Map(attributes.map((each) => [each.name, each]))
+  for (const each of outputs)
+    if (!each.isResult) inputs.set(each.input, { type: each.type, name: each.input })
+  return `#version 300 es
+precision highp float;
+${declareUniforms(uniforms)}${declare('out')(outputs)}${declarations}
+void main() {
+  vec2 corner = vec2(gl_VertexID % 101, gl_VertexID / 101) / 50.0 - 1.0;
+${[...inputs.values()].map(({ type, name }) => `  ${type} ${name} = ${values[name] ?? gradient};\n`).join('')}
+${code}
+${outputs.map(({ name, input }) => `  ${name} = ${input};\n`).join('')}
+  // The sheet stays where it is, but the warp is computed.
+  gl_Position = vec4(corner + 1e-20 * clamp(warpedPosition.xy, -1.0, 1.0), 0.0, 1.0);
+}`
+}
+
+const fragmentShader = ({ uniforms, declarations }, inputs, body) => `#version 300 es
+precision highp float;
+precision highp int;
+${declareUniforms(uniforms)}${declare('in')(inputs)}out vec4 color_;
+${declarations}
+void main() {
+${body}
+  color_ = vec4(vec3(max(dot(lit, vec3(0.48, 0.6, 0.64)), 0.0)), 1.0);
+}`
+
+const readInputs = (inputs) =>
+  inputs.map(({ type, name, input }) => `  ${type} ${input} = ${name};\n`).join('')
+
+/** The normal by central differences along two tangents: four evaluations of the offset. */
+function differencesOf(warp) {
+  const inputs = varyingsFor([
+    ...new Map([...warp.attributes, ...frame].map((each) => [each.name, each])).values(),
+  ])
+  const others = inputs.filter(({ input }) => input !== 'position')
+  const parameters = others.map(({ type, input }) => `, ${type} ${input}`).join('')
+  const rest = others.map(({ input }) => `, ${input}`).join('')
+  const move = `vec3 move(vec3 position${parameters}) {\n${warp.code}\nreturn warpedPosition;\n}`
+  const at = (step) => `move(position ${step}${rest})`
+  const body = `${readInputs(inputs)}
+  vec3 u = normalize(cross(normal, vec3(0.3, 0.8, 0.5))) * 1e-3;
+  vec3 v = cross(normal, u);
+  vec3 lit = normalize(cross(${at('+ u')} - ${at('- u')}, ${at('+ v')} - ${at('- v')}));`
+  const { uniforms, declarations } = warp
+  const source = { uniforms, declarations: `${declarations}\n${move}` }
+  return { vertex: vertexShader(warp, inputs), fragment: fragmentShader(source, inputs, body) }
+}
+
+const frame = [
+  { type: 'vec3', name: 'position' },
+  { type: 'vec3', name: 'normal' },
+]
+
+const isSame = (a, b) => a.code === b.code && a.declarations === b.declarations
+
+function byJacobian(plain, fragment) {
+  const inputs = varyingsFor(fragment.attributes)
+  return {
+    vertex: vertexShader(plain, inputs),
+    fragment: fragmentShader(
+      fragment,
+      inputs,
+      `${readInputs(inputs)}${fragment.code}\n  vec3 lit = normalize(warpedNormal);`,
+    ),
+  }
+}
+
+/** `warp` has normals in its code, `plain` is the same without; `fragment` and `faded` are the code of its fragment stage. */
+export function shadersOf(warp, plain, fragment, faded) {
+  const shown = [{ type: 'vec3', name: 'shown', input: 'warpedNormal', isResult: true }]
+  const none = { uniforms: [], declarations: '' }
+  return {
+    vertex: {
+      vertex: vertexShader(warp, shown),
+      fragment: fragmentShader(none, shown, '  vec3 lit = normalize(shown);'),
+    },
+    pixel: byJacobian(plain, fragment),
+    ...(isSame(fragment, faded) ? {} : { faded: byJacobian(plain, faded) }),
+    differences: differencesOf(plain),
+  }
+}

@@ -1,0 +1,206 @@
+// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: frames with normals at vertices, at pixels, and by
+// four evaluations at each pixel, for the warps of the gallery. `faded` is the default where noise that is finer than a pixel fades.
+// Without a GPU, or with --software, it measures SwiftShader: a smaller size does there.
+import { parseArgs } from 'node:util'
+import { compileWarp } from '../../dist/warpjet.js'
+import { servePages } from '../../tests/support/browser/server.js'
+import { sketchWarps } from '../../tests/warps/sketches.js'
+import { threeWarps } from '../../tests/warps/three-sketches.js'
+import { Stop, good, say } from '../lib/terminal.mjs'
+import { chooseRenderer } from './browsers.mjs'
+import { shadersOf } from './gpu-shaders.mjs'
+import { warps as plainWarps } from './pixels.mjs'
+
+function readOptions(args) {
+  const { values } = parseArgs({
+    args,
+    options: {
+      size: { type: 'string', default: '1200' },
+      seconds: { type: 'string', default: '480' },
+      software: { type: 'boolean', default: false },
+      warp: { type: 'string', multiple: true },
+    },
+  })
+  const [size, seconds] = [Number(values.size), Number(values.seconds)]
+  if (!(Number.isInteger(size) && size > 0 && size <= 4096))
+    throw new Stop(`Expected a whole number up to 4096 for --size, got ${values.size}.`)
+  if (!(seconds > 0))
+    throw new Stop(`Expected a positive number for --seconds, got ${values.seconds}.`)
+  return { size, seconds, software: values.software, names: values.warp }
+}
+
+/** Compiles all warps → [{ name, shaders, characters, auto }]. */
+async function compileAll(names) {
+  const plain = Object.entries(plainWarps).map(([name, source]) => [name, (0, eval)(source), {}])
+  const gallery = [...(await sketchWarps()), ...threeWarps()]
+  const found = gallery
+    .filter(({ warp }) => warp)
+    .map(({ name, warp, options }) => [name, warp, options?.uniforms])
+  const all = [...plain, ...found].map(([name, offset, uniforms]) => {
+    const options = { perFrame: true, surfaceVariation: true, uniforms }
+    const warp = compileWarp(offset, { ...options, normals: 'vertex' })
+    const plain = compileWarp(offset, { ...options, normals: false })
+    const faded = warp.emitFragment()
+    // Differences do not fade either.
+    const fragment = compileWarp(offset, { ...options, fadeNoise: false }).emitFragment()
+    return {
+      name,
+      shaders: shadersOf(warp, plain, fragment, faded),
+      characters: fragment.code.length + fragment.declarations.length,
+      auto: compileWarp(offset, { ...options, normals: 'auto' }).normals,
+    }
+  })
+  // The cheapest of the gallery are first: if time is short, most of them are measured.
+  const first = all.splice(0, plain.length)
+  const sorted = [...first, ...all.sort((a, b) => a.characters - b.characters)]
+  const unknown = names?.filter((name) => !sorted.some((each) => each.name === name)) ?? []
+  if (unknown.length) throw new Stop(`Expected names of warps for --warp, got ${unknown}.`)
+  return sorted.filter(({ name }) => !names || names.includes(name))
+}
+
+/** Runs in the page, and makes `measureWarp`. */
+function prepare(size) {
+  const canvas = new OffscreenCanvas(size, size)
+  const gl = canvas.getContext('webgl2', { antialias: false })
+  const cells = 100
+  const indices = new Uint32Array(6 * cells * cells)
+  for (let i = 0; i < cells * cells; i++) {
+    const corner = Math.floor(i / cells) * (cells + 1) + (i % cells)
+    indices.set(
+      [0, 1, cells + 1, cells + 1, 1, cells + 2].map((step) => corner + step),
+      6 * i,
+    )
+  }
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer())
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW)
+  gl.viewport(0, 0, size, size)
+
+  function compile({ vertex, fragment }) {
+    const program = gl.createProgram()
+    for (const [type, source] of [
+      [gl.VERTEX_SHADER, vertex],
+      [gl.FRAGMENT_SHADER, fragment],
+    ]) {
+      const shader = gl.createShader(type)
+      gl.shaderSource(shader, source)
+      gl.compileShader(shader)
+      gl.attachShader(program, shader)
+    }
+    gl.linkProgram(program)
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+      const logs = gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader))
+      throw new Error(gl.getProgramInfoLog(program) + logs.join(''))
+    }
+    return program
+  }
+
+  /** The cost does not depend on values. */
+  function setUniforms(program) {
+    const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS)
+    for (let i = 0; i < count; i++) {
+      const { name, type } = gl.getActiveUniform(program, i)
+      const place = gl.getUniformLocation(program, name)
+      const kinds = { [gl.FLOAT]: 1, [gl.FLOAT_VEC2]: 2, [gl.FLOAT_VEC3]: 3, [gl.FLOAT_VEC4]: 4 }
+      if (kinds[type]) gl[`uniform${kinds[type]}fv`](place, Array(kinds[type]).fill(0.7))
+    }
+  }
+
+  const pixel = new Uint8Array(4)
+  const finish = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel)
+  const time = (program, count) => {
+    gl.useProgram(program)
+    const start = performance.now()
+    for (let i = 0; i < count; i++)
+      gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0)
+    finish()
+    return (performance.now() - start) / count
+  }
+
+  function countPixels() {
+    const data = new Uint8Array(4 * size * size)
+    gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, data)
+    let count = 0
+    for (let i = 3; i < data.length; i += 4) count += data[i] > 0
+    return count
+  }
+
+  /** Batches of frames take this many milliseconds or more. */
+  const batch = 50
+  const median = (times) => times.sort((a, b) => a - b)[times.length >> 1]
+
+  window.measureWarp = (shaders, milliseconds) => {
+    const end = performance.now() + milliseconds
+    const methods = Object.entries(shaders).map(([name, sources]) => {
+      gl.clear(gl.COLOR_BUFFER_BIT)
+      const start = performance.now()
+      const program = compile(sources)
+      gl.useProgram(program)
+      setUniforms(program)
+      time(program, 1)
+      const first = performance.now() - start
+      if (countPixels() < 0.99 * size * size) throw new Error(`${name} does not cover the picture`)
+      const count = Math.ceil(Math.min(1000, batch / time(program, 1)))
+      return { name, program, first, count, times: [] }
+    })
+    let rounds = 0
+    do {
+      for (const { program, count, times } of methods) times.push(time(program, count))
+      rounds++
+    } while (rounds < 9 && performance.now() < end)
+    for (const { program } of methods) gl.deleteProgram(program)
+    return Object.fromEntries(
+      methods.map(({ name, first, times }) => [name, { first, frame: median(times), rounds }]),
+    )
+  }
+}
+
+const round = (x) => Number(x.toPrecision(3))
+
+const rowOf = ({ vertex, pixel, faded, differences }, { characters, auto }) => ({
+  'ms, vertex': round(vertex.frame),
+  'ms, pixel': round(pixel.frame),
+  ...(faded && { 'ms, faded': round(faded.frame) }),
+  'ms, differences': round(differences.frame),
+  'pixel / vertex': round(pixel.frame / vertex.frame),
+  'pixel / differences': round(pixel.frame / differences.frame),
+  'first, vertex': round(vertex.first),
+  'first, pixel': round(pixel.first),
+  characters,
+  rounds: pixel.rounds,
+  auto,
+})
+
+export async function measure(args) {
+  const { size, seconds, software, names } = readOptions(args)
+  const start = performance.now()
+  const { chromium } = await import('playwright-core')
+  const launch = (flags) =>
+    chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args: flags })
+  const { flags, renderer, isSoftware } = await chooseRenderer(launch, software)
+  good(`${isSoftware ? 'No GPU' : 'GPU'}: ${renderer}`)
+  const server = await servePages()
+  const browser = await launch(flags)
+  const page = await browser.newPage()
+  await page.goto(server.page('<!doctype html>'))
+  await page.evaluate(prepare, size)
+
+  const all = await compileAll(names)
+  const rows = {}
+  for (const [i, warp] of all.entries()) {
+    const left = 1000 * seconds - (performance.now() - start)
+    if (left < 0) break
+    const share = left / (all.length - i)
+    const found = await page.evaluate(
+      ([shaders, ms]) => measureWarp(shaders, ms),
+      [warp.shaders, share],
+    )
+    rows[warp.name] = rowOf(found, warp)
+    process.stderr.write(`${i + 1}/${all.length} ${warp.name}\n`)
+  }
+  await browser.close()
+  await server.close()
+  say(`A sheet of 20,000 triangles that covers ${size} × ${size} pixels; medians, in turn:`)
+  console.table(rows)
+  const skipped = all.slice(Object.keys(rows).length).map(({ name }) => name)
+  if (skipped.length) say(`Not measured, since ${seconds} s were over: ${skipped.join(', ')}.`)
+}

@@ -1,0 +1,135 @@
+// The angle between the normal that light is computed with and the exact one, at random points of p5's sphere, on the CPU.
+import { compileWarp } from '../../dist/warpjet.js'
+import { normalize } from '../../tests/support/browser/matrix.js'
+import { angleBetween, warpVertex } from '../../tests/support/browser/oracle.js'
+import { pixelWarps } from '../../tests/support/browser/pixel-normals.js'
+import { say } from '../lib/terminal.mjs'
+import { markdownTable } from '../reference/parts.mjs'
+
+const pointCount = 20_000
+/** The step of the oracle's differences. */
+const step = 1e-4
+
+const warps = {
+  fbm: '`fbm` of 2p, height 0.3',
+  simplex: '`simplex` of 2p, height 0.2',
+  worley: '`worley` of 2p, height 0.2',
+  waves: 'three sines of 7p, height 0.05',
+  twist: 'twist 1.5',
+}
+
+/** The first subdivision is p5's default. */
+const subdivisions = [
+  [24, 16],
+  [60, 40],
+  [120, 80],
+  [240, 160],
+]
+
+/** Returns p5's sphere of radius 1 → { vertices, faces }. Its normals are its vertices. */
+function sphere([columns, rows]) {
+  const vertices = []
+  const faces = []
+  for (let row = 0; row <= rows; row++)
+    for (let column = 0; column <= columns; column++) {
+      const [latitude, longitude] = [Math.PI * (row / rows - 0.5), (2 * Math.PI * column) / columns]
+      const [x, z] = [Math.sin(longitude), Math.cos(longitude)]
+      vertices.push([Math.cos(latitude) * x, Math.sin(latitude), Math.cos(latitude) * z])
+      if (row === rows || column === columns) continue
+      const corner = row * (columns + 1) + column
+      const below = corner + columns + 1
+      faces.push([corner, corner + 1, below], [below, corner + 1, below + 1])
+    }
+  return { vertices, faces }
+}
+
+/** Park and Miller's generator, for the same points in each run. */
+function makeRandom() {
+  let state = 1
+  return () => (state = (state * 16807) % 2147483647) / 2147483647
+}
+
+const mix = (shares, vectors) =>
+  [0, 1, 2].map((k) => shares.reduce((sum, share, i) => sum + share * vectors[i][k], 0))
+
+function areaOf([a, b, c]) {
+  const [u, v] = [b, c].map((end) => end.map((x, k) => x - a[k]))
+  const cross = [0, 1, 2].map((k) => {
+    const [i, j] = [(k + 1) % 3, (k + 2) % 3]
+    return u[i] * v[j] - u[j] * v[i]
+  })
+  return Math.hypot(...cross) / 2
+}
+
+/** Returns points that are spread evenly over the triangles → [{ face, shares }]. */
+function randomPoints({ vertices, faces }) {
+  const random = makeRandom()
+  let total = 0
+  const ends = faces.map((face) => (total += areaOf(face.map((i) => vertices[i]))))
+  return Array.from({ length: pointCount }, () => {
+    const at = random() * total
+    let [first, last] = [0, ends.length - 1]
+    while (first < last) {
+      const middle = (first + last) >> 1
+      if (ends[middle] < at) first = middle + 1
+      else last = middle
+    }
+    const [root, share] = [Math.sqrt(random()), random()]
+    return { face: faces[first], shares: [1 - root, root * (1 - share), root * share] }
+  })
+}
+
+/** Returns the angles of interpolated normals and of those computed at the points, in degrees. A kink has no normal and is left out. */
+function anglesOf({ offset, at }, mesh) {
+  const warp = compileWarp((0, eval)(offset), { surfaceVariation: false })
+  const normalsAt = (places) => {
+    const positions = new Float32Array(places.flatMap(({ position }) => position))
+    const normals = new Float32Array(places.flatMap(({ normal }) => normal))
+    const found = warp.evaluate({ positions, normals }).normals
+    return places.map((_, i) => [...found.subarray(3 * i, 3 * i + 3)])
+  }
+  const corners = mesh.vertices.map((p) => ({ position: p, normal: normalize(p) }))
+  const atVertices = normalsAt(corners)
+  const points = randomPoints(mesh)
+  const places = points.map(({ face, shares }) => {
+    const position = mix(
+      shares,
+      face.map((i) => mesh.vertices[i]),
+    )
+    return { position, normal: normalize(position) }
+  })
+  const atPixels = normalsAt(places)
+  const angles = { vertex: [], pixel: [] }
+  for (const [i, { face, shares }] of points.entries()) {
+    const { normal } = warpVertex(at, places[i], {}, step)
+    if (!normal) continue
+    const interpolated = mix(
+      shares,
+      face.map((corner) => atVertices[corner]),
+    )
+    angles.vertex.push(angleBetween(interpolated, normal))
+    angles.pixel.push(angleBetween(atPixels[i], normal))
+  }
+  return angles
+}
+
+const short = (x) => `${Number(x.toPrecision(2))}°`
+
+function summarize(angles) {
+  const sorted = angles.toSorted((a, b) => a - b)
+  return [0.5, 0.99].map((share) => sorted[Math.floor(share * (sorted.length - 1))])
+}
+
+/** Returns the table: the median and the 99th percentile of each warp and subdivision, and at pixels the largest of all of them. */
+export function measureAngles() {
+  const rows = Object.entries(warps).map(([name, title]) => {
+    const measured = subdivisions.map((size) => anglesOf(pixelWarps[name], sphere(size)))
+    const pixel = measured.map((angles) => summarize(angles.pixel))
+    const largest = [0, 1].map((k) => Math.max(...pixel.map((each) => each[k])))
+    const cells = measured.map((angles) => summarize(angles.vertex))
+    say(`${title}: ${measured.map(({ vertex }) => vertex.length).join(', ')} points`)
+    return [title, ...[...cells, largest].map((pair) => pair.map(short).join(' / '))]
+  })
+  const heads = subdivisions.map(([columns, rows]) => `\`'vertex'\`, ${columns} × ${rows}`)
+  return markdownTable(['warp', ...heads, "`'pixel'`, all four"], rows, true)
+}
