@@ -199,6 +199,8 @@ async function velocities({ backend }) {
   const found = []
   for (const value of [0, 0.3, 0.3]) {
     shift.value = value
+    // Three.js counts a frame in each animation frame, whose order beside ours is unknown.
+    for (let i = 0; i < 2; i++) await new Promise(requestAnimationFrame)
     renderer.setRenderTarget(target)
     renderer.render(scene, camera())
     renderer.setRenderTarget(null)
