@@ -1,5 +1,5 @@
 // npm run bench: measures a frame with each method of drawing a warped mesh, in headless Chromium; --help lists the options.
-// npm run bench -- evaluate | glsl | gpu | pixels | three: other benchmarks.
+// npm run bench -- evaluate | glsl | gpu | nodes | pixels | three: other benchmarks.
 import { resolve } from 'node:path'
 import { checkColumns } from './bench/csv.mjs'
 import { helpText, readOptions } from './bench/options.mjs'
@@ -8,7 +8,7 @@ import { path } from './lib/files.mjs'
 import { main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
 
-const others = ['evaluate', 'glsl', 'gpu', 'pixels', 'three']
+const others = ['evaluate', 'glsl', 'gpu', 'nodes', 'pixels', 'three']
 
 await main(async () => {
   const args = process.argv.slice(2)

@@ -4,6 +4,15 @@
  */
 export { warp, type WarpedObject } from './three/warp.js'
 export { warpMaterial, warpNode, type NodeWarpedMaterial, type WarpNode } from './three/webgpu.js'
+export {
+  exactNormals,
+  type ExactNormalsOptions,
+} from './three/nodes/exact-normals/exact-normals.js'
+export {
+  tslOffset,
+  type TslOffset,
+  type TslOffsetOptions,
+} from './three/nodes/exact-normals/tsl-offset.js'
 export type { AnyNode } from './three/nodes/tsl.js'
 export type { Warped } from './three/material.js'
 export { fromBufferGeometry, toBufferGeometry } from './three/geometry.js'

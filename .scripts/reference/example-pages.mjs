@@ -7,11 +7,13 @@ import { path } from '../lib/files.mjs'
 
 const ownCopies = (elsewhere) => `<!-- This repository's own copies. Elsewhere${elsewhere}. -->`
 
-/** Returns the import map of the modules that a sketch imports. */
+/** Returns the import map of the modules that a sketch imports. All addons import three. */
 const importsOf = (sketch) =>
   Object.fromEntries(
-    Object.entries(hosts.three.modules).filter(([name]) =>
-      name.endsWith('/') ? sketch.includes(`from '${name}`) : sketch.includes(`from '${name}'`),
+    Object.entries(hosts.three.modules).filter(
+      ([name]) =>
+        name === 'three' ||
+        (name.endsWith('/') ? sketch.includes(`from '${name}`) : sketch.includes(`from '${name}'`)),
     ),
   )
 

@@ -57,6 +57,8 @@ export type ThreeOffset<Values = {}> = (
 export interface Settings {
   method: string
   space: WarpSpace
+  /** `true` if the vertex is warped after the matrices of instances, in the space 'local'. */
+  isAfterInstances?: boolean
   uniforms: object | undefined
   normals: NormalsOption
   fadeNoise: boolean

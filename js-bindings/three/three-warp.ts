@@ -36,6 +36,9 @@ interface Box {
   uvs?: { min: number[]; max: number[] } | undefined
 }
 
+/** Maps a variable of the shader that an offset reads by name → its type. */
+export type OuterTypes = ReadonlyMap<string, string>
+
 export class ThreeWarp extends HostWarp {
   /** Maps the user's names to uniforms, as three.js has them. */
   readonly handles: Readonly<Record<string, UniformHandle<unknown>>>
@@ -55,10 +58,11 @@ export class ThreeWarp extends HostWarp {
   constructor(
     offset: OffsetFunction,
     readonly settings: Settings,
-    host = three,
+    /** Present if the offset may read variables of the shader that are not uniforms. Has those whose types matter. */
+    readonly outerTypes?: OuterTypes,
   ) {
     super(new Place(settings.method), offset, {
-      host,
+      host: outerTypes ? { ...three, hasParameters: true } : three,
       uniforms: settings.uniforms,
       target: 'glsl300',
       names: { millis: shaderNames.millis },
@@ -114,8 +118,9 @@ export class ThreeWarp extends HostWarp {
   private hashOfText() {
     const { code, declarations } = this.text('glsl300', resultsOf.tangent)
     const types = this.uniforms.inShader.map(({ type }) => type)
+    const outer = [...(this.outerTypes?.values() ?? [])]
     const { space, fadeNoise } = this.settings
-    return hash([space, fadeNoise, types, code, declarations].join('\n'))
+    return hash([space, fadeNoise, types, outer, code, declarations].join('\n'))
   }
 }
 

@@ -3,6 +3,7 @@ import { type BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } fr
 import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { describeOfThree } from './describe.js'
+import type { surfaceVariation } from '../mesh/surface-variation.js'
 import { fromBufferGeometry } from './geometry.js'
 
 /**
@@ -17,9 +18,14 @@ export async function addSurfaceVariation<Geometry extends BufferGeometry>(
     throw new WarpError(
       `addSurfaceVariation: expected a BufferGeometry, such as mesh.geometry, got ${describeOfThree(geometry)}.`,
     )
-  const mesh = fromBufferGeometry(geometry)
   const { surfaceVariation } = await import('../mesh/surface-variation.js')
-  const variation = surfaceVariation(mesh)
+  addVariation(geometry, surfaceVariation)
+  return geometry
+}
+
+/** Adds the attributes. `find` is `surfaceVariation` of 'warpjet/mesh'. */
+export function addVariation(geometry: BufferGeometry, find: typeof surfaceVariation) {
+  const variation = find(fromBufferGeometry(geometry))
   const found = variationNames.filter((name) => variation[`${name}s`])
   const buffer = interleave(found.map((name) => variation[`${name}s`]!))
   found.forEach((name, i) =>
@@ -28,7 +34,6 @@ export async function addSurfaceVariation<Geometry extends BufferGeometry>(
       new InterleavedBufferAttribute(buffer, 3, 3 * i),
     ),
   )
-  return geometry
 }
 
 /** Interleaves lists of 3D vectors in one buffer, since WebGPU allows only 8 vertex buffers, and a geometry may already have 6. */

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "emit/early_end.hpp"
 #include "graph/schedule.hpp"
 
 namespace warpjet {
@@ -89,6 +90,8 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   }
   write(plan_.statements[loop + 1]);
   assignStates(states);
+  if (const auto flag = earlyEnd(graph_, states))
+    code_ += indent_ + "if (" + writer_.nameOf(*flag) + " > 0.5) { break; }\n";
   indent_.resize(indent_.size() - 2);
   code_ += indent_ + "}\n";
   temporaryCount_ += states.size();

@@ -81,3 +81,33 @@ test(`${count} random long loops have correct values and gradients`, () => {
   assert.ok(compared.slopes > count * 9, `${compared.slopes} slopes were compared`)
   assert.ok(compared.loops > count * 0.6, `${compared.loops} texts kept a loop`)
 })
+
+test('a loop ends in the shader once its condition fails, whatever the max number of iterations', () => {
+  const codeOf = (loop, language) => {
+    const text = `uniform float n;
+      float f(vec3 p) { float s = 0.0; ${loop} return s; }`
+    return compile(
+      (glsl) => ({
+        gradient: glsl.gradient(
+          glsl.source(text, { function: 'f', maxIterations: 64 })(glsl.vec3Param('p')),
+          glsl.vec3Param('p'),
+        ),
+      }),
+      { target: language },
+    ).code
+  }
+  const breaks = (code) => code.match(/if \(\w+ > 0\.5\) \{ break; \}/g)?.length ?? 0
+  for (const language of ['glsl300', 'glsl100', 'wgsl']) {
+    for (const loop of [
+      'for (float i = 0.0; i < n; i++) s += sin(p.x * i);',
+      'float i = 0.0; while (i < n) { i += 1.0; if (p.y > i) continue; s += sin(p.x * i); }',
+      'for (float i = 0.0; i < n; i++) { s += sin(p.x * i); if (s > 9.0) break; }',
+    ])
+      assert.equal(breaks(codeOf(loop, language)), 1, loop)
+    const nested = `for (float i = 0.0; i < n; i++)
+      for (float j = 0.0; j < n; j++) s += sin(p.x * i + j);`
+    assert.equal(breaks(codeOf(nested, language)), 2)
+    const fixed = 'for (int i = 0; i < 60; i++) { if (s < 9.0) s += sin(p.x * float(i)); }'
+    assert.equal(breaks(codeOf(fixed, language)), 0)
+  }
+})

@@ -17,7 +17,11 @@ import { MeshStandardNodeMaterial } from 'three/webgpu'
 import { createElement } from 'react'
 import { Warp } from '../../js-bindings/react.js'
 import { type WarpOptions, exactNormals, warp, warpMaterial } from '../../js-bindings/three.js'
-import { warpNode } from '../../js-bindings/three.webgpu.js'
+import {
+  exactNormals as exactNodeNormals,
+  tslOffset,
+  warpNode,
+} from '../../js-bindings/three.webgpu.js'
 
 const warped = warp(
   new Mesh(),
@@ -95,3 +99,15 @@ const exactMesh: Mesh = exactNormals(new Mesh(undefined, exactMaterial))
 exactNormals(new Vector3())
 // @ts-expect-error There is no such stage.
 exactNormals(exactMesh, { normals: 'face' })
+
+const nodeMaterial: MeshStandardNodeMaterial = exactNodeNormals(new MeshStandardNodeMaterial(), {
+  normals: 'pixel',
+})
+// @ts-expect-error there is no such stage
+exactNodeNormals(nodeMaterial, { normals: 'pixels' })
+
+const tslWave = tslOffset((position) => position.mul(2), { returns: 'position' })
+warp(new Mesh(), tslWave, { uniforms: tslWave.uniforms })
+warp(new Mesh(), tslWave)
+// @ts-expect-error the function must return a node
+tslOffset(() => 3)

@@ -29,9 +29,12 @@ export const hosts = {
     libraries: [],
     modules: {
       three: '../../node_modules/three/build/three.module.js',
+      'three/webgpu': '../../node_modules/three/build/three.webgpu.js',
+      'three/tsl': '../../node_modules/three/build/three.tsl.js',
       'three/addons/': '../../node_modules/three/examples/jsm/',
       warpjet: '../../dist/warpjet.js',
       'warpjet/three': '../../dist/three.js',
+      'warpjet/three/webgpu': '../../dist/three.webgpu.js',
       'warpjet/deformers': '../../dist/deformers.js',
       'warpjet/glsl': '../../dist/glsl.js',
     },

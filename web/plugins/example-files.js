@@ -23,7 +23,9 @@ const libraries = [
   'node_modules/p5/lib/p5.min.js',
   'node_modules/p5/lib/p5.webgpu.min.js',
   'node_modules/p5-v1/lib/p5.min.js',
-  ...['three.module.js', 'three.core.js'].map((name) => `node_modules/three/build/${name}`),
+  ...['three.module.js', 'three.core.js', 'three.webgpu.js', 'three.tsl.js'].map(
+    (name) => `node_modules/three/build/${name}`,
+  ),
   ...[
     'controls/OrbitControls.js',
     'environments/RoomEnvironment.js',
@@ -34,7 +36,9 @@ const libraries = [
   'node_modules/glsl-noise/simplex/3d.glsl',
 ]
 /** The modules in the import maps of three.js examples. */
-const modules = ['three', 'warpjet', 'mesh', 'deformers', 'glsl'].map((name) => `dist/${name}.js`)
+const modules = ['three', 'three.webgpu', 'warpjet', 'mesh', 'deformers', 'glsl'].map(
+  (name) => `dist/${name}.js`,
+)
 const isShared = (path) => /^dist\/shared\/[\w-]+\.js$/.test(path)
 const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',

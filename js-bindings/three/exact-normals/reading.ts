@@ -41,8 +41,6 @@ class Displacement extends ThreeWarp {
 
 export type ExactSettings = Pick<Settings, 'method' | 'normals' | 'surfaceVariation'>
 
-const host = { ...three, hasParameters: true }
-
 /** Returns the displacement of a shader. `values` are uniforms in addition to those of the shader, which the CPU knows. */
 export function readDisplacement(
   shader: ExactShader,
@@ -68,7 +66,7 @@ export function readDisplacement(
       offset({ glsl, position, normal, uv, uniforms } as never),
     ),
     { ...settings, space, uniforms, fadeNoise: false, isShared: false },
-    host,
+    new Map(),
   )
   const read = warp.namesRead()
   const inputs = new Set(['position', 'normal', 'uv'])
@@ -120,9 +118,9 @@ function partOf(value: unknown, part: string, [columns, rows]: readonly [number,
 }
 
 function isUsable(value: unknown, type: string, [columns, rows]: readonly [number, number]) {
-  if (isSampler(type)) return type === 'sampler2D' && host.values!.isImage(value)
+  if (isSampler(type)) return type === 'sampler2D' && three.values!.isImage(value)
   if (typeof value === 'boolean') return type === 'bool'
-  const numbers = [host.values!.toNumbers(value)].flat() as unknown[]
+  const numbers = [three.values!.toNumbers(value)].flat() as unknown[]
   const all = ArrayBuffer.isView(numbers[0]) ? [...(numbers[0] as Float32Array)] : numbers
   return all.length === columns * rows && all.every((each) => typeof each === 'number')
 }

@@ -7,6 +7,8 @@ export interface Builder {
   getFrontFacing(): string
   isFlatShading(): boolean
   needsPreviousData(): boolean
+  addNode(node: unknown): void
+  addSequentialNode(node: unknown): void
   object: Mesh
   geometry: Mesh['geometry']
   material: Material
@@ -14,6 +16,7 @@ export interface Builder {
     backend: {
       gl?: WebGL2RenderingContext
       isWebGPUBackend?: boolean
+      createNodeBuilder?(object: unknown, renderer: unknown): unknown
       device?: { limits?: { maxInterStageShaderVariables?: number } }
     }
   }

@@ -12,6 +12,8 @@ import { NodeMaterial, Renderer } from 'three/webgpu'
 import * as TSL from 'three/tsl'
 import type { AnyNode } from './tsl.js'
 import type { Builder } from './builder.js'
+import { exactOf } from './exact-normals/exact-materials.js'
+import { setupExact } from './exact-normals/setup-exact.js'
 import { setupWarped } from './vertex.js'
 import type { ThreeWarp } from '../three-warp.js'
 
@@ -75,6 +77,7 @@ interface Methods {
   setupPosition(builder: Builder): unknown
   setupPositionView(builder: Builder): unknown
   setupObserver(builder: Builder): { hasNode: boolean }
+  customProgramCacheKey(): string
 }
 
 let isInstalled = false
@@ -110,16 +113,24 @@ function installInRenderer(prototype: { renderObject: RenderObject }) {
 }
 
 function installInMaterials(prototype: Methods) {
-  const { setupPosition, setupObserver, setupPositionView } = prototype
+  const { setupPosition, setupObserver, setupPositionView, customProgramCacheKey } = prototype
+  prototype.customProgramCacheKey = function () {
+    const key = customProgramCacheKey.call(this)
+    const exact = exactOf(this)
+    return exact ? `${key} ${exact.key}` : key
+  }
   prototype.setupPosition = function (builder) {
     const { warpjet } = builder.context as { warpjet?: ThreeWarp }
     const ofNode = warpsOfNodes.get(this.positionNode as AnyNode)
     const warp = warpjet ?? ofNode
-    if (!warp) return setupPosition.call(this, builder)
+    const exact = ofNode ? undefined : exactOf(this)
+    if (!warp && !exact) return setupPosition.call(this, builder)
     const positionNode = this.positionNode
     if (!warpjet) this.positionNode = null
+    const setup = () => setupPosition.call(this, builder)
     try {
-      setupWarped(warp, builder, this, () => setupPosition.call(this, builder))
+      if (warp) setupWarped(warp, builder, this, setup)
+      else setupExact(exact!, builder, this, positionNode as AnyNode, setup)
     } finally {
       this.positionNode = positionNode
     }

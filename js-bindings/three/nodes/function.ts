@@ -8,6 +8,7 @@
  * would gain nothing.
  */
 import { shaderNames, variationNames } from '../../compile/hosts.js'
+import { wgslType } from '../../glsl-source/options.js'
 import type { Stage, ThreeWarp } from '../three-warp.js'
 import { type Call, tsl } from './tsl.js'
 
@@ -22,15 +23,7 @@ export const parameterNames: Record<string, string> = {
   ...Object.fromEntries(variationNames.map((name) => [name, `warpjet_${name}`])),
 }
 
-const wgslTypes: Record<string, string> = {
-  float: 'f32',
-  vec2: 'vec2f',
-  vec3: 'vec3f',
-  vec4: 'vec4f',
-  mat3: 'mat3x3f',
-  mat4: 'mat4x4f',
-  sampler2D: 'texture_2d<f32>',
-}
+const parameterType = (type: string) => (type === 'sampler2D' ? 'texture_2d<f32>' : wgslType(type))
 
 const isOfPixel = (stage: Stage) => stage.endsWith('of pixel')
 const hasTangents = (stage: Stage) => stage.startsWith('tangent')
@@ -72,7 +65,7 @@ export function parametersOf(
   stage: Stage,
   isWebGPU: boolean,
 ): [name: string, type: string][] {
-  const { frame } = textOf(warp, stage, isWebGPU)
+  const { frame, parameters } = textOf(warp, stage, isWebGPU)
   return [
     ...inputsOfStage(warp, stage, isWebGPU).map(([input, type]): [string, string] => [
       parameterNames[input]!,
@@ -81,6 +74,10 @@ export function parametersOf(
     [shaderNames.millis, 'float'],
     ...frame.map((name): [string, string] => [name, 'vec4']),
     ...warp.uniforms.inShader.map(({ label, type }): [string, string] => [label, type]),
+    ...parameters.flatMap(({ name }): [string, string][] => {
+      const type = warp.outerTypes?.get(name)
+      return type ? [[name, type]] : []
+    }),
   ]
 }
 
@@ -100,7 +97,7 @@ export function functionFor(warp: ThreeWarp, stage: Stage, isWebGPU: boolean): C
   const result = columns.length === 1 ? columns[0] : `${mat3}(${[...columns, ...zeros].join(', ')})`
   const body = `{\n${code}\nreturn ${result};\n}`
   if (isWebGPU) {
-    const list = parameters.map(([name, type]) => `${name}: ${wgslTypes[type]}`)
+    const list = parameters.map(([name, type]) => `${name}: ${parameterType(type)}`)
     const includes = declarations ? [tsl.wgsl(declarations)] : []
     return tsl.wgslFn(`fn ${name}(${list.join(', ')}) -> ${type} ${body}`, includes)
   }

@@ -45,6 +45,12 @@ export function instancesOf(object: object) {
   return isOfThree ? tsl.instancedMesh : undefined
 }
 
+/** Applies the matrices of instances that the shader has between the warp and the vertex; `undefined` if there are none. */
+export const instancesAfter = (
+  { space, isAfterInstances }: { space: string; isAfterInstances?: boolean },
+  object: object,
+) => (space === 'world' || isAfterInstances ? undefined : instancesOf(object))
+
 /** The number of attributes that a vertex shader can read. */
 const maxAttributes = 16
 

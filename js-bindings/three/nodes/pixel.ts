@@ -11,9 +11,10 @@ import type { Stage, ThreeWarp } from '../three-warp.js'
 import type { Builder } from './builder.js'
 import { normalizeOr, onBack } from './facing.js'
 import { inputsOfStage, parameterNames, parametersOf } from './function.js'
-import { instanceMatrixOf, instancesOf, isSkinned } from './instances.js'
+import { instanceMatrixOf, instancesAfter, isSkinned } from './instances.js'
 import { PackedVaryings, type VectorSize } from './packed-varyings.js'
 import { type AnyNode, tsl } from './tsl.js'
+import type { NodesByName } from './uniforms.js'
 import { nodesOf } from './warp-nodes.js'
 
 /** The part of a NodeMaterial that we use. */
@@ -37,13 +38,14 @@ export function pixelNormalsFor(
   warp: ThreeWarp,
   builder: Builder,
   material: NormalMaterial,
+  outer: NodesByName = {},
 ): PixelNormals | undefined {
   const { geometry, object } = builder
   const hasNormals = geometry.hasAttribute('normal') && !builder.isFlatShading()
   // Facets stay facets, and shadows have no normals.
   if (warp.normals === 'vertex' || !hasNormals || (material as Maps).isShadowPassMaterial)
     return undefined
-  const pixel = new PixelNormals(warp, builder, material)
+  const pixel = new PixelNormals(warp, builder, material, outer)
   const obstacle = obstacleFor(warp, builder, material, pixel)
   if (!obstacle) return pixel
   if (warp.settings.normals === 'pixel')
@@ -79,7 +81,7 @@ function obstacleFor(
   const isChanged = isSkinned(object) || geometry.morphAttributes.normal || material.positionNode
   if (warp.settings.space === 'rest' && isChanged)
     return "bones, morph targets or a positionNode change normals after a warp in the space 'rest'"
-  if (warp.settings.space !== 'world' && instancesOf(object) && !instanceMatrixOf(object))
+  if (instancesAfter(warp.settings, object) && !instanceMatrixOf(object))
     return 'its shader has no room for the matrices of instances'
   const left = maxVaryings(backend) - varyingsOfThree(material, pixel.hasTangents)
   return pixel.varyingCount > left
@@ -104,6 +106,8 @@ export class PixelNormals {
     private readonly warp: ThreeWarp,
     private readonly builder: Builder,
     private readonly material: NormalMaterial,
+    /** The nodes of variables of the shader that the warp reads by name. */
+    private readonly outer: NodesByName,
   ) {
     const { renderer, geometry, object } = builder
     const maps = material as Maps
@@ -127,7 +131,7 @@ export class PixelNormals {
         ]),
       ),
     )
-    if (warp.settings.space !== 'world' && instancesOf(object))
+    if (instancesAfter(warp.settings, object))
       this.matrix = new PackedVaryings('warpjetInstance', columnSizes)
   }
 
@@ -190,7 +194,7 @@ export class PixelNormals {
   /** The normal, and the tangent, in the space of the offset. */
   private call(): AnyNode {
     const nodes = nodesOf(this.warp)
-    const inputs: Record<string, unknown> = { ...nodes.uniforms }
+    const inputs: Record<string, unknown> = { ...nodes.uniforms, ...this.outer }
     for (const [input, value] of this.varyings.read())
       inputs[parameterNames[input]!] = input === 'normal' ? withLength(value.toVar()) : value
     const names = parametersOf(this.warp, this.stage, this.isWebGPU).map(([name]) => name)

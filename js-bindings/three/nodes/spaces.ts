@@ -28,6 +28,14 @@ export const local = (previous: AnyNode): Space => ({
   },
 })
 
+/** The space of three's `positionGeometry`: what morph targets, bones and instances have done counts for nothing. */
+export const ofGeometry = (): Space => ({
+  ...local(tsl.positionGeometry),
+  position: tsl.positionGeometry,
+  normal: () => tsl.normalGeometry,
+  tangent: () => tsl.tangentGeometry.xyz,
+})
+
 /** The space of the world. `isPosed` says whether three.js has applied matrices of the frame before to `positionPrevious`. */
 export function world(isPosed: boolean): Space {
   const linear = () => tsl.mat3(tsl.modelWorldMatrix)

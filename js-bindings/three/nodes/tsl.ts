@@ -14,6 +14,7 @@ export interface AnyNode {
   element(i: number): AnyNode
   transpose(): AnyNode
   toVar(): AnyNode
+  toStack(): AnyNode
   cross(value: unknown): AnyNode
   dot(value: unknown): AnyNode
   negate(): AnyNode
@@ -55,6 +56,9 @@ interface Nodes {
   tangentView: AnyNode
   bitangentView: AnyNode
   faceDirection: AnyNode
+  instanceIndex: AnyNode
+  drawIndex: AnyNode
+  time: AnyNode
   /** Missing in older versions. */
   batchIndirectIndex: AnyNode | undefined
   referenceAttribute: ((name: string, type: string) => AnyNode) | undefined

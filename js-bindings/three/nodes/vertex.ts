@@ -72,7 +72,27 @@ function orientFaces(warp: ThreeWarp, builder: Builder) {
     `( ${getFrontFacing()} == ( ${orientation.build(builder, 'float')} > 0.0 ) )`
 }
 
-function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, normals: Normals = {}) {
+/** Nodes of the variables of the shader that a warp reads by name, now and in the frame before. */
+export interface OuterNodes {
+  now: NodesByName
+  before: NodesByName
+}
+
+const noOuterNodes: OuterNodes = { now: {}, before: {} }
+
+export interface MoveOptions extends Normals {
+  outer?: OuterNodes
+  /** The new position, if the shader has it already. */
+  position?: AnyNode | undefined
+}
+
+/** Calls the warp in the vertex stage and assigns what it returns. */
+export function moveVertex(
+  warp: ThreeWarp,
+  builder: Builder,
+  space: Space,
+  { pixel, vertex, outer = noOuterNodes, position }: MoveOptions,
+) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
   const turned: Turned = geometry.hasAttribute('tangent')
@@ -81,8 +101,6 @@ function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, normals: No
       ? 'normal'
       : 'position'
   const nodes = nodesOf(warp)
-  const call = nodes.call(turned, isWebGPU)
-  const parameters = parametersOf(warp, turned, isWebGPU)
   const inputsFor = (position: AnyNode, uniforms: NodesByName): Record<string, unknown> => ({
     ...uniforms,
     ...inputsOf(builder, uniforms, space.isLocal),
@@ -92,17 +110,26 @@ function moveVertex(warp: ThreeWarp, builder: Builder, space: Space, normals: No
   })
   const resultFor = (position: AnyNode, uniforms: NodesByName) => {
     const inputs = inputsFor(position, uniforms)
-    return call(Object.fromEntries(parameters.map(([name]) => [name, inputs[name]])))
+    const names = parametersOf(warp, turned, isWebGPU).map(([name]) => name)
+    return nodes.call(
+      turned,
+      isWebGPU,
+    )(Object.fromEntries(names.map((name) => [name, inputs[name]])))
   }
-  const position = (result: AnyNode) => (turned === 'position' ? result : result.element(0))
-  if (builder.needsPreviousData())
-    space.assignPrevious(position(resultFor(space.previous(), nodes.previousUniforms)))
-  normals.pixel?.pass(inputsFor(space.position, nodes.uniforms))
+  const positionOf = (result: AnyNode) => (turned === 'position' ? result : result.element(0))
+  if (builder.needsPreviousData()) {
+    const uniforms = { ...nodes.previousUniforms, ...outer.before }
+    space.assignPrevious(positionOf(resultFor(space.previous(), uniforms)))
+  }
+  const uniforms = { ...nodes.uniforms, ...outer.now }
+  pixel?.pass(inputsFor(space.position, uniforms))
+  // Pixels compute their own normals.
+  if (position && (pixel || turned === 'position')) return space.assign(position)
   const rest = turned === 'position' ? undefined : space.normal().toVar()
-  const result = resultFor(space.position, nodes.uniforms)
-  if (rest) normals.vertex?.mark(result.element(1), rest)
+  const result = resultFor(space.position, uniforms)
+  if (rest) vertex?.mark(result.element(1), rest)
   space.assign(
-    position(result),
+    position ?? positionOf(result),
     turned === 'position' ? undefined : result.element(1),
     turned === 'tangent' ? result.element(2) : undefined,
   )
@@ -144,7 +171,7 @@ export const nodeFor = (warp: ThreeWarp): AnyNode =>
       warnOfVertices(warp, nameOf(object), 'its node is only a part of a positionNode')
     orientFaces(warp, builder)
     if (instances) restoreGeometry(builder)
-    moveVertex(warp, builder, isWorld ? world(isPosed(object)) : local(tsl.positionLocal))
+    moveVertex(warp, builder, isWorld ? world(isPosed(object)) : local(tsl.positionLocal), {})
     // Three.js has applied these matrices already, which come after the warp.
     instances?.(object)
     return tsl.positionLocal

@@ -1,0 +1,66 @@
+// `exactNormals` for materials of nodes.
+import type { Material } from 'three'
+import type { NodeMaterial } from 'three/webgpu'
+import { type NormalsOption, normalsKinds } from '../../../compile/hosts.js'
+import { Place } from '../../../options/place.js'
+import { type KindsOf, object } from '../../../options/schema.js'
+import { describeOfThree } from '../../describe.js'
+import { addExact } from './exact-materials.js'
+
+export interface ExactNormalsOptions {
+  /**
+   * The stage that computes normals: `'vertex'`, between which three.js interpolates, or `'pixel'`, where they are exact. `'auto'`
+   * chooses `'pixel'` for a position that contains noise or bends strongly, unless that takes too many operations per pixel.
+   * @default 'auto'
+   */
+  normals?: NormalsOption
+}
+
+const place = new Place('exactNormals')
+const optionsKind = object({ normals: normalsKinds.normals } satisfies KindsOf<ExactNormalsOptions>)
+
+/**
+ * Makes the normals, tangents and velocities of a material follow its `positionNode`: `exactNormals(material)`. We read the position from
+ * the shader code that three.js writes for it, on WebGPU and on WebGL 2, and differentiate that. The material's `normalNode` and normal
+ * maps stay on top.
+ *
+ * Returns the material. Throws a `WarpError` unless it has a `positionNode`. If the position cannot be differentiated, such as one that
+ * depends on `vertexIndex`, the console says why once the material is drawn, and its normals stay as they are.
+ */
+export function exactNormals<Kind extends Material>(
+  material: Kind,
+  options?: ExactNormalsOptions,
+): Kind {
+  const { isNodeMaterial, positionNode, vertexNode } = (material ?? {}) as Partial<
+    Pick<NodeMaterial, 'isNodeMaterial' | 'positionNode' | 'vertexNode'>
+  >
+  if (!isNodeMaterial)
+    throw place
+      .part('the material')
+      .expected(
+        'a material of nodes, such as a MeshStandardNodeMaterial',
+        describeOfThree(material),
+      )
+  if (!positionNode)
+    throw place
+      .part('the material')
+      .expected('one whose positionNode is set', 'one without', 'set positionNode before')
+  if (vertexNode)
+    throw place.error(
+      'expected a material that moves its vertices by positionNode, got one with a vertexNode, which replaces the position.',
+    )
+  const { normals } = optionsKind.read(options, place)
+  addExact(material, {
+    method: place.method,
+    space: 'local',
+    isAfterInstances: true,
+    uniforms: undefined,
+    normals,
+    // The noise is that of the node, whose code we leave as it is.
+    fadeNoise: false,
+    isShared: true,
+    surfaceVariation: undefined,
+  })
+  material.needsUpdate = true
+  return material
+}

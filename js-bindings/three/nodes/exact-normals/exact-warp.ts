@@ -1,0 +1,88 @@
+// The warp that a positionNode is, read from its code: compiled for normals, tangents, velocities and pixels like any other warp.
+import type { Texture } from 'three'
+import { type HostText, type OffsetFunction, type Target } from '../../../compile/hosts.js'
+import { asOwn } from '../../../errors/operators.js'
+import { glslOffset, wgslOffset } from '../../../glsl-source/offset.js'
+import type { Settings } from '../../settings.js'
+import { type Stage, ThreeWarp } from '../../three-warp.js'
+import { type AnyNode, tsl } from '../tsl.js'
+import type { NodesByName } from '../uniforms.js'
+import { type PositionSource, functionName, maxIterations } from './read-position.js'
+
+/** Returns the offset function of a positionNode. */
+export function offsetOf({ language, text }: PositionSource): OffsetFunction {
+  const read = (language === 'wgsl' ? wgslOffset : glslOffset)(text, {
+    function: functionName,
+    returns: 'position',
+    maxIterations,
+  })
+  // The other inputs, such as millis, would be taken for uniforms of the source that have their names.
+  return asOwn(({ glsl, position, normal, uv, uniforms }) =>
+    read({ glsl, position, normal, uv, uniforms } as never),
+  )
+}
+
+/** An element of an array in the source, such as `warpjetOuter2.value[3]`. */
+const elementName = /^(\w+?)(?:\.value)?\[(\d+)u?\]$/
+
+const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
+
+export class ExactWarp extends ThreeWarp {
+  /** Three.js draws the back of a triangle that it mirrors, as it does without us. */
+  override get mirrors() {
+    return false
+  }
+
+  override readonly isMirroredNow = () => false
+  /** The names of elements in the source that are not identifiers. */
+  private readonly elements: readonly string[]
+
+  constructor(source: PositionSource, settings: Settings) {
+    const types = new Map([...source.values].map(([name, { type }]) => [name, type]))
+    const images = Object.fromEntries(
+      [...source.textures].map(([name, node]) => [name, () => node.value as Texture]),
+    )
+    super(offsetOf(source), { ...settings, uniforms: images }, types)
+    this.elements = [...this.variableNames()].filter((name) => elementName.test(name))
+    for (const name of this.elements) {
+      const [, list] = elementName.exec(name)!
+      types.set(identifierOf(name), source.values.get(list!)!.array!.elementType)
+    }
+  }
+
+  override textFor(target: Target, stage: Stage, names: Record<string, string>): HostText {
+    const text = super.textFor(target, stage, names)
+    if (this.elements.length === 0) return text
+    return {
+      ...text,
+      code: this.elements.reduce(
+        (code, name) => code.replaceAll(name, identifierOf(name)),
+        text.code,
+      ),
+      parameters: text.parameters.map((each) => ({ ...each, name: identifierOf(each.name) })),
+    }
+  }
+
+  /** Returns the nodes behind the names that the shader code reads. */
+  outerNodes({ values }: PositionSource): NodesByName {
+    const elements = this.elements.map((name) => {
+      const [, list, index] = elementName.exec(name)!
+      return [
+        identifierOf(name),
+        elementOf(values.get(list!)!.node, Number(index), values.get(list!)!.array!.elementType),
+      ] as const
+    })
+    return Object.fromEntries([
+      ...[...values]
+        .filter(([, { array }]) => !array)
+        .map(([name, { node }]) => [name, node] as const),
+      ...elements,
+    ])
+  }
+}
+
+/** Uniform arrays pad their elements to four numbers. */
+function elementOf(list: AnyNode, index: number, type: string): AnyNode {
+  const element = list.element(index)
+  return /^vec4$/.test(type) ? tsl.vec4(element) : element
+}

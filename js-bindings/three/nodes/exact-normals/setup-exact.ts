@@ -1,0 +1,126 @@
+// Puts the position of a material with `exactNormals` into the vertex that three.js is building, with the normal that belongs to it.
+import type { Material } from 'three'
+import { variationAttribute } from '../../../compile/hosts.js'
+import { WarpError } from '../../../errors/errors.js'
+import { surfaceVariation } from '../../../mesh/surface-variation.js'
+import { nameOf, nameOfMaterial } from '../../describe.js'
+import { addVariation } from '../../variation.js'
+import type { Builder } from '../builder.js'
+import { isPosed } from '../instances.js'
+import { type NormalMaterial, pixelNormalsFor } from '../pixel.js'
+import { local, ofGeometry } from '../spaces.js'
+import { type AnyNode, tsl } from '../tsl.js'
+import { moveVertex } from '../vertex.js'
+import { vertexNormalsFor } from '../vertex-normals.js'
+import type { ExactMaterial } from './exact-materials.js'
+import { ExactWarp } from './exact-warp.js'
+import { previousValues } from './previous-values.js'
+import { type PositionSource, readPosition, siblingOf } from './read-position.js'
+
+const method = 'exactNormals'
+
+/**
+ * Adds a material's `positionNode` to the vertex that is being built, as three.js does: after morph targets, bones, the displacement
+ * map and the matrices of instances, which `setup` adds. A node that we cannot read moves the vertex without us, and the console says why.
+ */
+export function setupExact(
+  exact: ExactMaterial,
+  builder: Builder,
+  material: NormalMaterial,
+  positionNode: AnyNode,
+  setup: () => void,
+) {
+  setup()
+  // Shadows have no normals.
+  if (!(material as { isShadowPassMaterial?: boolean }).isShadowPassMaterial) {
+    try {
+      return moveExactly(exact, builder, material, positionNode)
+    } catch (error) {
+      if (!(error instanceof WarpError)) throw error
+      warn(exact, builder, error.message)
+    }
+  }
+  tsl.positionLocal.assign(tsl.subBuild(positionNode, 'POSITION', 'vec3'))
+}
+
+function moveExactly(
+  exact: ExactMaterial,
+  builder: Builder,
+  material: NormalMaterial,
+  positionNode: AnyNode,
+) {
+  const source = readPosition(method, siblingOf(builder), positionNode)
+  const warp = warpFor(exact, source)
+  checkBase(builder, source.base, warp)
+  if (warp.varies) vary(builder)
+  for (const node of source.updated) {
+    builder.addNode(node)
+    builder.addSequentialNode(node)
+  }
+  const now = warp.outerNodes(source)
+  const ofVertex = vertexNormalsFor(builder, material)
+  // Replaces them again.
+  const pixel = pixelNormalsFor(warp, builder, material, now)
+  const vertex = pixel ? undefined : ofVertex
+  const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
+  // The original assigns variables that other nodes read.
+  const position = source.hasEffects
+    ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
+    : undefined
+  moveVertex(warp, builder, space, {
+    pixel,
+    vertex,
+    outer: { now, before: previousValues(now) },
+    position,
+  })
+  pixel?.replaceNormals()
+  vertex?.pass()
+}
+
+function warpFor(exact: ExactMaterial, source: PositionSource): ExactWarp {
+  let warp = exact.warps.get(source.text)
+  if (!warp) exact.warps.set(source.text, (warp = compile(exact, source)))
+  if (typeof warp === 'string') throw new WarpError(warp)
+  return warp
+}
+
+function compile({ settings }: ExactMaterial, source: PositionSource): ExactWarp | string {
+  try {
+    return new ExactWarp(source, settings)
+  } catch (error) {
+    if (error instanceof WarpError) return error.message
+    throw error
+  }
+}
+
+/** Throws for a position that depends on two vertices between which bones, morph targets or instances are. */
+function checkBase({ object, geometry, material }: Builder, base: string, warp: ExactWarp) {
+  const { displacementMap } = material as Material & { displacementMap?: unknown }
+  if (!isPosed(object) && !geometry.morphAttributes.position && !displacementMap) return
+  if (base === 'both')
+    throw new WarpError(
+      `${method}: the positionNode reads both the vertex of the geometry and the one that bones, morph targets, a displacement map or instances have moved; expected one of them: positionLocal and normalLocal, or positionGeometry and normalGeometry.`,
+    )
+  if (warp.varies && base === 'posed')
+    throw new WarpError(
+      `${method}: the positionNode depends on normal or uv where bones, morph targets, a displacement map or instances have moved the vertex, and how these vary there is unknown; expected a function of the position, or of positionGeometry, normalGeometry and uv.`,
+    )
+}
+
+/** Adds how normal and uv vary over the geometry, if it is not known yet. */
+function vary({ geometry }: Builder) {
+  if (!geometry.hasAttribute(variationAttribute('normalXGradient')))
+    addVariation(geometry, surfaceVariation)
+}
+
+function warn({ warned }: ExactMaterial, { object, material }: Builder, message: string) {
+  if (warned.has(message)) return
+  warned.add(message)
+  const reason = message.replace(
+    /^(?:exactNormals|(?:glsl|wgsl)Offset): (?:line \d+, column \d+: )?/,
+    '',
+  )
+  console.warn(
+    `${method}: the normals of ${nameOfMaterial(material)} of ${nameOf(object)} stay as they are. ${reason}`,
+  )
+}

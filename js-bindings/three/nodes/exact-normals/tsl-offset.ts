@@ -1,0 +1,162 @@
+// `tslOffset`: an offset function from a function of TSL, for every host and for the CPU.
+import type { Texture } from 'three'
+import type { Node } from 'three/webgpu'
+import type { Vec3, WarpInputs } from '../../../compile/hosts.js'
+import { asOwn } from '../../../errors/operators.js'
+import { WarpError, describe } from '../../../errors/errors.js'
+import { glslOffset } from '../../../glsl-source/offset.js'
+import { callback, oneOf } from '../../../options/kinds.js'
+import { Place } from '../../../options/place.js'
+import { type KindsOf, object } from '../../../options/schema.js'
+import { three } from '../../values.js'
+import { type AnyNode, tsl } from '../tsl.js'
+import { plainBuilder } from './plain-builder.js'
+import { functionName, maxIterations, readPosition } from './read-position.js'
+import type { OuterValue, ReadNode } from './reading-builder.js'
+
+export interface TslOffsetOptions {
+  /**
+   * Meaning of the function's result: `'offset'` is added to the position, `'position'` is the new position, as of a `positionNode`.
+   * @default 'offset'
+   */
+  returns?: 'offset' | 'position'
+}
+
+/** An offset function for any host, with the uniforms of its nodes. */
+export interface TslOffset {
+  (inputs: Pick<WarpInputs, 'glsl' | 'position'>): Vec3
+  /**
+   * Maps the name of a uniform node, or `uniform0`, `uniform1` … → its present value, for the option `uniforms`:
+   * `warp(mesh, wave, { uniforms: wave.uniforms })`.
+   */
+  readonly uniforms: Readonly<Record<string, () => number | readonly number[]>>
+}
+
+const place = new Place('tslOffset')
+const optionsKind = object({
+  returns: oneOf(['offset', 'position'], 'offset'),
+} satisfies KindsOf<TslOffsetOptions>)
+
+/**
+ * Makes an offset function of a function of TSL: `tslOffset((position) => vec3(0, sin(position.x.add(time)), 0))`. Its argument is the
+ * position, a node; it may also read `normalLocal`, `uv()`, `time`, uniforms and textures. The offset function can be warped with any host,
+ * evaluated on the CPU, bounded and so on. `time` is the input `millis` in seconds; other uniforms are those of `uniforms` of the result.
+ *
+ * Throws a `WarpError` if the function depends on what an offset has not, such as `instanceIndex` or the camera.
+ */
+export function tslOffset(
+  work: (position: Node<'vec3'>) => Node,
+  options?: TslOffsetOptions,
+): TslOffset {
+  callback.read(work, place)
+  const { returns } = optionsKind.read(options, place)
+  const result = work(tsl.positionLocal as never) as unknown as AnyNode
+  if (!(result as { isNode?: boolean } | undefined)?.isNode)
+    throw place.part('the function').expected('a node that is a vec3', describe(result))
+  const source = readPosition(place.method, plainBuilder(place.method), result)
+  const known = new Uniforms()
+  const bindings = [
+    ...[...source.values].flatMap(([name, value]) => known.bind(name, value)),
+    ...[...source.textures].map(([name, node]) => known.bindTexture(name, node)),
+  ]
+  const stranger = source.updated.find((node) => !known.has(node))
+  if (stranger) throw notKnown(stranger)
+  const read = glslOffset(source.text, { function: functionName, returns, maxIterations })
+  const offset = asOwn((inputs: WarpInputs) => {
+    const { glsl, position, normal, uv } = inputs
+    const uniforms = Object.fromEntries(bindings.map(([name, bind]) => [name, bind(inputs)]))
+    return read({ glsl, position, normal, uv, uniforms } as never)
+  })
+  return Object.assign(offset as unknown as TslOffset, { uniforms: known.values })
+}
+
+/** Returns what a name of the source is in an offset function. */
+type Binding = [name: string, bind: (inputs: WarpInputs) => unknown]
+
+interface UniformNode extends ReadNode {
+  isUniformNode?: boolean
+  name?: string | null
+}
+
+interface ElementNode extends ReadNode {
+  node: ReadNode & { array?: unknown[] }
+  indexNode: AnyNode & { value?: unknown }
+}
+
+class Uniforms {
+  readonly values: Record<string, () => number | readonly number[]> = {}
+  private readonly nodes = new Set<unknown>([tsl.time])
+
+  /** Tests whether the present value of a node is known without a renderer. */
+  has(node: ReadNode): boolean {
+    return this.nodes.has(node)
+  }
+
+  bind(name: string, { node: given, array }: OuterValue): Binding[] {
+    if ((given as unknown) === tsl.time)
+      return [[name, ({ millis }) => (millis as unknown as { div(x: number): unknown }).div(1000)]]
+    if (array) {
+      const list = given as ElementNode['node']
+      if (!list.array) throw notKnown(list)
+      this.nodes.add(list)
+      return list.array.map((_, i) =>
+        this.uniform(`${name}[${i}]`, undefined, () => padToFour(numbersOf(list.array![i]))),
+      )
+    }
+    const element = given as ElementNode
+    const { indexNode, node } = element
+    const index = indexNode?.value
+    if (node?.array && typeof index === 'number') {
+      this.nodes.add(node)
+      return [this.uniform(name, undefined, () => numbersOf(node.array![index]))]
+    }
+    const uniform = given as UniformNode & { value?: unknown }
+    if (!('value' in uniform) || isUpdatedByThree(uniform)) throw notKnown(uniform)
+    return [this.uniform(name, uniform.name, () => numbersOf(uniform.value))]
+  }
+
+  bindTexture(name: string, node: { value: Texture }): Binding {
+    this.nodes.add(node)
+    return this.uniform(name, undefined, () => node.value as never)
+  }
+
+  private uniform(
+    name: string,
+    ownName: string | null | undefined,
+    read: () => number | readonly number[],
+  ): Binding {
+    const isFree = ownName && /^[a-z]\w*$/i.test(ownName) && !(ownName in this.values)
+    const label = isFree ? ownName : `uniform${Object.keys(this.values).length}`
+    this.values[label] = read
+    return [name, ({ uniforms }) => uniformOf(uniforms, label)]
+  }
+}
+
+function uniformOf(uniforms: object, label: string): unknown {
+  if (label in uniforms) return (uniforms as Record<string, unknown>)[label]
+  throw new WarpError(
+    `${place.method}: the function reads uniforms of TSL, which the warp does not have; pass the option { uniforms: offset.uniforms }, where offset is the result of tslOffset.`,
+  )
+}
+
+/** The numbers of a number, a vector, a colour or a matrix of three.js. */
+function numbersOf(value: unknown): number | readonly number[] {
+  if (typeof value === 'boolean') return Number(value)
+  return three.values!.toNumbers(value) as number | readonly number[]
+}
+
+/** Three.js pads the elements of an array of uniforms to four numbers. */
+const padToFour = (value: number | readonly number[]) => {
+  const numbers = [value].flat()
+  return numbers.length < 4 ? [...numbers, 0, 0, 0].slice(0, 4) : numbers
+}
+
+const isUpdatedByThree = ({ updateType }: ReadNode) =>
+  updateType !== undefined && updateType !== 'none'
+
+function notKnown(node: ReadNode): WarpError {
+  const { type } = node as unknown as { type: string }
+  return place.error(
+    `the function reads ${/^[AEIO]/.test(type) ? 'an' : 'a'} ${type} that three.js computes as it draws; expected a function of position, normalLocal, uv(), time, uniform() and texture().`,
+  )
+}

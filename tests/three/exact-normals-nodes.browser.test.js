@@ -1,0 +1,95 @@
+// `exactNormals` for materials of nodes on both backends of WebGPURenderer: shown normals at pixels against differences, in double
+// precision, of the same motion written by hand.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { webgpuFlags } from '../support/browser/browser.js'
+import { threePages } from '../support/browser/three/open.js'
+
+let pages, page, messages
+before(async () => {
+  pages = await threePages(webgpuFlags)
+  ;({ page, messages } = await pages.open('three', 'exact-normals/page-nodes.js'))
+})
+after(() => pages.close())
+
+const maxDegrees = 0.05
+
+/** Counts the loops of a height. Waves of the sea that glow have one more. */
+const heightsIn = ({ vertexShader, fragmentShader }) =>
+  [vertexShader, fragmentShader].join('').match(/\bfor \(/g).length
+
+for (const backend of ['webgl', 'webgpu'])
+  describe(`the backend ${backend}`, () => {
+    test('displacements as people write them', async (t) => {
+      const only = process.env.WARPJET_ONLY
+      const failures = []
+      for (const name of await page.evaluate(() => exact.names)) {
+        if (only && !name.includes(only)) continue
+        messages.length = 0
+        const { covered, skipped, median, most, finite } = await page.evaluate(
+          (given) => exact.measure(...given),
+          [name, { backend }],
+        )
+        t.diagnostic(
+          `${name}: ${covered} pixels, ${skipped} at kinks, ${most}° at 99.9%, median ${median}°`,
+        )
+        if (messages.length) failures.push(`${name}: ${messages.join('\n')}`)
+        if (!(finite && covered > 500 && skipped < 0.02 * covered && most < maxDegrees))
+          failures.push(`${name}: ${most}°, ${covered} pixels, ${skipped} at kinks`)
+      }
+      assert.deepEqual(failures, [])
+    })
+
+    for (const name of ['sea', 'terrain'])
+      test(`the showcase ${name}, at 102,400 pixels`, async (t) => {
+        messages.length = 0
+        const measured = {}
+        for (const by of ['hand', 'us'])
+          measured[by] = await page.evaluate(
+            (given) => exact.measureShowcase(...given),
+            [name, { backend, by }],
+          )
+        const { hand, us } = measured
+        t.diagnostic(`${us.most}° at 99.9%, mean ${us.mean}°, by hand ${hand.mean}°`)
+        assert.deepEqual(messages, [])
+        assert.equal(us.covered, 102_400)
+        assert.ok(us.skipped < 100, `${us.skipped} pixels at kinks`)
+        assert.ok(us.most < maxDegrees, `${us.most}°`)
+        // Three's own shift is tuned.
+        assert.ok(hand.mean > 1, `${hand.mean}°`)
+        assert.equal(heightsIn(us.shaders), 2, 'a height in each stage')
+        assert.equal(heightsIn(hand.shaders), 4 - Number(name === 'terrain'))
+      })
+
+    test('a position without a derivative keeps its normals, and the console says why', async () => {
+      for (const [name, message] of await page.evaluate(() => exact.refused)) {
+        messages.length = 0
+        const changed = await page.evaluate((given) => exact.changes(...given), [name, { backend }])
+        assert.equal(changed, 0, name)
+        assert.equal(messages.length, 1, name)
+        assert.match(
+          messages[0],
+          /exactNormals: the normals of the MeshNormalNodeMaterial of this Mesh stay/,
+        )
+        assert.match(messages[0], new RegExp(message))
+      }
+    })
+
+    test('velocities are those of the uniforms in the frame before', async () => {
+      messages.length = 0
+      const [first, raised, still] = await page.evaluate((given) => exact.velocities(given), {
+        backend,
+      })
+      assert.deepEqual(messages, [])
+      assert.ok(Math.abs(first) < 1e-6 && Math.abs(still) < 1e-6, `${first}, ${still}`)
+      assert.ok(Math.abs(raised - 0.3) < 1e-4, `${raised}`)
+    })
+
+    test('these tests would detect normals that stay as they are', async () => {
+      const { median } = await page.evaluate(
+        (given) => exact.measure(...given),
+        ['a sine', { backend, isExact: false }],
+      )
+      assert.ok(median > 10, `${median}°`)
+    })
+  })
