@@ -74,7 +74,7 @@ async function buildAll() {
     work: declareTypes,
   })
 
-  reportSizes(walk('dist', /\.js$/))
+  reportSizes()
 }
 
 /** Lists the generated files of a module: its bytes as text, Emscripten's factory, and the types of its bindings. */
