@@ -17,5 +17,5 @@ await main(async () => {
   process.env.WARPJET_CHROMIUM = (await setup()).chromium
   await build()
   const { measure } = await import(`./bench/${other ?? 'frames/run.mjs'}`)
-  await measure(options)
+  await measure(other ? args.slice(1) : options)
 }, '--help lists the options.')

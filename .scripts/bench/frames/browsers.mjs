@@ -12,10 +12,7 @@ function findRenderer() {
   return gl && gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)
 }
 
-const launch = (args) =>
-  chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args, handleSIGINT: false })
-
-async function rendererWith(flags) {
+async function rendererWith(launch, flags) {
   const browser = await launch(flags)
   try {
     const page = await browser.newPage()
@@ -26,18 +23,20 @@ async function rendererWith(flags) {
 }
 
 /** Chooses the machine's GPU, or software if there is none or if `withoutGpu` → { flags, renderer, isSoftware } */
-async function chooseRenderer(withoutGpu) {
+export async function chooseRenderer(launch, withoutGpu) {
   // A GPU whose driver crashes the browser counts as no GPU.
-  const gpu = withoutGpu ? null : await rendererWith(gpuFlags).catch(() => null)
+  const gpu = withoutGpu ? null : await rendererWith(launch, gpuFlags).catch(() => null)
   if (gpu && !software.test(gpu)) return { flags: gpuFlags, renderer: gpu, isSoftware: false }
-  const renderer = await rendererWith(softwareFlags)
+  const renderer = await rendererWith(launch, softwareFlags)
   if (!renderer) throw new Stop('This Chromium has no WebGL 2: name another one in CHROME_PATH.')
   return { flags: softwareFlags, renderer, isSoftware: true }
 }
 
 /** Opens the benchmark's page twice, uncapped and capped → { version, renderer, isSoftware, uncapped, capped, close() } */
 export async function openBrowsers(url, size, withoutGpu) {
-  const { flags, renderer, isSoftware } = await chooseRenderer(withoutGpu)
+  const executablePath = process.env.WARPJET_CHROMIUM
+  const launch = (args) => chromium.launch({ executablePath, args, handleSIGINT: false })
+  const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
   const browsers = []
   const close = () => Promise.all(browsers.map((browser) => browser.close()))
   async function open(moreFlags) {
