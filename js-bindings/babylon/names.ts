@@ -27,8 +27,13 @@ export const meshDefines = Object.fromEntries(
 )
 
 /** Writes code of a warp with these names. */
-export const textOf = (warp: HostWarp, results: Result[], isWGSL: boolean) =>
-  warp.text(
+export const textOf = (
+  warp: HostWarp,
+  stage: 'vertex' | 'fragment',
+  results: Result[],
+  isWGSL: boolean,
+) =>
+  warp[stage === 'fragment' ? 'fragmentText' : 'text'](
     isWGSL ? 'wgsl' : 'glsl300',
     results,
     isWGSL ? { names: { millis: `uniforms.${shaderNames.millis}` } } : {},

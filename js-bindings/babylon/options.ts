@@ -4,7 +4,7 @@ import {
   type NormalsOption,
   type UniformOptions,
   type UniformValues,
-  normalsKind,
+  normalsKinds,
 } from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { anything, kind, optional } from '../options/kinds.js'
@@ -24,13 +24,19 @@ export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValu
    * @default 'auto'
    */
   normals?: NormalsOption
+  /**
+   * `false` keeps the full strength of noise at pixels where its waves cover less than four of them; noise that is finer than a pixel
+   * sparkles then. Only normals at pixels fade.
+   * @default true
+   */
+  fadeNoise?: boolean
   /** `false` accepts that normal and uv count as constant over a surface without `addSurfaceVariation`, without a note. */
   surfaceVariation?: false
 }
 
 export const settings = object({
   uniforms: anything<UniformOptions<UniformValues>>(),
-  normals: normalsKind,
+  ...normalsKinds,
   surfaceVariation: optional(
     kind<false>('only false', (given) => given === false, {
       advice: () => 'addSurfaceVariation(mesh) computes how a mesh varies',

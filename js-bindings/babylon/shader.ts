@@ -40,7 +40,7 @@ export function declarationsOf(parts: ShaderParts, hasPixels: boolean, isWGSL: b
 /** The code of a vertex that has a normal and a tangent, or a normal alone, or neither. */
 function textsOf(warp: HostWarp, isWGSL: boolean): [HostText, HostText, HostText] {
   const text = (...results: ('normal' | 'tangent')[]) =>
-    textOf(warp, ['offset', 'position', ...results], isWGSL)
+    textOf(warp, 'vertex', ['offset', 'position', ...results], isWGSL)
   return [text('normal', 'tangent'), text('normal'), text()]
 }
 

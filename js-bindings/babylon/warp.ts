@@ -63,11 +63,12 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
     private readonly options: BabylonWarpOptions<Uniforms> = {},
   ) {
     rejectUnwarpable(material)
-    const { uniforms, surfaceVariation, normals } = settings.read(options, place)
+    const { uniforms, surfaceVariation, normals, fadeNoise } = settings.read(options, place)
     const warp = new HostWarp(place, offset as OffsetFunction, {
       host: babylon,
       uniforms,
       names,
+      fadeNoise,
       tangents: true,
       surfaceVariation: surfaceVariation ?? true,
     })

@@ -7,7 +7,7 @@ import type { OffsetWarp } from './offset-warp.js'
 import type { NormalStage, NormalsOption } from './normals-option.js'
 import type { Result } from './recorded-warp.js'
 import { type RecordOptions, type TextOptions, textOptions } from './warp-options.js'
-import type { WarpText } from './warp-text.js'
+import type { HostText, WarpText } from './warp-text.js'
 
 /** The methods of a compiled warp that write more code and compute frame constants. */
 export interface Emits {
@@ -20,7 +20,8 @@ export interface Emits {
    * Writes the statements for a fragment shader that compute the normal at a pixel, `vec3 warpedNormal`, and with `tangents: true`
    * `vec4 warpedTangent`. Their inputs are the position, normal, uv and color before the warp, and the gradients of
    * `surfaceVariation`, as the vertex shader passes them to pixels: in the space of the offset, interpolated, the normal with its
-   * length restored. Only what the normal needs is among the statements. Use `highp` in GLSL ES 1.00. Default: the language and the
+   * length restored. Only what the normal needs is among the statements. Noise fades where its waves cover less than four pixels, unless
+   * the option `fadeNoise` is `false`. Use `highp` in GLSL ES 1.00. Default: the language and the
    * names of the options of `compileWarp`. Throws a `WarpError` for a warp with `normals: false`.
    */
   emitFragment(target?: Target, options?: TextOptions): WarpText
@@ -43,33 +44,32 @@ function stageOf(warp: OffsetWarp, option: boolean | NormalsOption): NormalStage
   return option === true ? 'vertex' : warp.stageOfNormals(option)
 }
 
+function withoutHostParts({ parameters: _, frame: __, ...text }: HostText): WarpText {
+  return text
+}
+
 export function textsOf(warp: OffsetWarp, options: RecordOptions): WarpText & Emits {
   const { target } = options
   const normals = stageOf(warp, options.normals!)
   const ofNormal: Result[] = ['normal', ...(options.tangents ? (['tangent'] as const) : [])]
   const results: Result[] = ['offset', 'position', ...(normals === 'vertex' ? ofNormal : [])]
-  const write = (results: readonly Result[], target: Target, names?: TextOptions): WarpText => {
-    const { parameters: _, frame: __, ...text } = warp.text(target, results, names)
-    return text
-  }
-  const text = write(results, target!)
+  const text = withoutHostParts(warp.text(target!, results))
   if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
   return {
     ...text,
     normals,
-    emit: (target, names) =>
-      write(
-        results,
-        targetKind.read(target, emitPlace.part('the target')),
-        textOptions.read(names, emitPlace),
-      ),
+    emit(given, names) {
+      const target = targetKind.read(given, emitPlace.part('the target'))
+      return withoutHostParts(warp.text(target, results, textOptions.read(names, emitPlace)))
+    },
     emitFragment(given = target!, names) {
       if (!normals)
         throw fragmentPlace.error(
           'the warp was compiled with "normals: false", which leaves normals out; compile it without.',
         )
-      const read = targetKind.read(given, fragmentPlace.part('the target'))
-      return write(ofNormal, read, textOptions.read(names, fragmentPlace))
+      const target = targetKind.read(given, fragmentPlace.part('the target'))
+      const read = textOptions.read(names, fragmentPlace)
+      return withoutHostParts(warp.fragmentText(target, ofNormal, read))
     },
     frameUniforms(given = {}) {
       checkUniforms(framePlace, given, warp.variableNames())

@@ -2,7 +2,7 @@
 export { HostWarp } from './host-warp.js'
 export type { Host } from './host.js'
 export type { FrameConstants } from './frame.js'
-export type { HostText } from './warp-text.js'
+export { type HostText, interpolationOf } from './warp-text.js'
 export type { HostUniform } from './host-uniforms.js'
 export {
   type ImageSampling,
@@ -10,7 +10,7 @@ export {
   samplingNumbers,
   samplingUniforms,
 } from './image-sampling.js'
-export { type NormalStage, type NormalsOption, normalsKind } from './normals-option.js'
+export { type NormalStage, type NormalsOption, normalsKinds } from './normals-option.js'
 export type { Result } from './recorded-warp.js'
 export { shaderNames } from './shader-names.js'
 export { arraysOf, attributeNumbers, geometryAttributes } from '../core/inputs/geometry.js'

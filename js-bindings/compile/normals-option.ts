@@ -1,9 +1,13 @@
 // The option that says where normals are computed.
-import { oneOf } from '../options/kinds.js'
+import { boolean, oneOf } from '../options/kinds.js'
 
 /** Where normals are computed. */
 export type NormalStage = 'vertex' | 'pixel'
 
-/** The kind of the option `normals` of a host. */
-export const normalsKind = oneOf(['auto', 'vertex', 'pixel'], 'auto')
 export type NormalsOption = 'auto' | NormalStage
+
+/** The kinds of the options of normals that all hosts have. */
+export const normalsKinds = {
+  normals: oneOf(['auto', 'vertex', 'pixel'], 'auto'),
+  fadeNoise: boolean(true),
+}

@@ -103,6 +103,18 @@ export class OffsetWarp {
     })
   }
 
+  /**
+   * Writes text for a fragment shader. There, noise that is finer than a pixel fades, except in GLSL ES 1.00, which may lack the
+   * derivatives on the screen that this takes.
+   */
+  fragmentText(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
+    return writeWarp(this.recorded, target, results, {
+      ...options,
+      isFrameConstant: this.isFrameConstant,
+      fadesNoise: this.recorded.settings.fadeNoise && target !== 'glsl100',
+    })
+  }
+
   /** Returns the constants of a frame: the same object while the values stay the same. */
   frame(given: DrawValues, place = this.place): FrameConstants {
     return this.frameConstants()((variable) => this.numbersOf(place, variable, given))

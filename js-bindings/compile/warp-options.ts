@@ -40,6 +40,12 @@ export interface WarpOptions<
    * @default true
    */
   normals?: boolean | NormalsOption
+  /**
+   * `false` keeps the full strength of noise in the code of `emitFragment` where its waves cover less than four pixels, and noise that is
+   * finer than a pixel sparkles. GLSL ES 1.00 always keeps it.
+   * @default true
+   */
+  fadeNoise?: boolean
   /** `true` also transforms the tangent, a vec4 as in glTF. */
   tangents?: boolean
   /**
@@ -69,6 +75,7 @@ export interface RecordOptions extends TextOptions {
   target?: Target | undefined
   /** `false` leaves the normal out of the recording; everything else is the same to it. */
   normals?: boolean | NormalsOption | undefined
+  fadeNoise?: boolean | undefined
   tangents?: boolean | undefined
   surfaceVariation?: boolean | undefined
   debug?: boolean | undefined
@@ -103,6 +110,7 @@ const warpOptions = object({
     (given) => [true, false, 'vertex', 'pixel', 'auto'].includes(given as boolean),
     { default: true },
   ),
+  fadeNoise: boolean(true),
   tangents: boolean(false),
   surfaceVariation: optional(boolean()),
   perFrame: boolean(false),
@@ -121,7 +129,7 @@ export function readWarpOptions(given: unknown, place: Place) {
 export type Settings = ReturnType<typeof settingsOf>
 
 export function settingsOf(place: Place, options: RecordOptions, defaults = publicOutputs) {
-  const { target = targets[0]!, debug = false, jacobian = false } = options
+  const { target = targets[0]!, debug = false, jacobian = false, fadeNoise = true } = options
   const { tangents = false, surfaceVariation = false } = options
   const normals = options.normals !== false
   const isAccepted = options.surfaceVariation === false
@@ -132,7 +140,7 @@ export function settingsOf(place: Place, options: RecordOptions, defaults = publ
     ...defaults,
     ...withoutGaps(options.outputs),
   }
-  return { place, target, debug, jacobian, ...results, isAccepted, names, outputs }
+  return { place, target, debug, jacobian, fadeNoise, ...results, isAccepted, names, outputs }
 }
 
 /** Names of results in texts that the user reads. */

@@ -23,11 +23,22 @@ export interface HostText extends WarpText {
   frame: string[]
 }
 
+/**
+ * Returns how GLSL ES 3.00 interpolates the inputs of a text at pixels. Where antialiasing covers only a part of a pixel, its center may
+ * be outside of the triangle, and of what the offset is defined on: `centroid` is a place inside. Noise that fades compares the centers
+ * of pixels.
+ */
+export const interpolationOf = ({ declarations }: Compiled) =>
+  /\bwarpjetAcross\b/.test(declarations) ? '' : 'centroid '
+
 export function writeWarp(
   recorded: RecordedWarp,
   target: Target,
   results: readonly Result[],
-  options: TextOptions & { isFrameConstant?: IsFrameConstant | undefined } = {},
+  options: TextOptions & {
+    isFrameConstant?: IsFrameConstant | undefined
+    fadesNoise?: boolean
+  } = {},
 ): HostText {
   const { settings, module, inputs } = recorded
   const { place, surfaceVariation } = settings
@@ -50,6 +61,7 @@ export function writeWarp(
       outputs[result],
     ]),
     isFrameConstant: options.isFrameConstant,
+    fadesNoise: options.fadesNoise,
   })
   const numbers = new Set<number>(Object.values(inputs))
   const others = read.filter(({ number }) => !numbers.has(number))

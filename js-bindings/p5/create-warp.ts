@@ -157,6 +157,7 @@ function warpFor(canvas: Canvas, offset: OffsetFunction, settings: GivenSettings
     uniforms: settings.uniforms,
     target: targetOf(rendererOf(canvas)!),
     names: namesFor(style),
+    fadeNoise: settings.fadeNoise,
     surfaceVariation: settings.surfaceVariation ?? true,
     jacobian: settings.stroke !== false,
   })

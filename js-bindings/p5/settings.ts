@@ -4,7 +4,7 @@ import {
   type NormalsOption,
   type UniformOptions,
   type UniformValues,
-  normalsKind,
+  normalsKinds,
 } from '../compile/hosts.js'
 import { anything, boolean, oneOf, optional, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -41,6 +41,12 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * @default 'auto'
    */
   normals?: NormalsOption
+  /**
+   * `false` keeps the full strength of noise at pixels where its waves cover less than four of them; noise that is finer than a pixel
+   * sparkles then. Only normals at pixels fade.
+   * @default true
+   */
+  fadeNoise?: boolean
   /**
    * If true, the light of an offset that depends on normal or uv accounts for how these vary over the surface; if false, they count as
    * constant. Default: true.
@@ -80,6 +86,7 @@ export interface GivenSettings {
   readonly space: WarpSpace
   readonly defs: string
   readonly normals: NormalsOption
+  readonly fadeNoise: boolean
   readonly surfaceVariation: boolean | undefined
   readonly stroke: boolean | undefined
   readonly returns: 'offset' | 'position'
@@ -99,7 +106,7 @@ const createWarpOptions = object({
   type: optional(oneOf(['specular', 'normal'])),
   space: oneOf(['local', 'world', 'camera'], 'local'),
   defs: text('a string of GLSL such as "uniform float size;"', undefined, { default: '' }),
-  normals: normalsKind,
+  ...normalsKinds,
   surfaceVariation: anything<boolean>(),
   stroke: optional(boolean()),
   returns: oneOf(['offset', 'position'], 'offset'),

@@ -69,8 +69,8 @@ export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSetting
   const pixelText = lazily(() => pixelTextOf(warp, target))
   /** Returns the code for pixels, or why the shader cannot run it. */
   const pixelCodeFor = (base: Shader): PixelCode | string => {
-    const { text, varyings } = pixelText()
-    const pixel = { text, varyings, uniforms: uniformsOf(text) }
+    const code = pixelText()
+    const pixel = { ...code, uniforms: uniformsOf(code.text) }
     const isAfter = (hook: string) => style.isAfterWarp(hook, warpCode)
     const maxVaryings = maxVaryingsOf(renderer)
     return obstacleFor(pixel, base, { defs, isAfter, maxVaryings }) ?? pixel

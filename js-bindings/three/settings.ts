@@ -4,7 +4,7 @@ import {
   type UniformExpressions,
   type Vec3,
   type WarpInputs,
-  normalsKind,
+  normalsKinds,
 } from '../compile/hosts.js'
 import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -31,6 +31,12 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    * @default 'auto'
    */
   normals?: 'auto' | 'vertex' | 'pixel'
+  /**
+   * `false` keeps the full strength of noise at pixels where its waves cover less than four of them; noise that is finer than a pixel
+   * sparkles then. Only normals at pixels fade.
+   * @default true
+   */
+  fadeNoise?: boolean
   /** `true` warps the material on every mesh that uses it. */
   share?: boolean
   /** `false` accepts that normal and uv count as constant over the surface, without a note. */
@@ -53,6 +59,7 @@ export interface Settings {
   space: WarpSpace
   uniforms: object | undefined
   normals: NormalsOption
+  fadeNoise: boolean
   isShared: boolean
   surfaceVariation: false | undefined
 }
@@ -60,7 +67,7 @@ export interface Settings {
 const options = object({
   space: oneOf(['local', 'rest', 'world'], 'local'),
   uniforms: anything<object>(),
-  normals: normalsKind,
+  ...normalsKinds,
   share: boolean(false),
   surfaceVariation: optional(
     kind<false>('only false', (given) => given === false, {

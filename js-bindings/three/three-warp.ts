@@ -61,6 +61,7 @@ export class ThreeWarp extends HostWarp {
       uniforms: settings.uniforms,
       target: 'glsl300',
       names: { millis: shaderNames.millis },
+      fadeNoise: settings.fadeNoise,
       tangents: true,
       surfaceVariation: settings.surfaceVariation ?? true,
     })
@@ -71,7 +72,7 @@ export class ThreeWarp extends HostWarp {
   textFor(target: Target, turned: Stage, names: Record<string, string>): HostText {
     const key = JSON.stringify([target, turned, names])
     let text = this.texts.get(key)
-    if (!text) this.texts.set(key, (text = this.text(target, resultsOf[turned], { names })))
+    if (!text) this.texts.set(key, (text = this.writeText(target, turned, names)))
     return text
   }
 
@@ -99,6 +100,12 @@ export class ThreeWarp extends HostWarp {
     return (this.hash ??= this.hashOfText())
   }
 
+  private writeText(target: Target, stage: Stage, names: Record<string, string>): HostText {
+    return stage === 'normal of pixel' || stage === 'tangent of pixel'
+      ? this.fragmentText(target, resultsOf[stage], { names })
+      : this.text(target, resultsOf[stage], { names })
+  }
+
   private get given() {
     return { millis: this.millis.value }
   }
@@ -106,7 +113,8 @@ export class ThreeWarp extends HostWarp {
   private hashOfText() {
     const { code, declarations } = this.text('glsl300', resultsOf.tangent)
     const types = this.uniforms.inShader.map(({ type }) => type)
-    return hash([this.settings.space, types, code, declarations].join('\n'))
+    const { space, fadeNoise } = this.settings
+    return hash([space, fadeNoise, types, code, declarations].join('\n'))
   }
 }
 

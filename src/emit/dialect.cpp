@@ -1,5 +1,8 @@
 #include "emit/dialect.hpp"
 
+#include "noise/fading.hpp"
+#include "texture/texture.hpp"
+
 namespace warpjet {
 
 namespace {
@@ -22,6 +25,12 @@ std::string_view Dialect::typeName(ops::Type type, Shape shape) const {
   if (shape == oneImage) return image;
   if (shape.isMatrix()) return matrices[shape.columns - 2u][shape.rows - 2u];
   return shape.isNumber() ? numbers[kind] : vectors[kind][shape.rows - 2u];
+}
+
+std::string_view Dialect::sourceOf(std::string_view called) const {
+  if (called == acrossName) return across;
+  if (called == downName) return down;
+  return called == sampledTexelName ? sampledTexel : texel;
 }
 
 void appendExpanded(std::string& text, std::string_view form, Parts parts) {

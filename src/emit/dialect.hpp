@@ -57,12 +57,15 @@ struct Dialect {
   std::string_view texel;      // the function that reads a texel; see src/texture
   std::string_view
       sampledTexel;  // the same with coordinates beyond the edges, which the host's sampler wraps
+  std::string_view across, down;  // functions of a fragment shader; see src/noise/fading.hpp
 
   static bool holds(std::string_view list, std::string_view word) {
     return list.find(' ' + std::string(word) + ' ') != list.npos;
   }
 
   std::string_view typeName(ops::Type type, Shape shape) const;
+  // The source of one of our functions that nodes can't express.
+  std::string_view sourceOf(std::string_view called) const;
 };
 
 // Replaces $0, $1, … in a template by the parts.

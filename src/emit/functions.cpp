@@ -4,7 +4,6 @@
 
 #include "emit/bundle.hpp"
 #include "emit/lower.hpp"
-#include "texture/texture.hpp"
 
 namespace warpjet {
 
@@ -46,9 +45,7 @@ void Declarations::define(const Function& function, int order) {
   const Bundle bundle(function, order);
   if (isDefined(bundle.function)) return;
   Body& body = library_.withResults(function.name, order);
-  if (!body.definition.hasBody())
-    return define(bundle.function,
-                  function.name == sampledTexelName ? dialect_.sampledTexel : dialect_.texel);
+  if (!body.definition.hasBody()) return define(bundle.function, dialect_.sourceOf(function.name));
   Comments noComments;
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
   results = lower(body.graph, results, dialect_.language, noComments);

@@ -18,6 +18,16 @@ inline constexpr std::string_view declaration = "$0 $1", definition = "$0 $1 = "
                                   function = "$0 $1($2) {\n", parameter = "$0 $1",
                                   structure = "struct $0 {$1 };\n", member = " $0 $1;";
 
+// Version 1.00 needs the extension OES_standard_derivatives, which the host enables.
+inline constexpr std::string_view across = R"(highp float warpjetAcross(highp float x) {
+  return dFdx(x);
+}
+)";
+inline constexpr std::string_view down = R"(highp float warpjetDown(highp float x) {
+  return dFdy(x);
+}
+)";
+
 // The limit of WebGL 1.0, section 6.21; WebGL 2 allows 1024, but a warp should compile for both.
 inline constexpr std::size_t maxNameLength = 256;
 

@@ -61,6 +61,8 @@ constinit const Dialect glsl100{
         R"(highp vec4 warpjetSampledTexel(float x, float y, highp sampler2D image, float width, float height) {
   return texture2D(image, vec2((x + 0.5) / width, (y + 0.5) / height));
 }
-)"};
+)",
+    .across = glsl::across,
+    .down = glsl::down};
 
 }  // namespace warpjet

@@ -78,6 +78,8 @@ constinit const Dialect glsl300{
         R"(highp vec4 warpjetSampledTexel(float x, float y, highp sampler2D image, float width, float height) {
   return textureLod(image, vec2((x + 0.5) / width, (y + 0.5) / height), 0.0);
 }
-)"};
+)",
+    .across = glsl::across,
+    .down = glsl::down};
 
 }  // namespace warpjet

@@ -10,6 +10,7 @@
 #include "module/label.hpp"
 #include "module/messages.hpp"
 #include "module/syntax.hpp"
+#include "noise/fading.hpp"
 
 namespace warpjet {
 
@@ -149,15 +150,16 @@ class ShaderTextWriter {
     return true;
   }
 
-  // Writes the module in operations of the language; missing ones are lowered in a copy of the
-  // graph.
+  // Writes the module in operations of the language. A copy of the graph takes noise that fades,
+  // and what missing operations are lowered to.
   ShaderText compose() {
     Library library = module_.library.withEmptyCaches();
     ShaderText text;
-    if (lacksAny(graph_, dialect_.language)) {
+    if (options_.fadesNoise || lacksAny(graph_, dialect_.language)) {
       Graph graph = graph_.copy();
       Comments comments = module_.comments;
-      lowerOutputs(graph, comments);
+      if (options_.fadesNoise) setOutputs(fadeNoise(graph, library, outputNodes()));
+      setOutputs(lower(graph, outputNodes(), dialect_.language, comments));
       text.emitted = emit(graph, dialect_, outputs_, options_.emit, comments, inputs_);
       declare(text, graph, library);
     } else {
@@ -171,11 +173,14 @@ class ShaderTextWriter {
     return text;
   }
 
-  void lowerOutputs(Graph& graph, Comments& comments) {
-    std::vector<NodeId> roots;
+  std::vector<NodeId> outputNodes() const {
+    std::vector<NodeId> nodes;
     for (const Output& output : outputs_)
-      roots.insert(roots.end(), output.components.begin(), output.components.end());
-    const std::vector<NodeId> nodes = lower(graph, roots, dialect_.language, comments);
+      nodes.insert(nodes.end(), output.components.begin(), output.components.end());
+    return nodes;
+  }
+
+  void setOutputs(const std::vector<NodeId>& nodes) {
     auto node = nodes.begin();
     for (Output& output : outputs_) {
       for (NodeId& component : output.components) component = *node++;

@@ -21,6 +21,8 @@ struct ShaderTextOptions {
   std::vector<Naming> results = {};  // the results to write, in this order; empty for all
   std::vector<Naming> inputs = {};   // inputs with other names than in the module
   EmitOptions emit = {};
+  // Fades noise that is finer than a pixel, which only a fragment shader can do.
+  bool fadesNoise = false;
 };
 
 struct ShaderText {

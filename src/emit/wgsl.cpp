@@ -99,6 +99,17 @@ constinit const Dialect wgsl{
   let last = vec2f(width, height) - 1.0;
   return textureLoad(image, vec2i(clamp(vec2f(x, y), vec2f(0.0), last)), 0);
 }
+)",
+    // A condition around a call only affects pixels whose neighbors are on its other side.
+    .across = R"(@diagnostic(off, derivative_uniformity)
+fn warpjetAcross(x: f32) -> f32 {
+  return dpdx(x);
+}
+)",
+    .down = R"(@diagnostic(off, derivative_uniformity)
+fn warpjetDown(x: f32) -> f32 {
+  return dpdy(x);
+}
 )"};
 
 }  // namespace warpjet

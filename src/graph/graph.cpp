@@ -123,7 +123,13 @@ NodeId Graph::intern(const Node& node) {
 
 void Graph::makeTable(std::size_t size) {
   table_.assign(size, 0);
-  for (std::uint32_t id = 0; id < nodes_.size(); ++id) table_[slotOf(nodes_[id])] = id + 1;
+  const std::size_t mask = size - 1;
+  // No two nodes are equal, so each takes the first empty slot.
+  for (std::uint32_t id = 0; id < nodes_.size(); ++id) {
+    std::size_t slot = hash(nodes_[id]) & mask;
+    while (table_[slot] != 0) slot = (slot + 1) & mask;
+    table_[slot] = id + 1;
+  }
 }
 
 NodeId Graph::constant(double value) {

@@ -18,9 +18,11 @@ struct Rule {
   std::uint16_t from, to, when;
 };
 
-// The kind of an operand: its operation, or one of the numbers that identities name.
+// The kind of an operand: its operation, one of the numbers that identities name, or another
+// negative number.
 inline constexpr std::array<double, 3> namedNumbers{0, 1, -1};
-inline constexpr std::size_t operandKinds = arities.size() + namedNumbers.size();
+inline constexpr std::size_t negativeNumber = arities.size() + namedNumbers.size();
+inline constexpr std::size_t operandKinds = negativeNumber + 1;
 
 inline std::size_t kindOf(const Graph& graph, NodeId id) {
   if (!graph.isConstant(id)) return index(graph.node(id).op);
@@ -28,7 +30,7 @@ inline std::size_t kindOf(const Graph& graph, NodeId id) {
   for (std::size_t i = 0; i < namedNumbers.size(); ++i) {
     if (number == namedNumbers[i]) return arities.size() + i;
   }
-  return index(constantOp);
+  return number < 0 ? negativeNumber : index(constantOp);
 }
 
 // The rules that replace an operation, starting at `first`. `candidates` has one bit per rule, set
@@ -74,16 +76,31 @@ constexpr bool matchesSwapped(const Pattern& pattern) {
   return true;
 }
 
-constexpr bool canMatch(const Item& item, std::size_t kind) {
-  const bool isNamed = kind >= arities.size(), isConstant = isNamed || kind == index(constantOp);
+constexpr bool isNamedNumber(std::size_t kind) {
+  return kind >= arities.size() && kind < negativeNumber;
+}
+
+constexpr bool isNegative(std::size_t kind) {
+  return kind == negativeNumber || (isNamedNumber(kind) && namedNumbers[kind - arities.size()] < 0);
+}
+
+// True if the condition is that the constant is negative: a < 0.
+constexpr bool requiresNegative(const Pattern& when, const Item& constant) {
+  const Item &left = when.items[1], &right = when.items[2];
+  return when.root().is(ops::find("lt")) && left.isVariable() && left.number == constant.number &&
+         right.kind == Kind::Literal && right.value == 0;
+}
+
+constexpr bool canMatch(const Item& item, const Pattern& when, std::size_t kind) {
+  const bool isConstant = kind >= arities.size() || kind == index(constantOp);
   switch (item.kind) {
     case Kind::Computed:
       return !isConstant;
     case Kind::Constant:
-      return isConstant;
+      return isConstant && (isNegative(kind) || !requiresNegative(when, item));
     case Kind::Literal:
       if (item.type == ops::Type::Bool) return kind == index(ops::find("bool"));
-      return isNamed && item.value == namedNumbers[kind - arities.size()];
+      return isNamedNumber(kind) && item.value == namedNumbers[kind - arities.size()];
     case Kind::Operation:
       return kind == index(item.op());
     default:
@@ -165,7 +182,8 @@ inline constexpr Rules rules = [] {
       std::size_t item = 1;
       for (int place = 0; place < ops::declarations[op].arity; ++place) {
         for (std::size_t kind = 0; kind < operandKinds; ++kind) {
-          if (detail::canMatch(from.items[item], kind)) bucket.candidates[place][kind] |= bit;
+          if (detail::canMatch(from.items[item], identities[i].when, kind))
+            bucket.candidates[place][kind] |= bit;
         }
         item += from.items[item].size;
       }

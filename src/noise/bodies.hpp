@@ -2,6 +2,8 @@
 // comment says otherwise.
 #pragma once
 
+#include <optional>
+
 #include "functions/library.hpp"
 #include "noise/noise.hpp"
 
@@ -11,6 +13,8 @@ namespace warpjet {
 // the position within the cell precise.
 struct Point : Numbers {
   Numbers cells;  // one per coordinate, or empty
+  // The width of a pixel, for noise that fades.
+  std::optional<Expression> pixel = {};
 
   // The cell of coordinate `i`, given the cell of its remainder.
   Expression cell(std::size_t i, Expression found) const {
@@ -51,6 +55,9 @@ Numbers curlNoise(Library& library, NoiseKind base, const Point& p, Expression s
 // octave; the parameters are a hash, lacunarity and gain.
 Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
                         const Expression* parameters, Expression (*shape)(Expression));
+
+// Returns the value, or its mean where a pixel is much wider than the wavelength.
+Expression fade(Expression value, double mean, Expression pixel, double wavelength);
 
 // Calls a noise with a single value.
 Expression callBase(Library& library, NoiseKind base, const Point& p, Expression seed);

@@ -1,6 +1,7 @@
 #include "functions/fold.hpp"
 #include "noise/bodies.hpp"
 #include "noise/random.hpp"
+#include "noise/table.hpp"
 
 namespace warpjet {
 
@@ -27,9 +28,17 @@ constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.819172513
 Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
                         const Expression* parameters, Expression (*shape)(Expression)) {
   const Expression seed = parameters[0], lacunarity = parameters[1], gain = parameters[2];
-  if (noise.octaves == 1) return shape(callBase(library, noise.base, p, seed));
+  const NoiseRow& kind = row(noise.kind);
+  const double mean = kind.mean(noise, p.size(), 0);
+  const double wavelength = kind.wavelength * row(noise.base).wavelength;
+  // The octave fades, not its base: the mean of |n| is not |the mean of n|.
+  const auto octaveAt = [&](const Point& moved, Expression itsSeed, Expression fineness) {
+    const Expression value = shape(callBase(library, noise.base, moved, itsSeed));
+    return p.pixel ? fade(value, mean, *p.pixel * fineness, wavelength) : value;
+  };
   Graph& graph = *seed.graph;
   const Expression zero{&graph, graph.constant(0)}, one{&graph, graph.constant(1)};
+  if (noise.octaves == 1) return octaveAt({p, p.cells}, seed, one);
   const auto step = [&](const Numbers& states, Expression octave) {
     const Expression total = states[0], strengths = states[1];
     const Expression fineness = states[2], strength = states[3];
@@ -38,7 +47,7 @@ Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
       moved.push_back(p[i] * fineness + octave * shifts[i]);
     for (const Expression cell : p.cells) moved.cells.push_back(cell * fineness);
     const Expression itsSeed = ifElse(gt(octave, 0.0), hash(seed, octave), seed);
-    const Expression value = shape(callBase(library, noise.base, moved, itsSeed));
+    const Expression value = octaveAt(moved, itsSeed, fineness);
     return Numbers{total + value * strength, strengths + strength, fineness * lacunarity,
                    strength * gain};
   };

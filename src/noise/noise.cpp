@@ -10,13 +10,14 @@ namespace warpjet {
 
 namespace {
 
-constexpr std::uint32_t cellsFlag = std::uint32_t{1} << 31;
+constexpr std::uint32_t cellsFlag = std::uint32_t{1} << 31, fadingFlag = std::uint32_t{1} << 30;
 
 // Packs a noise and its dimension into one number, for Definition::settings.
 constexpr std::uint32_t pack(const Noise& noise, int dimensions) {
   return static_cast<std::uint32_t>(noise.kind) | static_cast<std::uint32_t>(noise.base) << 8 |
          static_cast<std::uint32_t>(noise.octaves) << 16 |
-         static_cast<std::uint32_t>(dimensions) << 24 | (noise.hasCells ? cellsFlag : 0);
+         static_cast<std::uint32_t>(dimensions) << 24 | (noise.hasCells ? cellsFlag : 0) |
+         (noise.fades ? fadingFlag : 0);
 }
 
 struct Unpacked {
@@ -26,8 +27,9 @@ struct Unpacked {
 
 Unpacked unpack(std::uint32_t settings) {
   return {{NoiseKind(settings & 255), NoiseKind(settings >> 8 & 255),
-           static_cast<int>(settings >> 16 & 255), (settings & cellsFlag) != 0},
-          settings >> 24 & 127};
+           static_cast<int>(settings >> 16 & 255), (settings & cellsFlag) != 0,
+           (settings & fadingFlag) != 0},
+          settings >> 24 & 63};
 }
 
 Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
@@ -37,10 +39,27 @@ Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments)
     p.push_back(arguments[i]);
     if (noise.hasCells) p.cells.push_back(arguments[arguments.size() - dimensions + i]);
   }
-  return row(noise.kind).body(library, noise, p, arguments.begin() + p.size());
+  const Expression* parameters = arguments.begin() + dimensions;
+  if (noise.fades) p.pixel = *parameters++;
+  const NoiseRow& kind = row(noise.kind);
+  Numbers values = kind.body(library, noise, p, parameters);
+  if (!p.pixel || isFractal(noise.kind) || kind.wavelength == 0) return values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = fade(values[i], kind.mean(noise, dimensions, i), *p.pixel, kind.wavelength);
+  return values;
 }
 
+// The names of parameters: with and without octaves, and the same of noise that fades.
 constexpr std::string_view namesWithoutOctaves[] = {"seed", "cellX", "cellY", "cellZ", "cellW"};
+constexpr std::string_view fadingNames[] = {"pixel", "seed",  "lacunarity", "gain",
+                                            "cellX", "cellY", "cellZ",      "cellW"};
+constexpr std::string_view fadingNamesWithoutOctaves[] = {"pixel", "seed",  "cellX",
+                                                          "cellY", "cellZ", "cellW"};
+
+const std::string_view* parameterNames(const Noise& noise) {
+  if (isFractal(noise.kind)) return noise.fades ? fadingNames : Definition::noiseParameters;
+  return noise.fades ? fadingNamesWithoutOctaves : namesWithoutOctaves;
+}
 
 // warpjetNoise3, warpjetCurl4Simplex, warpjetFbm2Noise5
 std::string functionName(const Noise& noise, int dimensions) {
@@ -50,6 +69,7 @@ std::string functionName(const Noise& noise, int dimensions) {
     name += capitalize(row(noise.base).name);
   if (isFractal(noise.kind)) name += std::to_string(noise.octaves);
   if (noise.hasCells) name += "Cells";
+  if (noise.fades) name += "Fading";
   return name;
 }
 
@@ -57,7 +77,8 @@ std::string functionName(const Noise& noise, int dimensions) {
 
 Definition definitionOf(const Noise& noise, int dimensions) {
   const NoiseRow& kind = row(noise.kind);
-  const int parameters = (isFractal(noise.kind) ? 3 : 1) + (noise.hasCells ? dimensions : 0);
+  const int parameters =
+      (noise.fades ? 1 : 0) + (isFractal(noise.kind) ? 3 : 1) + (noise.hasCells ? dimensions : 0);
   Definition made{
       {functionName(noise, dimensions), dimensions + parameters, kind.values, dimensions},
       body,
@@ -65,7 +86,7 @@ Definition definitionOf(const Noise& noise, int dimensions) {
   made.low = kind.low;
   made.high = kind.high;
   if (kind.maxSlope) made.maxSlope = kind.maxSlope(dimensions);
-  if (!isFractal(noise.kind)) made.parameters = namesWithoutOctaves;
+  made.parameters = parameterNames(noise);
   made.maker = noiseFrom;
   return made;
 }
@@ -77,6 +98,10 @@ Definition noiseFrom(std::uint32_t settings) {
 
 Definition withCells(const Definition& definition) {
   return noiseFrom(definition.settings | cellsFlag);
+}
+
+Definition withFading(const Definition& definition) {
+  return noiseFrom(definition.settings | fadingFlag);
 }
 
 bool canTakeCells(const Definition& definition, std::optional<double> lacunarity) {
@@ -102,9 +127,10 @@ double noisePeriod(const Definition& definition, std::optional<double> lacunarit
 
 Expression callBase(Library& library, NoiseKind base, const Point& p, Expression seed) {
   Numbers arguments = p;
+  if (p.pixel) arguments.push_back(*p.pixel);
   arguments.push_back(seed);
   for (const Expression cell : p.cells) arguments.push_back(cell);
-  const Noise noise{base, {}, 1, p.cells.size() > 0};
+  const Noise noise{base, {}, 1, p.cells.size() > 0, p.pixel.has_value()};
   return library.call(definitionOf(noise, static_cast<int>(p.size())), arguments)[0];
 }
 

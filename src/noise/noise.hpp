@@ -32,10 +32,12 @@ struct Noise {
   // True if integer cells are passed, too, which are added to the point. It may then be so far away
   // that float32 couldn't represent its position within a cell.
   bool hasCells = false;
+  // True if the width of a pixel is passed, too, in the space of the point: see `fadeNoise`.
+  bool fades = false;
 };
 
 // A function of a point with that many dimensions and of a hash; for fractals, also of lacunarity
-// and gain.
+// and gain. The width of a pixel precedes the hash, and cells are last.
 Definition definitionOf(const Noise& noise, int dimensions);
 // The variant that takes integer cells, each within ±`ops::hashPrime` / 2.
 Definition withCells(const Definition& definition);
@@ -44,6 +46,8 @@ bool canTakeCells(const Definition& definition, std::optional<double> lacunarity
 // The period of each coordinate; 0 if it is unknown, or if the definition isn't a noise. Cells have
 // one of `ops::hashPrime` hashes, cyclically.
 double noisePeriod(const Definition& definition, std::optional<double> lacunarity);
+// The variant that takes the width of a pixel.
+Definition withFading(const Definition& definition);
 // Recreates the definition from its settings.
 Definition noiseFrom(std::uint32_t settings);
 

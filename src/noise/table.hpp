@@ -1,6 +1,7 @@
 // The noise functions, one per row.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <string_view>
@@ -9,9 +10,17 @@
 
 namespace warpjet {
 
+// The mean magnitude and the mean square of a base over all of space, by dimension. Measured at a
+// million points.
+struct Means {
+  double magnitude[4], square[4];
+};
+
 struct NoiseRow {
   // Takes a point and its parameters: a hash, and for fractals lacunarity and gain.
   using Body = Numbers (*)(Library&, const Noise&, const Point& p, const Expression* parameters);
+  // Returns the mean of value number `i` over all of space; for fractals, that of an octave.
+  using Mean = double (*)(const Noise&, std::size_t dimensions, std::size_t i);
 
   std::string_view name;
   NoiseUse use;
@@ -23,34 +32,77 @@ struct NoiseRow {
   // The bound of the magnitude of each first derivative, by dimension; null for noises composed of
   // others.
   double (*maxSlope)(int) = nullptr;
+  // The length of its waves, in cells; for fractals, as a share of their base's. Measured, so that
+  // `fade` comes closest to the mean over a pixel. 0 for noises whose base fades in their place.
+  double wavelength = 0;
+  Mean mean = [](auto&, std::size_t, std::size_t) { return 0.0; };
+  Means means = {};  // of bases
 };
+
+constexpr const NoiseRow& row(NoiseKind kind);
 
 // Covers the rounding of float32.
 inline constexpr double slack = 1.001;
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+// The mean distances of worley, by dimension, measured like `Means`.
+inline constexpr double worleyMeans[2][3] = {{0.2894, 0.4296, 0.5204}, {0.7545, 0.6992, 0.7168}};
+
+inline constexpr NoiseRow::Mean zeroMean = NoiseRow{}.mean;
+
 inline constexpr std::array noises{
-    NoiseRow{"noise", NoiseUse::Base, 1, -1, 1, 1, 4, "",
+    NoiseRow{"noise",
+             NoiseUse::Base,
+             1,
+             -1,
+             1,
+             1,
+             4,
+             "",
              [](auto& library, auto&, auto& p, auto* x) {
                return Numbers{gradientNoise(library, p, x[0])};
              },
-             [](int dimensions) { return slack * maxSlopeOfGradientNoise(dimensions); }},
-    NoiseRow{"simplex", NoiseUse::Base, 1, -1, 1, 1, 4, "",
+             [](int dimensions) { return slack * maxSlopeOfGradientNoise(dimensions); },
+             1.37,
+             zeroMean,
+             {{0.2074, 0.2483, 0.1815, 0.1381}, {0.0752, 0.0922, 0.0489, 0.0287}}},
+    NoiseRow{"simplex",
+             NoiseUse::Base,
+             1,
+             -1,
+             1,
+             1,
+             4,
+             "",
              [](auto& library, auto&, auto& p, auto* x) {
                return Numbers{simplexNoise(library, p, x[0])};
              },
-             [](int dimensions) { return slack * maxSlopeOfSimplexNoise(dimensions); }},
-    NoiseRow{"valueNoise", NoiseUse::Base, 1, -1, 1, 1, 4, "",
+             [](int dimensions) { return slack * maxSlopeOfSimplexNoise(dimensions); },
+             0.75,
+             zeroMean,
+             {{0.2510, 0.4666, 0.3115, 0.1768}, {0.1007, 0.2900, 0.1512, 0.0641}}},
+    NoiseRow{"valueNoise",
+             NoiseUse::Base,
+             1,
+             -1,
+             1,
+             1,
+             4,
+             "",
              [](auto& library, auto&, auto& p, auto* x) {
                return Numbers{valueNoise(library, p, x[0])};
              },
-             [](int) { return slack * maxSlopeOfValueNoise(); }},
+             [](int) { return slack * maxSlopeOfValueNoise(); },
+             1.68,
+             zeroMean,
+             {{0.4318, 0.3793, 0.3308, 0.2884}, {0.2598, 0.2055, 0.1610, 0.1259}}},
     NoiseRow{"worley", NoiseUse::Plain, 2, -unbounded, unbounded, 1, 3,
              "a number, a vec2 or a vec3",
              [](auto&, auto&, auto& p, auto* x) { return worleyNoise(p, x[0]); },
              // A distance changes by no more than the distance moved.
-             [](int) { return slack; }},
+             [](int) { return slack; }, 0.9,
+             [](auto&, auto dimensions, auto i) { return worleyMeans[i][dimensions - 1]; }},
     NoiseRow{"curl", NoiseUse::Composed, 3, -unbounded, unbounded, 3, 4,
              "a vec3, or a vec4 whose last number is time",
              [](auto& library, auto& noise, auto& p, auto* x) {
@@ -59,20 +111,43 @@ inline constexpr std::array noises{
     NoiseRow{"fbm", NoiseUse::Fractal, 1, -1, 1, 1, 4, "",
              [](auto& library, auto& noise, auto& p, auto* x) {
                return Numbers{fractalNoise(library, noise, p, x, [](Expression n) { return n; })};
-             }},
+             },
+             nullptr, 1},
     NoiseRow{"ridged", NoiseUse::Fractal, 1, 0, 1, 1, 4, "",
              [](auto& library, auto& noise, auto& p, auto* x) {
                return Numbers{fractalNoise(library, noise, p, x, [](Expression n) {
                  const Expression ridge = 1.0 - abs(n);
                  return ridge * ridge;
                })};
+             },
+             nullptr, 0.5,
+             [](auto& noise, auto dimensions, auto) {
+               const auto& [magnitude, square] = row(noise.base).means;
+               return 1 - 2 * magnitude[dimensions - 1] + square[dimensions - 1];
              }},
     NoiseRow{"turbulence", NoiseUse::Fractal, 1, 0, 1, 1, 4, "",
              [](auto& library, auto& noise, auto& p, auto* x) {
                return Numbers{
                    fractalNoise(library, noise, p, x, [](Expression n) { return abs(n); })};
+             },
+             nullptr, 0.5,
+             [](auto& noise, auto dimensions, auto) {
+               return row(noise.base).means.magnitude[dimensions - 1];
              }},
 };
+
+constexpr bool takesAllPoints(const NoiseRow& row) {
+  return row.minDimensions == 1 && row.maxDimensions == 4;
+}
+static_assert(std::all_of(noises.begin(), noises.end(),
+                          [](auto& row) { return takesAllPoints(row) == row.points.empty(); }),
+              "A row names the valid points if and only if it rejects some of 1 to 4 dimensions.");
+static_assert(std::all_of(noises.begin(), noises.end(),
+                          [](auto& row) {
+                            return row.use != NoiseUse::Base ||
+                                   (takesAllPoints(row) && row.values == 1);
+                          }),
+              "A base has one value at points of 1 to 4 dimensions: fractals and curl call it so.");
 
 // Not constexpr, so that reaching it at compile time is an error.
 void noSuchNoise();

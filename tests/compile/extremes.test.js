@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
+import { bases } from '../operations/noise.js'
 import { extremes } from '../warps/extremes.js'
 
 describe('a finite offset has a finite and correct normal:', () => {
@@ -57,7 +58,7 @@ describe('bounds contain the float32 result of', () => {
     const flat = boundsOf(200, (x, glsl) => glsl.val(1).div(x.cosh()).sign().mult(50).sub(x))
     assert.ok(flat.min[2] <= -200, `${flat.min[2]}`)
   })
-  for (const base of ['noise', 'simplex', 'valueNoise'])
+  for (const base of bases)
     test(`a curl and a gradient of ${base}`, () => {
       const box = { min: [-2, -2, -2], max: [2, 2, 2] }
       const curl = compileWarp(({ glsl, position }) => glsl.curl(position, { noise: base }))

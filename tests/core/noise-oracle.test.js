@@ -2,10 +2,8 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import { bases, fractals, noises } from '../operations/noise.js'
+import { bases, fractals, kindsOfNoise } from '../operations/noise.js'
 import * as plain from '../support/noise.js'
-
-const dimensions = { worley: [1, 2, 3], curl: [3, 4] }
 
 /** Points around the origin, also on borders of cells, multiplied by a factor. */
 function pointsOf(n, scale) {
@@ -42,13 +40,12 @@ function difference(kind, points, options) {
 const bounds = { 1: 1e-12, 1000: 2e-10 }
 
 describe('the plain noise is the compiled one:', () => {
-  for (const kind of noises)
-    for (const n of dimensions[kind] ?? [1, 2, 3, 4])
-      test(`${kind}, ${n}D`, () => {
-        for (const options of optionsOf(kind))
-          for (const [scale, bound] of Object.entries(bounds)) {
-            const found = difference(kind, pointsOf(n, scale), options)
-            assert.ok(found <= bound, `${found} off with ${JSON.stringify(options)}`)
-          }
-      })
+  for (const { kind, dimensions } of kindsOfNoise)
+    test(`${kind}, ${dimensions}D`, () => {
+      for (const options of optionsOf(kind))
+        for (const [scale, bound] of Object.entries(bounds)) {
+          const found = difference(kind, pointsOf(dimensions, scale), options)
+          assert.ok(found <= bound, `${found} off with ${JSON.stringify(options)}`)
+        }
+    })
 })

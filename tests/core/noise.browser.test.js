@@ -4,11 +4,16 @@ import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
 import { components } from '../operations/program.js'
-import { isFractal, kindsOfNoise, noisePoints, settingsOf } from '../operations/noise.js'
+import {
+  isFractal,
+  kindsOfNoise,
+  noisePoints,
+  propertiesOf,
+  settingsOf,
+} from '../operations/noise.js'
 import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'
 
 const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']
-const sizes = { worley: 2, curl: 3 }
 
 let pipelines
 before(async () => (pipelines = await openPipelines()))
@@ -16,7 +21,7 @@ after(() => pipelines?.close())
 
 /** The values, the derivatives of the first value, and the derivatives of one of these. */
 function programOf(kind, dimensions, options, target) {
-  const size = sizes[kind] ?? 1
+  const { size } = propertiesOf[kind]
   const program = compile(
     (glsl) => {
       const p = glsl[makers[dimensions - 1]]('p')
@@ -52,7 +57,7 @@ for (const target of targets) {
         // Far from the origin, float32 rounds the coordinates that an octave multiplies.
         const points = noisePoints(dimensions, 60, isFractal(kind) ? 12 : undefined)
         const got = await pipelines.run(target, program, points)
-        const size = sizes[kind] ?? 1
+        const { size } = propertiesOf[kind]
         const problems = []
         points.forEach((point, k) => {
           const expected = Object.values(program.evaluate({ p: point })).flat()

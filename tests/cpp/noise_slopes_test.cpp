@@ -33,9 +33,10 @@ double steepestFound(Library& library, const Definition& definition, int points)
 }
 
 TEST(NoiseSlopes, StayWithinTheirBounds) {
-  for (const NoiseKind kind : {noiseNamed("noise"), noiseNamed("simplex"), noiseNamed("valueNoise"),
-                               noiseNamed("worley")}) {
-    for (int dimensions = 1; dimensions <= (kind == noiseNamed("worley") ? 3 : 4); ++dimensions) {
+  for (const NoiseRow& row : noises) {
+    if (row.maxSlope == nullptr) continue;
+    const NoiseKind kind = static_cast<NoiseKind>(&row - noises.data());
+    for (int dimensions = row.minDimensions; dimensions <= row.maxDimensions; ++dimensions) {
       Graph graph;
       Library library;
       const Definition definition = definitionOf({kind}, dimensions);

@@ -6,6 +6,7 @@ import { setTimeout } from 'node:timers/promises'
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { noises, propertiesOf } from '../operations/noise.js'
 
 setFlagsFromString('--expose-gc')
 const collect = runInNewContext('gc')
@@ -131,12 +132,11 @@ describe('machine code returns the same bits as the interpreter', () => {
     'neg sqrt inversesqrt exp exp2 log log2 sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh abs sign floor ceil round trunc fract not'
   const binary = 'add sub mult div pow atan mod min max step lt le gt ge eq ne and or'
   const ternary = 'clamp mix ifElse smoothstep'
-  const noises = 'noise simplex valueNoise fbm ridged turbulence worley curl'
   for (const [list, arity] of [
     [unary, 1],
     [binary, 2],
     [ternary, 3],
-    [noises, 0],
+    [noises.join(' '), 0],
   ])
     for (const name of list.split(' '))
       for (const isUniform of arity ? [false, true] : [false])
@@ -146,7 +146,7 @@ describe('machine code returns the same bits as the interpreter', () => {
               ? [millis, mouseX, mouseY]
               : ['x', 'y', 'z'].map((c) => position[c]())
             const all = arity ? glsl[name](...given.slice(0, arity)) : position[name]()
-            const value = /worley|curl/.test(name) ? all.x() : all
+            const value = propertiesOf[name]?.size > 1 ? all.x() : all
             return glsl.vec3(glsl.ifElse(glsl.gt(value, 3e38), 7, value), 0, 0)
           }
           for (const millis of isUniform ? extremes.slice(0, 16) : [0]) {

@@ -1,19 +1,34 @@
 // The kinds of noise, and the points at which tests evaluate them.
 import { randomOf } from '../random/generate.js'
 
-/** Noises from which others can be composed. */
-export const bases = ['noise', 'simplex', 'valueNoise']
-export const fractals = ['fbm', 'ridged', 'turbulence']
-export const noises = [...bases, 'worley', 'curl', ...fractals]
+/**
+ * The properties of most noises: the dimensions of the points that they accept, the number of their values, the range of each, and
+ * whether their slopes jump. Noise of |n| has kinks where n is 0; in 1D, `noise` is 0 at every border of a cell.
+ */
+const standard = { dimensions: [1, 2, 3, 4], size: 1, range: [-1, 1], hasKinks: false }
 
-const dimensionsOf = { worley: [1, 2, 3], curl: [3, 4] }
+/** Maps each noise → its properties. */
+export const propertiesOf = {
+  noise: { ...standard, isBase: true },
+  simplex: { ...standard, isBase: true },
+  valueNoise: { ...standard, isBase: true },
+  worley: { ...standard, dimensions: [1, 2, 3], size: 2, range: [0, 2], hasKinks: true },
+  curl: { ...standard, dimensions: [3, 4], size: 3, range: [-Infinity, Infinity] },
+  fbm: { ...standard, isFractal: true },
+  ridged: { ...standard, isFractal: true, range: [0, 1], hasKinks: true },
+  turbulence: { ...standard, isFractal: true, range: [0, 1], hasKinks: true },
+}
+
+export const noises = Object.keys(propertiesOf)
+export const isFractal = (kind) => Boolean(propertiesOf[kind].isFractal)
+export const fractals = noises.filter(isFractal)
+/** Noises from which others can be composed. */
+export const bases = noises.filter((kind) => propertiesOf[kind].isBase)
 
 /** { kind, dimensions } of each noise. */
 export const kindsOfNoise = noises.flatMap((kind) =>
-  (dimensionsOf[kind] ?? [1, 2, 3, 4]).map((dimensions) => ({ kind, dimensions })),
+  propertiesOf[kind].dimensions.map((dimensions) => ({ kind, dimensions })),
 )
-
-export const isFractal = (kind) => fractals.includes(kind)
 
 /** Options other than the defaults. */
 export const settingsOf = (kind) =>

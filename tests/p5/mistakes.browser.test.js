@@ -141,7 +141,7 @@ const calls = {
   [`createWarp(still, 'world')`]:
     'createWarp: expected an object of options, got the text "world".',
   [`createWarp(still, { spaces: 'world' })`]:
-    'createWarp: there is no option "spaces"; did you mean space? There are uniforms, type, space, defs, normals, surfaceVariation, stroke, returns, shader, hooks, scope.',
+    'createWarp: there is no option "spaces"; did you mean space? There are uniforms, type, space, defs, normals, fadeNoise, surfaceVariation, stroke, returns, shader, hooks, scope.',
   [`createWarp(still, { space: 'wold' })`]: `createWarp: expected 'local', 'world' or 'camera' for the option "space", got the text "wold".`,
   [`createWarp(still, { type: 'phong' })`]: `createWarp: expected 'specular' or 'normal' for the option "type", got the text "phong".`,
   [`createWarp(still, { stroke: 'red' })`]:

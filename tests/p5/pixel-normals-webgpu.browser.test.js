@@ -56,7 +56,7 @@ const hooks = shownVectors.flatMap((input) =>
 test('p5 on WebGPU: normals at pixels are exact', async (t) => {
   const warps = Object.entries(pixelWarps).map(
     ([name, { offset }]) => `${name}: hooks.map((each) =>
-      createWarp(${offset}, { shader: baseMaterialShader().modify(each), normals: 'pixel' }))`,
+      createWarp(${offset}, { shader: baseMaterialShader().modify(each), normals: 'pixel', fadeNoise: false }))`,
   )
   const { page, messages } = await runSketch(
     browser,

@@ -50,7 +50,7 @@ async function drawNormals([version, p5], normals) {
     ([
       name,
       { offset },
-    ]) => `${name}: [createWarp(${offset}, { type: 'normal', normals: '${normals}' }),
+    ]) => `${name}: [createWarp(${offset}, { type: 'normal', normals: '${normals}', fadeNoise: false }),
       ...restHooks.map((hooks) =>
         createWarp(${offset}, { shader: baseNormalShader().modify(hooks), normals: 'vertex' }))]`,
   )

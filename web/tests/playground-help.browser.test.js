@@ -107,6 +107,7 @@ test('offers every input and, in a function’s braces, every option, each with 
   const options = await completionsOf(stillSketch('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
   assert.deepEqual(Object.keys(options).sort(), [
     'defs',
+    'fadeNoise',
     'hooks',
     'normals',
     'returns',
@@ -130,6 +131,7 @@ test('offers only the inputs and functions of three.js in a three.js sketch', as
   assert.equal(words.mouseX ?? words.createWarp, undefined)
   const options = await completionsOf(sketch.replace(/^}\)$/m, '}, { § })'))
   assert.deepEqual(Object.keys(options).sort(), [
+    'fadeNoise',
     'normals',
     'share',
     'space',

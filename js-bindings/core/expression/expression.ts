@@ -53,8 +53,6 @@ export class Expression {
   }
 }
 
-const isVector = (value: unknown) => Array.isArray(value) || describe(value) === vectorOfNumbers
-
 /** Converts an operand to an expression of the session. `place` is the call; with `argument`, the operand is that argument of it. */
 export function toExpression(
   session: Origin,
@@ -62,26 +60,29 @@ export function toExpression(
   place: Place,
   argument?: number,
 ): Expression {
-  const here = () => (argument === undefined ? place : place.argument(argument))
-  const is = (what: string) => here().error(`${here().subject} ${what}`)
-  if (typeof operand === 'number') {
-    if (!(Math.abs(operand) <= largestFloat32))
-      throw is(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
-    if (operand !== 0 && Math.fround(operand) === 0)
-      throw is(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
-    return session.constant(operand, place)
-  }
+  if (typeof operand === 'number' && isFloat32(operand)) return session.constant(operand, place)
+  if (operand instanceof Expression && operand.session === session) return operand
+  throw invalidOperand(operand, argument === undefined ? place : place.argument(argument))
+}
+
+/** Tests for a number that rounds to a finite float32, and to zero only if it is zero. */
+const isFloat32 = (x: number) => Math.abs(x) <= largestFloat32 && (x === 0 || Math.fround(x) !== 0)
+
+const isVector = (value: unknown) => Array.isArray(value) || describe(value) === vectorOfNumbers
+
+function invalidOperand(operand: unknown, place: Place): WarpError {
+  const is = (what: string) => place.error(`${place.subject} ${what}`)
+  if (typeof operand === 'number')
+    return Math.abs(operand) <= largestFloat32
+      ? is(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
+      : is(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
   if (!isExpression(operand)) {
     const advice = isVector(operand) ? 'write glsl.vec3(x, y, z) for a vector' : undefined
-    throw here().expected('a number or an expression', describe(operand), advice)
+    return place.expected('a number or an expression', describe(operand), advice)
   }
-  if (!(operand instanceof Expression))
-    throw is(
-      'was made by another copy of warpjet; this page loads two copies, so load all of warpjet from one place.',
-    )
-  if (operand.session !== session)
-    throw is(
-      'comes from another warp; an expression can only be used inside the function that made it.',
-    )
-  return operand
+  return is(
+    operand instanceof Expression
+      ? 'comes from another warp; an expression can only be used inside the function that made it.'
+      : 'was made by another copy of warpjet; this page loads two copies, so load all of warpjet from one place.',
+  )
 }

@@ -37,6 +37,8 @@ export interface Names {
   results?: readonly Naming[]
   /** Selects the inputs that frame constants are computed from; see compile/frame.ts. */
   isFrameConstant?: IsFrameConstant | undefined
+  /** `true` fades noise that is finer than a pixel, which only a fragment shader can do. */
+  fadesNoise?: boolean | undefined
 }
 
 /** Tests for an input that is constant during a frame, and whose value the host knows. */
@@ -77,7 +79,7 @@ export interface Text {
 export const writeText = (
   serialized: SerializedModule,
   target: Target,
-  { inputs = [], results = [], isFrameConstant }: Names = {},
+  { inputs = [], results = [], isFrameConstant, fadesNoise = false }: Names = {},
   maxDepth = 0,
 ): Text =>
   withModule(serialized, (module) => {
@@ -94,6 +96,7 @@ export const writeText = (
       results.map(numberOf),
       results.map(nameOf),
       Math.min(maxDepth, 2 ** 30),
+      fadesNoise,
     )
     if (problem) throw new WarpError(problem)
     return { ...text, inputs: withReads(serialized, text.inputs) }

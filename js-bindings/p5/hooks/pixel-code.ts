@@ -2,7 +2,7 @@
  * The code that computes a warp's normal at each pixel. The vertex stage passes the inputs of the warp, in the space of the offset, as
  * varyings; the fragment stage runs the same warp on their interpolated values, but computes only the normal.
  */
-import { type HostWarp, type Target, variationNames } from '../../compile/hosts.js'
+import { type HostWarp, type Target, interpolationOf, variationNames } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import { inputUniforms } from '../sketch-uniforms.js'
 import type { PixelCode, Varying } from './styles.js'
@@ -45,14 +45,14 @@ export const passInputs = (
 
 /** Writes the code of the fragment stage, without the uniforms that it declares. */
 export function pixelTextOf(warp: HostWarp, target: Target) {
-  const text = warp.text(target, ['normal'], { names })
+  const text = warp.fragmentText(target, ['normal'], { names })
   const inputs = [...text.attributes, ...text.uniforms.filter(({ name }) => name === 'instance')]
   const varyings = inputs.map(({ name, type }): Varying =>
     name === 'normal'
       ? { input: name, name: normalVarying, type: 'vec4' }
       : { input: name, name: nameOfPixel(name), type: type as Varying['type'] },
   )
-  return { text, varyings }
+  return { text, varyings, interpolation: target === 'glsl300' ? interpolationOf(text) : '' }
 }
 
 /** Returns why the shader cannot compute the code at each pixel; `undefined` if it can. */

@@ -128,6 +128,7 @@ async function make(backend, { kind, shape, warp, normals, bump, twoSided, irrad
     const shown = new Shown(material)
     const warped = new BabylonWarp(material, offsets[warp], {
       normals,
+      fadeNoise: false,
       uniforms: uniformsFor(warp, scene),
     })
     warped.millis = 100

@@ -52,7 +52,7 @@ export async function measure(
     view.lookAt(0, 0, 0)
     view.updateMatrixWorld()
   }
-  const warped = warp(object, offset, { normals, ...(space && { space }) })
+  const warped = warp(object, offset, { normals, fadeNoise: false, ...(space && { space }) })
   const shown = decode(await draw(scene, view))
   object.material = seenMaterial(options)
   const seen = {}
