@@ -73,6 +73,10 @@ const withExactNormals =
   }
 
 const changes = {
+  /** Reads the map without blurring it where the surface is seen at a small angle. */
+  anisotropic: ({ material }) => {
+    material.normalMap.anisotropy = renderer.capabilities.getMaxAnisotropy()
+  },
   /** Makes three.js find its own frames, by derivatives on the screen, as for files without tangents. */
   'no tangents': ({ geometry, material }) => {
     geometry.deleteAttribute('tangent')
