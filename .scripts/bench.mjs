@@ -1,35 +1,21 @@
 // npm run bench: measures a frame with each method of drawing a warped mesh, in headless Chromium; --help lists the options.
-// npm run bench -- evaluate | glsl | gpu | nodes | pixels | three: other benchmarks.
-import { resolve } from 'node:path'
-import { checkColumns } from './bench/csv.mjs'
-import { helpText, readOptions } from './bench/options.mjs'
+// npm run bench -- evaluate | generate | …: other benchmarks, which are the files of .scripts/bench.
+import { readdirSync } from 'node:fs'
+import { checkColumns } from './bench/frames/records.mjs'
+import { helpText, readOptions } from './bench/frames/options.mjs'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'
 import { main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
 
-const others = ['evaluate', 'glsl', 'gpu', 'nodes', 'pixels', 'three']
-
 await main(async () => {
   const args = process.argv.slice(2)
-  if (others.includes(args[0])) {
-    process.env.WARPJET_CHROMIUM = (await setup()).chromium
-    await build()
-    const { measure } = await import(`./bench/${args[0]}.mjs`)
-    return measure(args.slice(1))
-  }
-  const { workloads } = await import('../web/bench/workloads.js')
-  const rows = workloads.map(({ name }) => name)
-  const options = readOptions(args, rows)
-  if (options.help) return say(helpText(rows))
-
-  const kept = options.quick ? undefined : path('web/bench/results.csv')
-  const file = options.out ? resolve(options.out) : kept
-  const { columns } = await import('./bench/records.mjs')
-  if (file) checkColumns(file, columns)
-
-  const { chromium } = await setup()
+  const other = readdirSync(path('.scripts/bench')).find((file) => file === `${args[0]}.mjs`)
+  const options = other ? {} : readOptions(args)
+  if (options.help) return say(helpText)
+  if (options.file) checkColumns(options.file)
+  process.env.WARPJET_CHROMIUM = (await setup()).chromium
   await build()
-  const { runBench } = await import('./bench/run.mjs')
-  await runBench(process.env.WARPJET_CHROMIUM ?? chromium, options, file)
-})
+  const { measure } = await import(`./bench/${other ?? 'frames/run.mjs'}`)
+  await measure(other ? args.slice(1) : options)
+}, '--help lists the options.')

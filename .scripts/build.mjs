@@ -11,7 +11,11 @@ import { Stop, isMain, main } from './lib/terminal.mjs'
 import { viteBuild } from './lib/vite.mjs'
 import { setup } from './setup.mjs'
 
-const scripts = ['.scripts/build.mjs', '.scripts/lib', 'package-lock.json']
+const scripts = [
+  ...['build.mjs', 'vite.library.mjs', 'tsconfig.types.json'].map((name) => `.scripts/${name}`),
+  ...walk('.scripts/lib', /^(?:cmake|declarations|embind-types|entries|vite|wasm-signatures)/),
+  'package-lock.json',
+]
 const generated = 'js-bindings/generated'
 
 const sources = (pattern) =>
@@ -59,18 +63,18 @@ async function buildAll() {
 
   const inputs = [...scripts, 'tsconfig.json', ...sources(/\.ts$/), generated]
   await step('Bundles', {
-    inputs: [...inputs, '.scripts/vite.library.mjs', 'package.json'],
+    inputs: [...inputs, 'package.json'],
     outputs: bundles,
     work: bundle,
   })
 
   await step('Types', {
-    inputs: [...inputs, '.scripts/tsconfig.types.json'],
+    inputs,
     outputs: declarations.map((name) => `dist/types/${name}`),
     work: declareTypes,
   })
 
-  reportSizes(walk('dist', /\.js$/))
+  reportSizes()
 }
 
 /** Lists the generated files of a module: its bytes as text, Emscripten's factory, and the types of its bindings. */

@@ -1,27 +1,20 @@
 // npm run fuzz: feeds the fuzz targets of tests/fuzz with new bytes for a time, under sanitizers. Inputs that reach new code are stored
 // in .build/fuzz/corpus, where the next run continues. The search of `npm test` starts from scratch each time.
 import { spawn } from 'node:child_process'
-import {
-  createWriteStream,
-  existsSync,
-  mkdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs'
-import { createInterface } from 'node:readline'
+import { existsSync, mkdirSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { parseArgs } from 'node:util'
+import { own } from '../tests/glsl/own.js'
+import { blocks, values } from '../tests/glsl/values.js'
+import { own as ownWgsl } from '../tests/wgsl/own.js'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { path, walk } from './lib/files.mjs'
 import { capture, run } from './lib/run.mjs'
 import { Stop, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
-import { own } from '../tests/glsl/own.js'
-import { blocks, values } from '../tests/glsl/values.js'
-import { own as ownWgsl } from '../tests/wgsl/own.js'
 
 const programs = '.build/sanitize'
 const folder = '.build/fuzz'
+const findings = `${folder}/findings`
 const seeds = 'tests/fuzz/corpus'
 
 /**
@@ -37,10 +30,6 @@ const targets = {
 
 // One input may take 10 s and 2 GB in total, and allocate 1.5 GB at once: the largest mesh that a file can declare takes 1 GB.
 const limits = ['-timeout=10', '-rss_limit_mb=2048', '-malloc_limit_mb=1536']
-
-/** Runs the targets in parallel for some seconds, with new random numbers each time, starting from the corpus of earlier runs. */
-export const fuzz = (seconds, names = Object.keys(targets)) =>
-  runTargets(names, 'corpus', () => [`-max_total_time=${seconds}`])
 
 /**
  * Runs the same inputs each time, so that failures are reproducible. Turns off random addresses (where the system allows it), learning
@@ -59,7 +48,7 @@ export async function fuzzRepeatably() {
   )
 }
 
-/** Stores new inputs in the folder `corpus`. `search` returns libFuzzer's options for a target. */
+/** Runs targets in parallel, and stores new inputs in the folder `corpus`. `search` returns libFuzzer's options for a target. */
 async function runTargets(names, corpus, search, launcher = []) {
   await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
   const results = await Promise.all(
@@ -73,68 +62,35 @@ async function runTargets(names, corpus, search, launcher = []) {
 
 /** Returns a message if it found something, with the bytes of the input, since its machine may be out of reach; otherwise null. */
 async function runTarget(name, corpus, search, launcher) {
-  const findings = `${folder}/findings`
   for (const needed of [corpus, findings]) mkdirSync(path(needed), { recursive: true })
-
   const program = `${programs}/${name}_fuzz`
   const log = `${findings}/${name}.log`
   // Named in order, because a folder's own order depends on its file system.
   const first = `-seed_inputs=${walk(`${seeds}/${name}`).join(',')}`
   const options = [first, ...search, ...limits, ...targets[name].args, '-print_final_stats=1']
   const [command, ...args] = [...launcher, path(program), corpus, ...options]
-  const { code, progress, reason, input } = await follow(
-    name,
-    spawn(command, [...args, `-artifact_prefix=${findings}/${name}-`], {
-      cwd: path(),
-      stdio: ['ignore', 'ignore', 'pipe'],
-    }),
-    createWriteStream(path(log)),
-  )
+  const child = spawn(command, [...args, `-artifact_prefix=${findings}/${name}-`], {
+    cwd: path(),
+    stdio: ['ignore', 'ignore', openSync(path(log), 'w')],
+  })
+  const code = await new Promise((resolve) => {
+    child.on('error', (error) => resolve(error.code))
+    child.on('close', (code, signal) => resolve(code ?? signal))
+  })
+  const text = readFileSync(path(log), 'utf8')
   if (code === 0) {
-    good(`${name}: ${progress}; nothing found`)
+    const [, runs, edges] = [...text.matchAll(/^#(\d+)\s.*\bcov: (\d+)/gm)].at(-1)
+    good(`${name}: ${runs} runs, ${edges} edges of the code covered; nothing found`)
     return null
   }
-  const why = `${name}: ${reason ?? `it ended with ${code}`}; see ${log}`
+  // Matches the messages of sanitizers, standard library, libFuzzer and tests/fuzz/require.hpp.
+  const reason = /^.*(?:NOT TRUE: |runtime error: |Assertion .* failed|terminate called|ERROR: ).*/m
+  const why = `${name}: ${reason.exec(text)?.[0] ?? `it ended with ${code}`}; see ${log}`
+  const [, input] = /Test unit written to (.*-(?:crash|leak|oom|timeout)-.*)/.exec(text) ?? []
   if (!input || !existsSync(path(input))) return `${why}.`
   const bytes = readFileSync(path(input)).toString('base64')
   return `${why}, and run it again with: ${[program, ...limits, input].join(' ')}\nIts bytes in base64: ${bytes}`
 }
-
-// Matches the messages of sanitizers, standard library, libFuzzer and tests/fuzz/require.hpp.
-const reasons = [
-  /^NOT TRUE: (.*)/,
-  /runtime error: (.*)/,
-  /: (Assertion .* failed)\.$/,
-  /^terminate called after (throwing .*)/,
-  /^=*\d+=+ ?ERROR: (.*)/,
-]
-
-/** Prints the progress every 10 s. */
-async function follow(name, child, log) {
-  const ended = new Promise((resolve) => {
-    child.on('error', (error) => resolve(error.code))
-    child.on('close', (code, signal) => resolve(code ?? signal))
-  })
-  let progress = 'no runs'
-  let reason
-  let input
-  let next = performance.now() + 10_000
-  for await (const line of createInterface(child.stderr)) {
-    log.write(`${line}\n`)
-    reason ??= reasons.map((pattern) => line.match(pattern)?.[1]).find(Boolean)
-    input ??= line.match(/Test unit written to (.*-(?:crash|leak|oom|timeout)-.*)/)?.[1]
-    const [, runs, places] = line.match(/^#(\d+)\s.*\bcov: (\d+)/) ?? []
-    if (runs) progress = `${count(runs)} runs, ${count(places)} edges of the code covered`
-    if (runs && performance.now() > next) {
-      say(`${name}: ${progress}`)
-      next = performance.now() + 10_000
-    }
-  }
-  log.end()
-  return { code: await ended, progress, reason, input }
-}
-
-const count = (text) => Number(text).toLocaleString('en')
 
 /** Rewrites the seeds in tests/fuzz/corpus. Inputs that fuzzing found stay there. */
 async function writeSeeds() {
@@ -158,39 +114,33 @@ async function writeSeeds() {
 
 const slug = (name) => name.toLowerCase().replaceAll(/\W+/g, '-')
 
-const help = `npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).join('|')}] [--seeds]
+const usage = `
+npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).join('|')}] [--seeds]
 
-  --seconds  how long each target runs; 60 by default
-  --target   only this one; otherwise all at once
+  --seconds  how long each target runs. Default: 60
+  --target   only this one. Default: all at once
   --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp, tests/glsl and tests/wgsl, and ends`
 
-function options() {
-  try {
-    const { values } = parseArgs({
+if (isMain(import.meta))
+  await main(async () => {
+    const {
+      seconds,
+      target,
+      seeds: isSeeding,
+    } = parseArgs({
       options: {
         seconds: { type: 'string', default: '60' },
         target: { type: 'string' },
         seeds: { type: 'boolean' },
-        help: { type: 'boolean' },
       },
-    })
-    return values
-  } catch (error) {
-    throw new Stop(`${error.message}\n\n${help}`)
-  }
-}
-
-async function start() {
-  const { seconds, target, seeds: writes, help: asks } = options()
-  if (asks) return say(help)
-  if (!(Number(seconds) >= 1 && Number.isInteger(Number(seconds))))
-    throw new Stop(`--seconds must be a whole number from 1 up, but is ${seconds}.`)
-  if (target !== undefined && !targets[target])
-    throw new Stop(`There is no target ${target}: choose from ${Object.keys(targets).join(', ')}.`)
-  await setup()
-  if (writes) return writeSeeds()
-  heading(`Fuzzing for ${seconds} s`)
-  await fuzz(Number(seconds), target ? [target] : undefined)
-}
-
-if (isMain(import.meta)) await main(start)
+    }).values
+    if (!/^[1-9]\d*$/.test(seconds))
+      throw new Stop(`Expected a whole number of --seconds from 1, got ${seconds}.`)
+    if (target !== undefined && !targets[target])
+      throw new Stop(`Expected a target of ${Object.keys(targets).join(', ')}, got ${target}.`)
+    await setup()
+    if (isSeeding) return writeSeeds()
+    heading(`Fuzzing for ${seconds} s`)
+    const names = target ? [target] : Object.keys(targets)
+    return runTargets(names, 'corpus', () => [`-max_total_time=${seconds}`])
+  }, usage)

@@ -20,7 +20,7 @@ const read = (file) => (existsSync(path(file)) ? readFileSync(path(file), 'utf8'
 
 /** Lists the files that differ from the tables, each with the text that it should have. */
 export async function staleFiles() {
-  const table = await readTable()
+  const [table, deformers] = await Promise.all([readTable(), deformerParts()])
   const files = {
     'js-bindings/core/types/methods.ts': typesText(table),
     'js-bindings/wasm/tables.ts': numberedText(table),
@@ -32,7 +32,7 @@ export async function staleFiles() {
     plots: plotParts(table),
     'plots-vectors': vectorPlotParts(table),
     identities: identityParts(table),
-    deformers: deformerParts(),
+    deformers,
   }
   const texts = [
     ...Object.entries(files).map(async ([file, text]) => ({

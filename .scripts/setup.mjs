@@ -1,78 +1,85 @@
-// npm run setup: finds the programs and libraries that the project needs, and installs those that are missing. Runs before `npm ci`, so
-// it uses only Node itself.
+// npm run setup: installs what is missing. On Debian and Ubuntu it needs only Node; on other systems it lists what to install.
 import { existsSync, statSync } from 'node:fs'
-import { installPackages, rootPrefix } from './lib/apt.mjs'
 import { path } from './lib/files.mjs'
 import { requirements } from './lib/requirements.mjs'
-import { run } from './lib/run.mjs'
+import { capture, exitCode, run } from './lib/run.mjs'
 import { Stop, bad, good, heading, isMain, main, say } from './lib/terminal.mjs'
-import { atLeast } from './lib/versions.mjs'
+import { onPath } from './lib/which.mjs'
 
 // Vite 8 needs it.
 const minNode = '20.13'
 
 /** Installs everything that is missing → { chromium }, the path of Chromium. */
 export async function setup() {
-  checkNode()
+  const { node } = process.versions
+  if (node.localeCompare(minNode, 'en', { numeric: true }) < 0)
+    throw new Stop(`Node ${node} is too old: warpjet is built with Node ${minNode} or newer.`)
   let missing = await check(requirements)
   const packages = missing.flatMap(({ apt }) => apt)
   if (packages.length) {
-    await installPackages(packages, names(missing))
+    await installPackages(packages, namesOf(missing))
     missing = await check(missing)
   }
-  for (const { name, wrong, advice } of missing)
-    if (wrong) throw new Stop(`${name}: ${wrong}; ${advice ?? 'please install a newer one'}.`)
-
   await installModules()
   const fetched = missing.filter(({ fetch }) => fetch)
   for (const { name, fetch } of fetched) await fetchWith(name, fetch)
-  missing = [...missing.filter(({ fetch }) => !fetch), ...(await check(fetched))]
-  if (missing.length) throw new Stop(`Still missing: ${names(missing).join(', ')}.`)
+  if (fetched.length) missing = await check(missing)
+  if (missing.length) throw new Stop(`Still missing: ${namesOf(missing)}.`)
   return { chromium: requirements.find(({ name }) => name === 'Chromium').file }
 }
 
-const names = (list) => list.map(({ name }) => name)
-
-function checkNode() {
-  const version = process.versions.node
-  if (!atLeast(version, minNode))
-    throw new Stop(`Node ${version} is too old: warpjet is built with Node ${minNode} or newer.`)
-  good(`Node.js ${version} (${process.execPath})`)
-}
+const namesOf = (list) => list.map(({ name }) => name).join(', ')
 
 /** Prints what was found, and returns the requirements that are missing. */
 async function check(list) {
-  const answers = await Promise.all(list.map(({ find }) => find()))
-  list.forEach((requirement, i) => {
-    const { found, wrong, file } = answers[i]
-    Object.assign(requirement, { found, wrong, file })
-    if (found) good(`${requirement.name} ${found}`)
-    else bad(`${requirement.name}: ${wrong ?? 'not found'}`)
-  })
-  return list.filter(({ found }) => !found)
+  await Promise.all(list.map(async (each) => (each.file = await each.find())))
+  for (const { name, file } of list)
+    if (file) good(`${name} (${file})`)
+    else bad(`${name}: not found`)
+  return list.filter(({ file }) => !file)
+}
+
+/** Returns [] for root, ['sudo', '-n'] if sudo needs no password, null otherwise. */
+async function rootPrefix() {
+  if (process.getuid?.() === 0) return []
+  return (await capture('sudo', ['-n', 'true'])) === null ? null : ['sudo', '-n']
+}
+
+/** Throws, and says what to type, unless this process may install packages. */
+async function requireRoot(names, command) {
+  const prefix = await rootPrefix()
+  if (prefix) return prefix
+  say(`\nThis may not install packages here. Please type:\n\n  ${command}\n`)
+  throw new Stop(`Missing: ${names}.`)
+}
+
+async function installPackages(packages, names) {
+  if (!onPath('apt-get'))
+    throw new Stop(
+      `Missing: ${names}. This system has no apt-get to install them with; please install them your own way and start again (on Windows, use Debian or Ubuntu in WSL).`,
+    )
+  const install = ['install', '--yes', '--no-install-recommends', ...packages]
+  const typed = `sudo apt-get update && sudo apt-get ${install.join(' ')}`
+  const prefix = await requireRoot(names, typed)
+  heading(`Installing ${packages.join(' ')}`)
+  const [command, ...args] = [...prefix, 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get']
+  // Ignores errors of foreign package sources: the install shows whether the packages are available.
+  await exitCode(command, [...args, 'update'])
+  await run(command, [...args, '-o', 'DPkg::Lock::Timeout=300', ...install])
+}
+
+async function fetchWith(name, command) {
+  await requireRoot(name, `npx ${command.join(' ')}`)
+  heading(`Fetching ${name}`)
+  await npm('exec', '--', ...command)
 }
 
 async function installModules() {
   const installed = path('node_modules/.package-lock.json')
-  const current =
-    existsSync(installed) &&
-    statSync(installed).mtimeMs >= statSync(path('package-lock.json')).mtimeMs
-  if (!current) {
-    heading('Installing npm packages')
-    await npm('ci')
-    say()
-  }
-  good(`npm packages ${current ? 'up to date' : 'installed'}`)
-}
-
-async function fetchWith(name, command) {
-  if (!(await rootPrefix())) {
-    say(`\nThis may not install packages here. Please type:\n\n  npx ${command.join(' ')}\n`)
-    throw new Stop(`Missing: ${name}.`)
-  }
-  heading(`Fetching ${name}`)
-  await npm('exec', '--', ...command)
-  say()
+  const locked = statSync(path('package-lock.json'))
+  if (existsSync(installed) && statSync(installed).mtimeMs >= locked.mtimeMs) return
+  heading('Installing npm packages')
+  await npm('ci')
 }
 
 /** Runs the npm that started this process, or the one on PATH. */

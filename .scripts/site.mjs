@@ -1,6 +1,7 @@
 // npm run site: writes the site to .build/site, static files for any folder of any server, and checks its budgets. `-- --time` also
 // measures how soon the first page is interactive.
 import { rmSync } from 'node:fs'
+import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { path, step } from './lib/files.mjs'
 import { withLock } from './lib/lock.mjs'
@@ -11,6 +12,8 @@ import { setup } from './setup.mjs'
 
 export const folder = '.build/site'
 
+const config = { configFile: path('web/vite.config.js'), logLevel: 'warn' }
+
 /** Builds the site. Needs `dist`. */
 export const buildSite = () =>
   withLock(() =>
@@ -19,20 +22,21 @@ export const buildSite = () =>
       outputs: [`${folder}/index.html`, `${folder}/sw.js`],
       work: async () => {
         rmSync(path(folder), { recursive: true, force: true })
-        await viteBuild({ configFile: path('web/vite.config.js'), logLevel: 'warn' })
+        await viteBuild(config)
       },
     }),
   )
 
 if (isMain(import.meta))
   await main(async () => {
-    process.env.WARPJET_CHROMIUM = (await setup()).chromium
+    const { values } = parseArgs({ options: { time: { type: 'boolean' } } })
+    const { chromium } = await setup()
     await build()
     await buildSite()
     checkSite(folder)
-    if (process.argv.includes('--time')) {
-      const { measureSite } = await import('./bench/site-start.mjs')
-      await measureSite(folder)
+    if (values.time) {
+      const { checkTimes } = await import('./lib/site-times.mjs')
+      await checkTimes(config, chromium)
     }
     good(`The site is in ${folder}: put it into any folder of any server.`)
   })

@@ -1,10 +1,9 @@
 // npm run sizes: builds, and records the size of each file, so that a commit shows which files it makes grow.
 import { build } from './build.mjs'
-import { walk } from './lib/files.mjs'
 import { recordSizes } from './lib/sizes.mjs'
 import { main } from './lib/terminal.mjs'
 
 await main(async () => {
   await build()
-  recordSizes(walk('dist', /\.js$/))
+  recordSizes()
 })

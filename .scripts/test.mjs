@@ -3,16 +3,21 @@
 import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { checks } from './lib/checks.mjs'
-import { NotRun, Stop, bad, good, heading, main, say } from './lib/terminal.mjs'
-import { chooseTier, limits, rareSteps } from './lib/tiers.mjs'
-import { printTimes } from './lib/times.mjs'
+import { NotRun, Stop, bad, good, heading, main, say, seconds } from './lib/terminal.mjs'
+import { chooseTier } from './lib/tiers.mjs'
 import { setup } from './setup.mjs'
+
+const known = [...new Set(checks.map(({ group }) => group))]
+const usage = `\n\nnpm test -- [--all] [${known.join('] [')}]`
 
 await main(async () => {
   const start = performance.now()
-  const { groups, tier } = options()
-  const chosen = select(groups, tier)
-  chooseTier(tier)
+  const { values, positionals: groups } = parseArgs({
+    options: { all: { type: 'boolean' } },
+    allowPositionals: true,
+  })
+  const chosen = select(groups, values.all)
+  chooseTier(values.all ? 'all' : 'everyday')
   const results = []
   const record = async (step) => results.push(await attempt(step))
 
@@ -20,59 +25,43 @@ await main(async () => {
     title: 'Set-up',
     work: async () => (process.env.WARPJET_CHROMIUM = (await setup()).chromium),
   })
-  if (!results[0].passed) throw new Stop('Nothing can be tested without that.')
+  if (results[0].result !== 'passed') throw new Stop('Nothing can be tested without that.')
   await record({ title: 'Build', work: build })
   for (const check of chosen) await record(check)
 
-  heading(tier === 'all' ? 'Everything' : 'The everyday run; `npm test -- --all` is everything')
-  printTimes(results, performance.now() - start, groups.length ? null : limits[tier])
-  const failed = results.filter(({ passed }) => !passed)
-  for (const { title, why } of failed) bad(`${title}: ${why}`)
-  if (failed.length) throw new Stop(`Failed: ${failed.length} of ${results.length} steps.`)
-  const notRun = results.filter(({ notRun }) => notRun)
-  if (notRun.length)
-    say(`What was run passed; NOT RUN: ${notRun.map(({ title }) => title).join(', ')}.`)
-  else good('Everything passed.')
-})
+  heading(values.all ? 'Everything' : 'The everyday run; `npm test -- --all` is everything')
+  console.table(results, ['step', 'time', 'result'])
+  const withResult = (wanted) => results.filter(({ result }) => result === wanted)
+  for (const { step, why } of [...withResult('FAILED'), ...withResult('NOT RUN')])
+    bad(`${step}: ${why}`)
+  say(`In all ${seconds(start)}`)
+  if (withResult('FAILED').length)
+    throw new Stop(`Failed: ${withResult('FAILED').length} of ${results.length} steps.`)
+  if (!withResult('NOT RUN').length) good('Everything passed.')
+}, usage)
 
-function options() {
-  const known = [...new Set(checks.map(({ group }) => group))]
-  try {
-    const { values, positionals } = parseArgs({
-      options: { all: { type: 'boolean' } },
-      allowPositionals: true,
-    })
-    const unknown = positionals.find((group) => !known.includes(group))
-    if (unknown) throw new Error(`There are no tests named ${unknown}.`)
-    return { groups: positionals, tier: values.all ? 'all' : 'everyday' }
-  } catch ({ message }) {
-    throw new Stop(`${message}\n\nnpm test -- [--all] [${known.join('] [')}]`)
-  }
-}
-
-function select(groups, tier) {
+function select(groups, isAll) {
+  const unknown = groups.find((group) => !known.includes(group))
+  if (unknown) throw new Stop(`There are no tests named ${unknown}.${usage}`)
   const chosen = checks.filter(({ group }) => !groups.length || groups.includes(group))
-  const run = chosen.filter(({ title }) => tier === 'all' || !(title in rareSteps))
-  const reasons = chosen.map(({ title }) => `${title}: ${rareSteps[title]}`)
+  const run = chosen.filter(({ rare }) => isAll || !rare)
+  const reasons = chosen.map(({ title, rare }) => `${title}: ${rare}`)
   if (!run.length)
     throw new Stop(`Nothing of that is run every day; add --all.\n${reasons.join('\n')}`)
   return run
 }
 
-async function attempt({ title, work }) {
-  heading(title)
+async function attempt({ title: step, work }) {
+  heading(step)
   const start = performance.now()
-  let why
-  let notRun
+  const end = (result, why) => ({ step, time: seconds(start), result, why })
   try {
     await work()
+    return end('passed')
   } catch (error) {
-    if (error instanceof NotRun) notRun = error.message
-    else bad((why = error instanceof Stop ? error.message : (error?.stack ?? String(error))))
+    const why = error instanceof Stop ? error.message : (error?.stack ?? String(error))
+    if (error instanceof NotRun) return end('NOT RUN', error.message)
+    bad(`${step}: ${why}`)
+    return end('FAILED', why)
   }
-  const time = performance.now() - start
-  const passed = why === undefined
-  if (!passed) say(`${title}: FAILED`)
-  if (notRun) say(`${title}: NOT RUN: ${notRun}`)
-  return { title, passed, why, notRun, time }
 }

@@ -1,4 +1,4 @@
-// The native program of npm run bench:evaluate: reads a compiled warp and a mesh, moves the mesh
+// The native program of npm run bench -- evaluate: reads a compiled warp and a mesh, moves the mesh
 // twice, and prints how many seconds the second pass took.
 #include <chrono>
 #include <cstdio>

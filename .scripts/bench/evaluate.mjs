@@ -9,8 +9,8 @@ import { join } from 'node:path'
 import { compileWarp } from '../../dist/warpjet.js'
 import { cmakeBuild } from '../lib/cmake.mjs'
 import { path } from '../lib/files.mjs'
-import { median, time } from '../lib/median.mjs'
-import { rows, warps } from './evaluate-rows.mjs'
+import { median, time, timesInTurn } from '../lib/median.mjs'
+import { rows, warps } from './evaluate/rows.mjs'
 
 /** Loads the library once more and makes it interpret warps: after its own module, compiling another one throws. */
 async function interpretedLibrary(offset) {
@@ -60,17 +60,12 @@ function measureRow({ name, vertices, rounds }, interpreted) {
     'by hand': () => time(() => byHand(mesh, 1234, results)),
     native: native.time,
   }
-  const times = Object.fromEntries(Object.keys(ways).map((way) => [way, []]))
   // Warms up until the engine has used its optimizing compiler.
   for (let i = vertices > 100_000 ? 2 : 20; i > 0; i--) {
     ways.evaluate()
     ways['into out']()
   }
-  for (let round = -1; round < rounds; round++)
-    for (const [way, run] of Object.entries(ways)) {
-      const took = run()
-      if (round >= 0) times[way].push(took)
-    }
+  const times = timesInTurn(ways, rounds)
   native.end()
   const speeds = Object.entries(times).map(([way, each]) => [
     way,
@@ -125,14 +120,9 @@ function randomMesh(vertices) {
 
 /** Returns the largest difference of positions and normals, relative to the size of the mesh. */
 function largestDifference(moved, results) {
-  let largest = 0
-  for (const [name, size] of [
-    ['positions', 100],
-    ['normals', 1],
-  ])
-    for (let i = 0; i < results[name].length; i++)
-      largest = Math.max(largest, Math.abs(moved[name][i] - results[name][i]) / size)
-  return largest
+  const of = (name, size) =>
+    results[name].reduce((max, x, i) => Math.max(max, Math.abs(moved[name][i] - x) / size), 0)
+  return Math.max(of('positions', 100), of('normals', 1))
 }
 
 /** Writes program and mesh into a file. Each run of the native program times one pass over the mesh. */

@@ -7,8 +7,8 @@ import { servePages } from '../../tests/support/browser/server.js'
 import { sketchWarps } from '../../tests/warps/sketches.js'
 import { threeWarps } from '../../tests/warps/three-sketches.js'
 import { Stop, good, say } from '../lib/terminal.mjs'
-import { chooseRenderer } from './browsers.mjs'
-import { shadersOf } from './gpu-shaders.mjs'
+import { chooseRenderer } from './frames/browsers.mjs'
+import { shadersOf } from './gpu/shaders.mjs'
 import { warps as plainWarps } from './pixels.mjs'
 
 function readOptions(args) {

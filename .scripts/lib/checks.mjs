@@ -19,10 +19,8 @@ export const cppFiles = () =>
   ['src', 'js-bindings', 'tests', '.scripts'].flatMap((folder) => walk(folder, /\.[ch]pp$/))
 
 const prettier = (mode) => [
-  binary('prettier/bin/prettier.cjs'),
-  mode,
-  ...['--log-level', 'warn', '--cache', '--cache-location', path('.build/prettier')],
-  '.',
+  ...[binary('prettier/bin/prettier.cjs'), mode, '.', '--log-level', 'warn'],
+  ...['--cache', '--cache-location', path('.build/prettier')],
 ]
 
 export async function format() {
@@ -49,38 +47,26 @@ async function checkReference() {
 
 async function cpp(preset) {
   await cmakeBuild(preset)
-  await run('ctest', [
-    '--preset',
-    preset,
-    '--parallel',
-    `${availableParallelism()}`,
-    '--no-tests=error',
-  ])
+  const parallel = ['--parallel', `${availableParallelism()}`]
+  await run('ctest', ['--preset', preset, ...parallel, '--no-tests=error'])
 }
+
+const kindOf = (file) =>
+  file.startsWith('tests/package/') ? 'package' : /\.browser\./.test(file) ? 'browser' : 'node'
 
 /**
  * Runs the test files of a kind: `x.test.js` needs only Node, `x.browser.test.js` a browser, and files in tests/package
  * installed environments. `longest` names the files that start first; `atOnce` is the number of processes.
  */
 async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] } = {}) {
-  const all = testFiles(kind).filter((file) => !isEveryday() || !rareFiles.includes(file))
+  const all = ['tests', 'web/tests']
+    .flatMap((folder) => walk(folder, /\.test\.js$/))
+    .filter((file) => kindOf(file) === kind && !(isEveryday() && rareFiles.includes(file)))
   if (!all.length) throw new Stop(`There are no tests of the kind ${kind}.`)
   const files = new Set([...longest.filter((file) => all.includes(file)), ...all])
   const ours = (name) => path('.scripts/lib', name)
   const printing = ['--import', pathToFileURL(ours('tests-console.mjs')).href]
   await node(...printing, ours('run-tests.mjs'), `${atOnce}`, ...files)
-}
-
-function testFiles(kind) {
-  const kindOf = (file) =>
-    file.startsWith('tests/package/')
-      ? 'package'
-      : file.endsWith('.browser.test.js')
-        ? 'browser'
-        : 'node'
-  return ['tests', 'web/tests']
-    .flatMap((folder) => walk(folder, /\.test\.js$/))
-    .filter((file) => kindOf(file) === kind)
 }
 
 // Tests wait for their pages: on two cores, two processes are idle for a sixth of the time, three are not.
@@ -109,35 +95,47 @@ async function environments() {
   await nodeTests('package')
 }
 
-/** `npm test -- <group>` selects a group; tiers.mjs names the titles that only run with `--all`. */
+const tool =
+  (file, ...args) =>
+  () =>
+    node(binary(file), ...args)
+
+/** `npm test -- <group>` selects a group. `rare` says why a step only runs with `--all`. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
-  {
-    group: 'dependencies',
-    title: 'Dependency rules',
-    work: checkDependencies,
-  },
+  { group: 'dependencies', title: 'Dependency rules', work: checkDependencies },
   {
     group: 'types',
     title: 'Types',
-    work: () => node(binary('typescript-7/bin/tsc'), '--project', 'tsconfig.json'),
+    work: tool('typescript-7/bin/tsc', '--project', 'tsconfig.json'),
   },
-  {
-    group: 'lint',
-    title: 'Lint',
-    work: () => node(binary('oxlint/bin/oxlint'), '--deny-warnings'),
-  },
+  { group: 'lint', title: 'Lint', work: tool('oxlint/bin/oxlint', '--deny-warnings') },
   {
     group: 'knip',
     title: 'Unused files, exports and packages',
-    work: () => node(binary('knip/bin/knip.js'), '--no-progress'),
+    work: tool('knip/bin/knip.js', '--no-progress'),
   },
   { group: 'language', title: 'Plain English in added lines', work: checkWording },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
-  { group: 'cpp', title: 'C++ tests under ASan and UBSan', work: () => cpp('sanitize') },
-  { group: 'fuzz', title: 'Fuzzing', work: fuzzRepeatably },
+  {
+    group: 'cpp',
+    title: 'C++ tests under ASan and UBSan',
+    work: () => cpp('sanitize'),
+    rare: 'compiling takes twice as long as for the native tests',
+  },
+  {
+    group: 'fuzz',
+    title: 'Fuzzing',
+    work: fuzzRepeatably,
+    rare: 'it searches for 20 s on each core, and the C++ tests already run its corpus',
+  },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('node') },
   { group: 'browser', title: 'Browser tests', work: browser },
-  { group: 'package', title: 'The package in its environments', work: environments },
+  {
+    group: 'package',
+    title: 'The package in its environments',
+    work: environments,
+    rare: 'it installs 900 MB of bundlers from the npm registry',
+  },
 ]

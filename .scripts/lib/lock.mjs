@@ -2,16 +2,16 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { setTimeout } from 'node:timers/promises'
 import { path } from './files.mjs'
+import { say } from './terminal.mjs'
 
-const file = '.build/lock'
+const file = path('.build/lock')
 
-function holder() {
+/** Returns whether the process that wrote the lock still runs. */
+function isHeld() {
   try {
-    const pid = Number(readFileSync(path(file), 'utf8'))
-    process.kill(pid, 0)
-    return pid
+    return process.kill(Number(readFileSync(file, 'utf8')), 0)
   } catch {
-    return undefined
+    return false
   }
 }
 
@@ -20,18 +20,18 @@ export async function withLock(work) {
   mkdirSync(path('.build'), { recursive: true })
   for (let hasSaid = false; ; await setTimeout(500)) {
     try {
-      writeFileSync(path(file), String(process.pid), { flag: 'wx' })
+      writeFileSync(file, String(process.pid), { flag: 'wx' })
       break
     } catch (error) {
       if (error.code !== 'EEXIST') throw error
-      if (holder() === undefined) rmSync(path(file), { force: true })
-      else if (!hasSaid) console.log('Waiting for another build to end …')
+      if (!isHeld()) rmSync(file, { force: true })
+      else if (!hasSaid) say('Waiting for another build to end …')
       hasSaid = true
     }
   }
   try {
     return await work()
   } finally {
-    rmSync(path(file), { force: true })
+    rmSync(file, { force: true })
   }
 }

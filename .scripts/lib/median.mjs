@@ -1,4 +1,4 @@
-/** Returns the number in the middle, or the upper of two. */
+/** Returns the middle of a list of numbers, or the upper of two. */
 export const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]
 
 /** Returns how many milliseconds `work` takes. */
@@ -10,3 +10,17 @@ export function time(work) {
 
 /** Returns the median milliseconds of some runs. */
 export const medianTime = (runs, work) => median(Array.from({ length: runs }, () => time(work)))
+
+/**
+ * Maps each name of `works` → the milliseconds of its runs. They run in turn, so that other load on the machine slows all of them alike.
+ * `works` return milliseconds; the first `warmUp` rounds are not recorded.
+ */
+export function timesInTurn(works, runs, warmUp = 1) {
+  const times = Object.fromEntries(Object.keys(works).map((name) => [name, []]))
+  for (let i = -warmUp; i < runs; i++)
+    for (const [name, work] of Object.entries(works)) {
+      const milliseconds = work()
+      if (i >= 0) times[name].push(milliseconds)
+    }
+  return times
+}

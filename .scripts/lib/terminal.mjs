@@ -20,13 +20,15 @@ export class Stop extends Error {}
 /** Thrown by a check that cannot run here, with the reason. It neither passes nor fails. */
 export class NotRun extends Error {}
 
-/** Runs `work` as the whole program and turns a Stop into one line and exit code 1. */
-export async function main(work) {
+/** Runs `work` as the whole program. A Stop, or a command line that `parseArgs` rejects, ends it with one message, the latter with `usage`. */
+export async function main(work, usage = '') {
   try {
     await work()
   } catch (error) {
-    if (!(error instanceof Stop)) throw error
-    bad(error.message)
+    const isWrongCall = error.code?.startsWith('ERR_PARSE_ARGS')
+    if (!isWrongCall && !(error instanceof Stop)) throw error
+    // The rest of Node's message is about arguments that begin with a dash.
+    bad(isWrongCall ? `${error.message.split(/\.\s/)[0]}. ${usage}` : error.message)
     process.exitCode = 1
   }
 }

@@ -1,7 +1,6 @@
-import { accessSync, constants, statSync } from 'node:fs'
-import { delimiter, isAbsolute, join } from 'node:path'
-
-const endings = process.platform === 'win32' ? ['.exe', '.bat', '.cmd', ''] : ['']
+// Finds programs and C++ headers.
+import { accessSync, constants, existsSync, statSync } from 'node:fs'
+import { delimiter, join } from 'node:path'
 
 export function isProgram(file) {
   try {
@@ -12,15 +11,21 @@ export function isProgram(file) {
   }
 }
 
-/** Returns the full path of the first of `names` on PATH, or null. */
-export function onPath(...names) {
-  for (const name of names) {
-    if (isAbsolute(name) && isProgram(name)) return name
-    for (const folder of (process.env.PATH ?? '').split(delimiter))
-      for (const ending of endings) {
-        const file = join(folder, name + ending)
-        if (folder && isProgram(file)) return file
-      }
-  }
-  return null
-}
+const listPaths = (name) => (process.env[name] ?? '').split(delimiter).filter(Boolean)
+const findIn = (folders, names, isFound) =>
+  names.flatMap((name) => folders.map((folder) => join(folder, name))).find(isFound)
+
+/** Returns the full path of the first of `names` on PATH, or `undefined`. */
+export const onPath = (...names) => findIn(listPaths('PATH'), names, isProgram)
+
+const includes = ['/usr', '/usr/local', '/opt/homebrew', '/opt/local'].map((prefix) =>
+  join(prefix, 'include'),
+)
+
+/** Returns the path of the first of `names` among the compiler's headers, or `undefined`. */
+export const findHeader = (...names) =>
+  findIn(
+    [...listPaths('CPATH'), ...listPaths('CPLUS_INCLUDE_PATH'), ...includes],
+    names,
+    existsSync,
+  )

@@ -1,41 +1,46 @@
-// The sections of web/docs/deformers.md: each deformer with its formula and its options, as its source documents them.
-import { readFileSync } from 'node:fs'
-import { Stop } from '../lib/terminal.mjs'
-import { path, walk } from '../lib/files.mjs'
+// The sections of web/docs/deformers.md: each deformer with its formula and its options, as TypeDoc reads them from the source.
+import { Application, ReflectionKind } from 'typedoc'
+import { path } from '../lib/files.mjs'
+import { markdownTable } from './parts.mjs'
 
-export function deformerParts() {
-  const deformers = walk('js-bindings/deformers', /\.ts$/)
-    .map((file) => readDeformer(readFileSync(path(file), 'utf8')))
-    .filter(Boolean)
-    .sort((a, b) => a.name.localeCompare(b.name))
-  return { deformers: deformers.map(section).join('\n') }
+/** Returns the text of a comment in one line. */
+const textOf = ({ comment }) =>
+  comment?.summary
+    .map(({ text }) => text)
+    .join('')
+    .replaceAll('\n', ' ')
+
+export async function deformerParts() {
+  const app = await Application.bootstrap({
+    entryPoints: [path('js-bindings/deformers.ts')],
+    tsconfig: path('.scripts/tsconfig.types.json'),
+    sort: ['source-order'],
+    logLevel: 'Error',
+    skipErrorChecking: true,
+  })
+  const { children } = await app.convert()
+  const options = children.filter(({ name }) => name.endsWith('Options'))
+  const sections = children
+    .filter(({ kind }) => kind === ReflectionKind.Function)
+    .map(({ name, signatures }) => [
+      name,
+      textOf(signatures[0]).replace(/ Throws a `WarpError`[^.]*\.$/, ''),
+      options.find((each) => each.name.toLowerCase() === `${name}options`.toLowerCase()),
+    ])
+    .filter(([, , own]) => own)
+    .sort(([a], [b]) => a.localeCompare(b))
+  return { deformers: sections.map(section).join('\n') }
 }
 
-/** Reads the documentation of a deformer; `undefined` if the file has no options. */
-function readDeformer(source) {
-  const [, options] = /export interface \w+Options \{\n([\s\S]*?)\n\}/.exec(source) ?? []
-  if (!options) return undefined
-  const [, comment, name] =
-    /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\nexport (?:const|function) (\w+)/.exec(source) ?? []
-  if (!name) throw new Stop('A deformer with options has no documentation.')
-  const rows = [...options.matchAll(/\/\*\*((?:(?!\*\/)[\s\S])*)\*\/((?:\n  \w+\?: .*)+)/g)]
-  return {
-    name,
-    text: sentences(comment).replace(/ Throws a `WarpError`[^.]*\.$/, ''),
-    options: rows.map(([, meaning, members]) => ({
-      names: [...members.matchAll(/\n  (\w+)\?/g)].map(([, option]) => `\`${option}\``),
-      meaning: sentences(meaning),
-    })),
-  }
+/** An option without a comment shares that of the one before. */
+function section([name, text, { children }]) {
+  const rows = []
+  for (const option of children)
+    if (option.comment) rows.push([[option.name], textOf(option).replaceAll('|', '\\|')])
+    else rows.at(-1)[0].push(option.name)
+  const cells = rows.map(([names, meaning]) => [
+    names.map((each) => `\`${each}\``).join(', '),
+    meaning,
+  ])
+  return `## ${name}\n\n${text}\n\n${markdownTable(['option', 'what it is'], cells)}\n`
 }
-
-const sentences = (comment) => comment.replace(/\n\s*\* ?/g, ' ').trim()
-
-const section = ({ name, text, options }) => `## ${name}
-
-${text}
-
-| option | what it is |
-| --- | --- |
-${options.map(({ names, meaning }) => `| ${names.join(', ')} | ${meaning.replaceAll('|', '\\|')} |`).join('\n')}
-`

@@ -1,5 +1,8 @@
 // Writes js-bindings/core/types/methods.ts: every operation as a method of its first operand and as a function of the builder.
 
+import { readFileSync } from 'node:fs'
+import { path } from '../lib/files.mjs'
+
 // Every signature has its own comment: an editor shows no comment for a property whose type has several signatures.
 
 /** The signatures of `mult` for a number as receiver and for the builder's function. A vector times square matrices is a vector. */
@@ -124,40 +127,21 @@ export function typesText({ operations, aliases }) {
   ]
   return `// Written by \`npm run reference\` from the tables of operations: src/ops/declarations.hpp, src/ops/documentation.hpp and
 // src/builder/compositions.hpp. Everything else is in types.ts.
-import type { ${listUsed(interfaces, signatures)} } from './signatures.js'
-import type { ${listUsed(interfaces, expressions)} } from './types.js'
+import type { ${listUsed(interfaces, 'signatures')} } from './signatures.js'
+import type { ${listUsed(interfaces, 'expressions')} } from './types.js'
 
 ${interfaces.join('\n')}`
 }
 
-const signatures = [
-  'ColumnsOf',
-  'IfSquare',
-  'Jacobian',
-  'MatrixOf',
-  'RowsOf',
-  'Shape',
-  'Size',
-  'SquareBeside',
-  'Transposed',
-  'VectorOf',
-]
-const expressions = [
-  'AnyMatrix',
-  'Expression',
-  'Mat2',
-  'Mat3',
-  'Mat4',
-  'Operand',
-  'Scalar',
-  'Vec2',
-  'Vec3',
-  'Vec4',
-  'Vector',
-]
-
-const listUsed = (texts, names) =>
-  names.filter((name) => texts.some((text) => RegExp(`\\b${name}\\b`).test(text))).join(', ')
+/** Lists the names that a file of js-bindings/core/types exports and that `texts` use. */
+function listUsed(texts, file) {
+  const source = readFileSync(path(`js-bindings/core/types/${file}.ts`), 'utf8')
+  return [...source.matchAll(/^export (?:type|interface) (\w+)/gm)]
+    .map(([, name]) => name)
+    .filter((name) => texts.some((text) => RegExp(`\\b${name}\\b`).test(text)))
+    .sort()
+    .join(', ')
+}
 
 /** Merges operations of the same name into one with optional operands. */
 function byName(operations) {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp } from 'warpjet'
 import { bakeWarp, subdivide } from 'warpjet/mesh'
-import { throwsWarpError } from '../support/warp-errors.js'
+import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 
 const origin = [0, 0, 0]
 
@@ -191,12 +191,14 @@ describe('on the CPU', () => {
 describe('throws for', () => {
   test('an invalid option `uniforms`', () => {
     const option = (uniforms) => () => compileWarp(({ position }) => position, { uniforms })
-    throwsWarpError(
-      option(3),
-      /expected an object, such as \{ amount: .*for the option "uniforms", got the number 3/,
-    )
-    throwsWarpError(option([1, 2]), /expected an object, .* got an array of 2/)
-    throwsWarpError(option(null), /expected an object, .* got null/)
+    throwWarpErrors([
+      [
+        option(3),
+        /expected an object, such as \{ amount: .*for the option "uniforms", got the number 3/,
+      ],
+      [option([1, 2]), /expected an object, .* got an array of 2/],
+      [option(null), /expected an object, .* got null/],
+    ])
   })
 
   test('an invalid value', () => {
@@ -226,38 +228,30 @@ describe('throws for', () => {
         uniforms: { [name]: 1 },
         names,
       })
-    throwsWarpError(
-      compileNamed('millis'),
-      /uniform "millis" has the name of an input; .* such as "myMillis"/,
-    )
-    throwsWarpError(compileNamed('position'), /uniform "position" has the name of an input/)
-    throwsWarpError(
-      compileNamed('uTime', { millis: 'uTime' }),
-      /the name that the option "names" gives to millis/,
-    )
-    throwsWarpError(
-      compileNamed('float'),
-      /^compileWarp uniforms\.float: "float" cannot be read in a shader/,
-    )
-    throwsWarpError(compileNamed('offset'), /"offset" has the name of a variable .* read/)
+    throwWarpErrors([
+      [compileNamed('millis'), /uniform "millis" has the name of an input; .* such as "myMillis"/],
+      [compileNamed('position'), /uniform "position" has the name of an input/],
+      [
+        compileNamed('uTime', { millis: 'uTime' }),
+        /the name that the option "names" gives to millis/,
+      ],
+      [compileNamed('float'), /^compileWarp uniforms\.float: "float" cannot be read in a shader/],
+      [compileNamed('offset'), /"offset" has the name of a variable .* read/],
+    ])
     assert.deepEqual(compileNamed('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
   test('reading an undeclared uniform, and for writing one', () => {
     const readUndeclared = (uniforms) => () =>
       compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
-    throwsWarpError(
-      readUndeclared({ amount: 1, wind: [1, 0] }),
-      /declares no "amont"; there are amount, wind\./,
-    )
-    throwsWarpError(
-      readUndeclared({}),
-      /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/,
-    )
-    throwsWarpError(
-      readUndeclared(),
-      /^compileWarp: the offset reads uniforms\.amont, which nothing declares/,
-    )
+    throwWarpErrors([
+      [
+        readUndeclared({ amount: 1, wind: [1, 0] }),
+        /declares no "amont"; there are amount, wind\./,
+      ],
+      [readUndeclared({}), /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/],
+      [readUndeclared(), /^compileWarp: the offset reads uniforms\.amont, which nothing declares/],
+    ])
     const writing = ({ uniforms, position }) => {
       uniforms.amount = 3
       return position
@@ -273,25 +267,21 @@ describe('throws for', () => {
       uniforms: { center: [0, 0, 0], amount: 1, unread: [1, 2] },
     })
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
-    throwsWarpError(
-      call({ amount: [1, 2] }),
-      /expected a finite number for the uniform "amount", got an array of 2/,
-    )
-    throwsWarpError(call({ amount: 'a' }), /expected a finite number .* got the text "a"/)
-    throwsWarpError(call({ amount: () => 3 }), /expected a finite number .* got a function/)
-    throwsWarpError(
-      call({ center: 3 }),
-      /expected an array of 3 finite numbers for the uniform "center", got the number 3/,
-    )
-    throwsWarpError(call({ center: [1, NaN, 2] }), /for the uniform "center", got one with NaN/)
-    throwsWarpError(
-      call({ unread: 1 }),
-      /expected an array of 2 finite numbers for the uniform "unread"/,
-    )
-    throwsWarpError(
-      call({ centre: [1, 2, 3] }),
-      /no uniform "centre"; there are .*center, amount, unread/,
-    )
+    throwWarpErrors([
+      [
+        call({ amount: [1, 2] }),
+        /expected a finite number for the uniform "amount", got an array of 2/,
+      ],
+      [call({ amount: 'a' }), /expected a finite number .* got the text "a"/],
+      [call({ amount: () => 3 }), /expected a finite number .* got a function/],
+      [
+        call({ center: 3 }),
+        /expected an array of 3 finite numbers for the uniform "center", got the number 3/,
+      ],
+      [call({ center: [1, NaN, 2] }), /for the uniform "center", got one with NaN/],
+      [call({ unread: 1 }), /expected an array of 2 finite numbers for the uniform "unread"/],
+      [call({ centre: [1, 2, 3] }), /no uniform "centre"; there are .*center, amount, unread/],
+    ])
   })
 
   test('missing parameters named like properties of Object', () => {

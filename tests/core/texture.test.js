@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
-import { throwsWarpError } from '../support/warp-errors.js'
+import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 
 const inverted = ({ glsl, position }) =>
   glsl.vec3(0, 0, glsl.texture('heightMap', position.xy().add(0.5)).r())
@@ -68,44 +68,34 @@ test('rejects invalid arguments', () => {
         r: glsl.texture(...args.map((arg) => (typeof arg === 'function' ? arg(glsl) : arg))),
       }))
   const uv = (glsl) => glsl.vec2Param('uv')
-  throwsWarpError(
-    of(),
-    /texture: expected the name of a sampler2D, such as "heightMap", for argument 1, got undefined/,
-  )
-  throwsWarpError(of(5, uv), /texture: expected the name of .* for argument 1, got the number 5/)
-  throwsWarpError(
-    of('a b', uv),
-    /texture: expected the name of .* for argument 1, got the text "a b"/,
-  )
-  throwsWarpError(of('maps[0]', uv), /texture: expected the name of .* for argument 1/)
-  throwsWarpError(of('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/)
-  throwsWarpError(
-    of('map'),
-    /texture: expected a number or an expression for argument 2, got undefined/,
-  )
-  throwsWarpError(of('map', [0, 1]), /texture: expected .* for argument 2, got an array of 2/)
-  throwsWarpError(of('map', 0.5), /texture: expected a vec2 for argument 2, got a single number/)
-  throwsWarpError(
-    of('map', (glsl) => glsl.vec3Param('p')),
-    /texture: expected a vec2 for argument 2, got a vec3/,
-  )
-  throwsWarpError(of('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/)
-  throwsWarpError(
-    of('map', uv, 'bicubic'),
-    /texture: expected an object of options, got the text "bicubic"/,
-  )
-  throwsWarpError(
-    of('map', uv, { filter: 'linear' }),
-    /texture: expected one of bilinear, bicubic, bspline, nearest for the option "filter", got the text "linear"/,
-  )
-  throwsWarpError(
-    of('map', uv, { wrap: 3 }),
-    /texture: expected one of clamp, repeat, mirror, sampler for the option "wrap", got the number 3/,
-  )
-  throwsWarpError(
-    of('map', uv, {}, 1),
-    /texture: it takes a name, a vec2 and options; the number 1/,
-  )
+  throwWarpErrors([
+    [
+      of(),
+      /texture: expected the name of a sampler2D, such as "heightMap", for argument 1, got undefined/,
+    ],
+    [of(5, uv), /texture: expected the name of .* for argument 1, got the number 5/],
+    [of('a b', uv), /texture: expected the name of .* for argument 1, got the text "a b"/],
+    [of('maps[0]', uv), /texture: expected the name of .* for argument 1/],
+    [of('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/],
+    [of('map'), /texture: expected a number or an expression for argument 2, got undefined/],
+    [of('map', [0, 1]), /texture: expected .* for argument 2, got an array of 2/],
+    [of('map', 0.5), /texture: expected a vec2 for argument 2, got a single number/],
+    [
+      of('map', (glsl) => glsl.vec3Param('p')),
+      /texture: expected a vec2 for argument 2, got a vec3/,
+    ],
+    [of('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/],
+    [of('map', uv, 'bicubic'), /texture: expected an object of options, got the text "bicubic"/],
+    [
+      of('map', uv, { filter: 'linear' }),
+      /texture: expected one of bilinear, bicubic, bspline, nearest for the option "filter", got the text "linear"/,
+    ],
+    [
+      of('map', uv, { wrap: 3 }),
+      /texture: expected one of clamp, repeat, mirror, sampler for the option "wrap", got the number 3/,
+    ],
+    [of('map', uv, {}, 1), /texture: it takes a name, a vec2 and options; the number 1/],
+  ])
 })
 
 test('a name cannot be an image and a number', () => {
@@ -117,18 +107,14 @@ test('a name cannot be an image and a number', () => {
       }
       return { r: reads[first]().add(reads[second]()) }
     })
-  throwsWarpError(
-    both('image', 'number'),
-    /"map" was read as an image before, and now as a single number/,
-  )
-  throwsWarpError(
-    both('number', 'image'),
-    /"map" was read as a single number before, and now as an image/,
-  )
-  throwsWarpError(
-    () => compile((glsl) => ({ map: glsl.texture('map', glsl.vec2(0, 0)).r() })),
-    /The result "map" has the name of a variable/,
-  )
+  throwWarpErrors([
+    [both('image', 'number'), /"map" was read as an image before, and now as a single number/],
+    [both('number', 'image'), /"map" was read as a single number before, and now as an image/],
+    [
+      () => compile((glsl) => ({ map: glsl.texture('map', glsl.vec2(0, 0)).r() })),
+      /The result "map" has the name of a variable/,
+    ],
+  ])
 })
 
 test('the CPU cannot read images yet', () => {

@@ -182,6 +182,10 @@ TEST_F(BuilderErrors, RejectsConstantsWhoseResultNoShaderCanHold) {
   const std::string divides = "it divides by zero, or by a number too close to zero for float32.";
   expectRejected(call("log", {number(0)}), "log: " + message);
   expectRejected(call("sqrt", {number(-1)}), "sqrt: " + message);
+  expectRejected(call("log2", {number(0)}), "log2: " + message);
+  expectRejected(call("asin", {number(2)}), "asin: " + message);
+  expectRejected(call("atanh", {number(1)}), "atanh: " + message);
+  expectRejected(call("pow", {number(-1), number(0.5)}), "pow: " + message);
   expectRejected(call("div", {number(1), number(0)}), "div: " + divides);
   expectRejected(call("div", {x, number(0)}), "div: " + divides);
   expectRejected(call("div", {x, call("mult", {number(1e-30), number(1e-30)})}), "div: " + divides);

@@ -4,7 +4,7 @@ import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
 import * as deformers from '../../dist/deformers.js'
 import { columnMajor, product, rotation, scaling, translation } from '../support/browser/matrix.js'
-import { throwsWarpError } from '../support/warp-errors.js'
+import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 import { deformers as oracles } from '../warps/deformers.js'
 
 describe('deformers throw a message about', () => {
@@ -14,18 +14,20 @@ describe('deformers throw a message about', () => {
     for (const name of Object.keys(oracles)) {
       const hasAmount = !/^(bend|twist)$/.test(name)
       const advice = !hasAmount ? 'there are ' : 'did you mean amount\\? There are '
-      throwsWarpError(
-        () => deformers[name]({ amout: 1 }),
-        new RegExp(`^${name}: there is no option "amout"; ${advice}`),
-      )
-      throwsWarpError(
-        () => deformers[name](5),
-        new RegExp(`^${name}: expected an object of options, got the number 5\\.$`),
-      )
-      throwsWarpError(
-        () => deformers[name](null),
-        new RegExp(`^${name}: expected an object of options, got null\\.$`),
-      )
+      throwWarpErrors([
+        [
+          () => deformers[name]({ amout: 1 }),
+          new RegExp(`^${name}: there is no option "amout"; ${advice}`),
+        ],
+        [
+          () => deformers[name](5),
+          new RegExp(`^${name}: expected an object of options, got the number 5\\.$`),
+        ],
+        [
+          () => deformers[name](null),
+          new RegExp(`^${name}: expected an object of options, got null\\.$`),
+        ],
+      ])
     }
     throwsWarpError(
       () => genie({ ege: 'x' }),
@@ -38,120 +40,105 @@ describe('deformers throw a message about', () => {
   })
 
   test('invalid constants', () => {
-    throwsWarpError(
-      () => twist({ angle: 'fast' }),
-      /^twist: expected a number, an expression of one number, or a function that returns one for the option "angle", got the text "fast"\.$/,
-    )
-    throwsWarpError(
-      () => twist({ angle: NaN }),
-      /expected a number, .* for the option "angle", got the number NaN/,
-    )
-    throwsWarpError(
-      () => twist({ angle: 1e39 }),
-      /expected a number, .* for the option "angle", got the number 1e\+39/,
-    )
-    throwsWarpError(
-      () => twist({ angle: null }),
-      /expected a number, .* for the option "angle", got null/,
-    )
-    throwsWarpError(
-      () => twist({ length: 0 }),
-      /expected a number above 0, .* for the option "length", got the number 0/,
-    )
-    throwsWarpError(
-      () => wave({ wavelength: -1 }),
-      /expected a number above 0, .* for the option "wavelength"/,
-    )
-    throwsWarpError(
-      () => twist({ axis: 'w' }),
-      /expected "x", "y", "z" or an array of 3 finite numbers that are not all 0, a vec3, or a function that returns one for the option "axis", got the text "w"/,
-    )
-    throwsWarpError(
-      () => twist({ axis: [0, 0, 0] }),
-      /expected .* not all 0, .* for the option "axis", got an array of 3/,
-    )
-    throwsWarpError(
-      () => twist({ axis: [1, 0] }),
-      /expected .* for the option "axis", got an array of 2/,
-    )
-    throwsWarpError(
-      () => twist({ center: 5 }),
-      /expected an array of 3 finite numbers, a vec3, .* for the option "center", got the number 5/,
-    )
-    throwsWarpError(
-      () => twist({ center: [0, 'a', 0] }),
-      /expected an array of 3 finite numbers, .* "center"/,
-    )
-    throwsWarpError(
-      () => stretch({ keepVolume: 1 }),
-      /expected true or false for the option "keepVolume", got the number 1\.$/,
-    )
-    throwsWarpError(
-      () => stretch({ keepVolume: () => true }),
-      /expected true or false for the option "keepVolume", got a function\.$/,
-    )
-    throwsWarpError(
-      () => bulge({ axis: 7 }),
-      /^bulge: expected "x", .* for the option "axis", got the number 7/,
-    )
-    throwsWarpError(
-      () => inflate({ direction: 'normal' }),
-      /expected an array of 3 finite numbers, .* "direction"/,
-    )
-    throwsWarpError(
-      () => deformers.noiseDisplace({ seed: () => 1 }),
-      /expected a whole number from -8388608 to 8388608 for the option "seed", got a function/,
-    )
+    throwWarpErrors([
+      [
+        () => twist({ angle: 'fast' }),
+        /^twist: expected a number, an expression of one number, or a function that returns one for the option "angle", got the text "fast"\.$/,
+      ],
+      [
+        () => twist({ angle: NaN }),
+        /expected a number, .* for the option "angle", got the number NaN/,
+      ],
+      [
+        () => twist({ angle: 1e39 }),
+        /expected a number, .* for the option "angle", got the number 1e\+39/,
+      ],
+      [() => twist({ angle: null }), /expected a number, .* for the option "angle", got null/],
+      [
+        () => twist({ length: 0 }),
+        /expected a number above 0, .* for the option "length", got the number 0/,
+      ],
+      [() => wave({ wavelength: -1 }), /expected a number above 0, .* for the option "wavelength"/],
+      [
+        () => twist({ axis: 'w' }),
+        /expected "x", "y", "z" or an array of 3 finite numbers that are not all 0, a vec3, or a function that returns one for the option "axis", got the text "w"/,
+      ],
+      [
+        () => twist({ axis: [0, 0, 0] }),
+        /expected .* not all 0, .* for the option "axis", got an array of 3/,
+      ],
+      [() => twist({ axis: [1, 0] }), /expected .* for the option "axis", got an array of 2/],
+      [
+        () => twist({ center: 5 }),
+        /expected an array of 3 finite numbers, a vec3, .* for the option "center", got the number 5/,
+      ],
+      [() => twist({ center: [0, 'a', 0] }), /expected an array of 3 finite numbers, .* "center"/],
+      [
+        () => stretch({ keepVolume: 1 }),
+        /expected true or false for the option "keepVolume", got the number 1\.$/,
+      ],
+      [
+        () => stretch({ keepVolume: () => true }),
+        /expected true or false for the option "keepVolume", got a function\.$/,
+      ],
+      [
+        () => bulge({ axis: 7 }),
+        /^bulge: expected "x", .* for the option "axis", got the number 7/,
+      ],
+      [
+        () => inflate({ direction: 'normal' }),
+        /expected an array of 3 finite numbers, .* "direction"/,
+      ],
+      [
+        () => deformers.noiseDisplace({ seed: () => 1 }),
+        /expected a whole number from -8388608 to 8388608 for the option "seed", got a function/,
+      ],
+    ])
   })
 
   test('invalid directions and ranges of a bend', () => {
-    throwsWarpError(
-      () => bend({ axis: 'y', along: 'y' }),
-      /^bend: the options "axis" and "along" have the same direction/,
-    )
-    throwsWarpError(() => bend({ axis: [1, 1, 0], along: [-2, -2, 0] }), /the same direction/)
-    throwsWarpError(
-      () => bend({ from: 10, to: 5 }),
-      /^bend: expected a number above "from", which is 10, for the option "to", got 5\.$/,
-    )
-    throwsWarpError(
-      () => bend({ to: -100 }),
-      /expected a number above "from", which is -100, for the option "to", got -100/,
-    )
+    throwWarpErrors([
+      [
+        () => bend({ axis: 'y', along: 'y' }),
+        /^bend: the options "axis" and "along" have the same direction/,
+      ],
+      [() => bend({ axis: [1, 1, 0], along: [-2, -2, 0] }), /the same direction/],
+      [
+        () => bend({ from: 10, to: 5 }),
+        /^bend: expected a number above "from", which is 10, for the option "to", got 5\.$/,
+      ],
+      [
+        () => bend({ to: -100 }),
+        /expected a number above "from", which is -100, for the option "to", got -100/,
+      ],
+    ])
     assert.equal(typeof bend({ axis: 'y' }), 'function')
     assert.equal(typeof bend({ axis: [0, -2, 0] }), 'function')
   })
 
   test('wrong results of functions, and wrong expressions', () => {
     const compiling = (warp) => () => compileWarp(warp)
-    throwsWarpError(
-      compiling(twist({ angle: () => 'x' })),
-      /^twist: expected the function of the option "angle" to return a number or an expression of one number, got the text "x"\.$/,
-    )
-    throwsWarpError(
-      compiling(twist({ angle: ({ position }) => position })),
-      /to return .*, got a vec3\.$/,
-    )
-    throwsWarpError(
-      compiling(twist({ angle: ({ glsl }) => glsl.mat3(1) })),
-      /to return .*, got a matrix\.$/,
-    )
-    throwsWarpError(
-      compiling(twist({ length: () => -1 })),
-      /to return a number above 0 or .*, got the number -1\.$/,
-    )
-    throwsWarpError(
-      compiling(twist({ axis: ({ millis }) => millis })),
-      /to return "x", .*, got a single number\.$/,
-    )
-    throwsWarpError(
-      compiling(twist({ axis: () => [0, 0, 0] })),
-      /not all 0 or a vec3, got an array of 3\.$/,
-    )
-    throwsWarpError(
-      compiling((inputs) => twist({ angle: inputs.uv })(inputs)),
-      /expected .* for the option "angle", got a vec2\.$/,
-    )
+    throwWarpErrors([
+      [
+        compiling(twist({ angle: () => 'x' })),
+        /^twist: expected the function of the option "angle" to return a number or an expression of one number, got the text "x"\.$/,
+      ],
+      [compiling(twist({ angle: ({ position }) => position })), /to return .*, got a vec3\.$/],
+      [compiling(twist({ angle: ({ glsl }) => glsl.mat3(1) })), /to return .*, got a matrix\.$/],
+      [
+        compiling(twist({ length: () => -1 })),
+        /to return a number above 0 or .*, got the number -1\.$/,
+      ],
+      [
+        compiling(twist({ axis: ({ millis }) => millis })),
+        /to return "x", .*, got a single number\.$/,
+      ],
+      [compiling(twist({ axis: () => [0, 0, 0] })), /not all 0 or a vec3, got an array of 3\.$/],
+      [
+        compiling((inputs) => twist({ angle: inputs.uv })(inputs)),
+        /expected .* for the option "angle", got a vec2\.$/,
+      ],
+    ])
     let stolen
     compileWarp(({ glsl, millis }) => ((stolen = millis), glsl.vec3(0)))
     throwsWarpError(
@@ -170,48 +157,49 @@ describe('compositions throw a message about', () => {
         () => make(),
         new RegExp(`^${name}: expected at least one offset function, got none\\.$`),
       )
-    throwsWarpError(
-      () => chain(twist(), [0, 1, 2]),
-      /^chain: expected an offset function, such as twist\(\{ angle: 1 \}\), for argument 2, got an array of 3\.$/,
-    )
-    throwsWarpError(
-      () => add(twist, {}),
-      /^add: expected an offset function, .* for argument 2, got an empty object/,
-    )
-    throwsWarpError(
-      () => blend(twist()),
-      /^blend: expected an offset function, .* for argument 2, got undefined/,
-    )
-    throwsWarpError(
-      () => mask(0.5, twist()),
-      /^mask: expected an offset function, .* for argument 1, got the number 0\.5/,
-    )
-    throwsWarpError(
-      () => inSpace(twist(), 5),
-      /^inSpace: expected an offset function, .* for argument 2/,
-    )
+    throwWarpErrors([
+      [
+        () => chain(twist(), [0, 1, 2]),
+        /^chain: expected an offset function, such as twist\(\{ angle: 1 \}\), for argument 2, got an array of 3\.$/,
+      ],
+      [
+        () => add(twist, {}),
+        /^add: expected an offset function, .* for argument 2, got an empty object/,
+      ],
+      [
+        () => blend(twist()),
+        /^blend: expected an offset function, .* for argument 2, got undefined/,
+      ],
+      [
+        () => mask(0.5, twist()),
+        /^mask: expected an offset function, .* for argument 1, got the number 0\.5/,
+      ],
+      [() => inSpace(twist(), 5), /^inSpace: expected an offset function, .* for argument 2/],
+    ])
   })
 
   test('wrong results', () => {
     const compiling = (warp) => () => compileWarp(warp)
-    throwsWarpError(
-      compiling(chain(twist(), () => twist())),
-      /^chain: expected the offset function that is argument 2 to return a vec3, such as .*, got a function\.$/,
-    )
-    throwsWarpError(
-      compiling(add(({ millis }) => millis)),
-      /^add: .* argument 1 to return a vec3, got a single number\.$/,
-    )
-    throwsWarpError(compiling(mask(({ uv }) => uv, 1)), /^mask: .* to return a vec3, got a vec2\.$/)
-    throwsWarpError(
-      compiling(
-        inSpace(
-          ({ glsl }) => glsl.mat3(1),
-          () => undefined,
+    throwWarpErrors([
+      [
+        compiling(chain(twist(), () => twist())),
+        /^chain: expected the offset function that is argument 2 to return a vec3, such as .*, got a function\.$/,
+      ],
+      [
+        compiling(add(({ millis }) => millis)),
+        /^add: .* argument 1 to return a vec3, got a single number\.$/,
+      ],
+      [compiling(mask(({ uv }) => uv, 1)), /^mask: .* to return a vec3, got a vec2\.$/],
+      [
+        compiling(
+          inSpace(
+            ({ glsl }) => glsl.mat3(1),
+            () => undefined,
+          ),
         ),
-      ),
-      /^inSpace: .* argument 2 to return .*, got undefined\.$/,
-    )
+        /^inSpace: .* argument 2 to return .*, got undefined\.$/,
+      ],
+    ])
   })
 
   test('a deformer passed instead of its result', () => {
@@ -222,64 +210,49 @@ describe('compositions throw a message about', () => {
   })
 
   test('invalid amounts and weights', () => {
-    throwsWarpError(
-      () => blend(twist(), bend(), '1'),
-      /^blend: expected a number, .* for the amount, got the text "1"\.$/,
-    )
-    throwsWarpError(
-      () => mask(twist()),
-      /^mask: expected a number, .* for the weight, got undefined\.$/,
-    )
-    throwsWarpError(
-      () => compileWarp(mask(twist(), ({ position }) => position)),
-      /^mask: expected the function of the weight to return a number .*, got a vec3\.$/,
-    )
+    throwWarpErrors([
+      [
+        () => blend(twist(), bend(), '1'),
+        /^blend: expected a number, .* for the amount, got the text "1"\.$/,
+      ],
+      [() => mask(twist()), /^mask: expected a number, .* for the weight, got undefined\.$/],
+      [
+        () => compileWarp(mask(twist(), ({ position }) => position)),
+        /^mask: expected the function of the weight to return a number .*, got a vec3\.$/,
+      ],
+    ])
   })
 
   test('invalid matrices', () => {
     const identity = columnMajor(translation(0, 0, 0))
     const matrix = (value) => () => inSpace(value, twist())
-    throwsWarpError(
-      matrix(5),
-      /^inSpace: expected 16 numbers column by column, a mat4 or mat3, or a function that returns one for the matrix, got the number 5\.$/,
-    )
-    throwsWarpError(matrix([1, 2, 3]), /for the matrix, got an array of 3\.$/)
-    throwsWarpError(
-      matrix(identity.map((x, i) => (i === 2 ? NaN : x))),
-      /for the matrix, got an array with the number NaN\.$/,
-    )
-    throwsWarpError(
-      matrix(identity.map((x, i) => (i === 3 ? 1 : x))),
-      /the last row 0, 0, 0, 1, .* last row 1, 0, 0, 1\.$/,
-    )
-    throwsWarpError(
-      matrix(columnMajor(scaling(1, 0, 1))),
-      /^inSpace: the matrix has the determinant 0/,
-    )
-    throwsWarpError(
-      matrix(columnMajor(product(rotation(0.3, 0, 1), scaling(1, 0, 1), rotation(0.3, 1, 2)))),
-      /determinant 0/,
-    )
+    throwWarpErrors([
+      [
+        matrix(5),
+        /^inSpace: expected 16 numbers column by column, a mat4 or mat3, or a function that returns one for the matrix, got the number 5\.$/,
+      ],
+      [matrix([1, 2, 3]), /for the matrix, got an array of 3\.$/],
+      [
+        matrix(identity.map((x, i) => (i === 2 ? NaN : x))),
+        /for the matrix, got an array with the number NaN\.$/,
+      ],
+      [
+        matrix(identity.map((x, i) => (i === 3 ? 1 : x))),
+        /the last row 0, 0, 0, 1, .* last row 1, 0, 0, 1\.$/,
+      ],
+      [matrix(columnMajor(scaling(1, 0, 1))), /^inSpace: the matrix has the determinant 0/],
+      [
+        matrix(columnMajor(product(rotation(0.3, 0, 1), scaling(1, 0, 1), rotation(0.3, 1, 2)))),
+        /determinant 0/,
+      ],
+    ])
     const compiling = (value) => () => compileWarp(inSpace(value, twist()))
-    throwsWarpError(
-      compiling(() => columnMajor(scaling(1, 0, 1))),
-      /the matrix has the determinant 0/,
-    )
-    throwsWarpError(
-      compiling(({ millis }) => millis),
-      /for the matrix, got a single number\.$/,
-    )
-    throwsWarpError(
-      compiling(({ position }) => position),
-      /for the matrix, got a vec3\.$/,
-    )
-    throwsWarpError(
-      compiling(({ glsl }) => glsl.mat2(1)),
-      /for the matrix, got a matrix of another size\.$/,
-    )
-    throwsWarpError(
-      compiling(({ glsl }) => glsl.mat3(0)),
-      /determinant .* is 0/,
-    )
+    throwWarpErrors([
+      [compiling(() => columnMajor(scaling(1, 0, 1))), /the matrix has the determinant 0/],
+      [compiling(({ millis }) => millis), /for the matrix, got a single number\.$/],
+      [compiling(({ position }) => position), /for the matrix, got a vec3\.$/],
+      [compiling(({ glsl }) => glsl.mat2(1)), /for the matrix, got a matrix of another size\.$/],
+      [compiling(({ glsl }) => glsl.mat3(0)), /determinant .* is 0/],
+    ])
   })
 })

@@ -1,22 +1,12 @@
 // exactNormals gives p5's own hooks and p5.strands exact normals: compares them with the same warp by createWarp.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { launchBrowser } from '../support/browser/browser.js'
+import { test } from 'node:test'
 import { differingPixels, litPixels } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { drawScenes, p5Versions, runSketch } from '../support/browser/sketch.js'
+import { drawScenes, openHost, p5Versions, runSketch } from '../support/browser/sketch.js'
 
 const scripts = [p5Versions['2.x'], '/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost()
 
 /** Maps a scene to its code. */
 const scene = (shading) =>

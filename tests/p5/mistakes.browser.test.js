@@ -61,8 +61,6 @@ const offsets = {
   'glsl.rotate_y(1)': 'glsl.rotate_y: there is no such function; did you mean rotateY?',
   'glsl.time':
     'glsl.time: there is no such function; did you mean millis, as in ({ glsl, millis }) => …?',
-  'glsl.vec3(position.w, 0, 0)': 'w: a vec3 has no such components.',
-  'glsl.vec3(millis.x, 0, 0)': 'x: a single number has no such components.',
   '(({ postion }) => postion)(inputs)':
     'An offset function gets no "postion"; did you mean position?',
   '(({ normals }) => normals)(inputs)':
@@ -117,8 +115,6 @@ const offsets = {
   '(async () => position)()':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise (leave its "async" out).',
   null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
-  'glsl.vec3()': 'vec3: expected 3 components, got 0.',
-  'glsl.vec3(1, 2)': 'vec3: expected 3 components, got 2.',
   'glsl.vec3([1, 2, 3])':
     'vec3: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'glsl.vec3("1", 0, 0)':
@@ -133,10 +129,6 @@ const offsets = {
     'add: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'position.add(createVector(1, 0, 0))':
     'add: expected a number or an expression for argument 1, got a vector of numbers; write glsl.vec3(x, y, z) for a vector.',
-  'position.mult()': 'mult: expected 1 argument, got 0.',
-  'position.y.clamp(0)': 'clamp: expected 2 arguments, got 1.',
-  'position.sin(2)': 'sin: expected no arguments, got 1.',
-  'position.gt(0).ifElse(1)': 'ifElse: expected 2 arguments, got 1.',
   'glsl.vec3(position.x(1), 0, 0)': 'x: it takes fewer arguments; the number 1 is too many.',
   'glsl.vec3(glsl.param("amount"), 0, 0)':
     'createWarp: the warp reads "amount", which nothing declares; add the option { defs: "uniform float amount;" }.',

@@ -1,20 +1,10 @@
 // A smoke test of p5 1.11, the other supported version; `npm test -- --all` also runs every other test of sketches on it.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { launchBrowser } from '../support/browser/browser.js'
+import { test } from 'node:test'
 import { colorAt } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { drawScenes, p5Versions } from '../support/browser/sketch.js'
+import { drawScenes, openHost, p5Versions } from '../support/browser/sketch.js'
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost()
 
 test('p5 1.11 draws warps that move, are lit by their normals, and read uniforms', async () => {
   const scripts = [p5Versions['1.11'], '/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']

@@ -1,25 +1,15 @@
 // createWarp in p5 sketches, on each supported p5: checks the picture on the canvas.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
-import { launchBrowser } from '../support/browser/browser.js'
+import { describe, test } from 'node:test'
 import * as m from '../support/browser/matrix.js'
 import { directions, geometryCode, sphereMesh } from '../support/browser/mesh.js'
 import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { drawScenes, p5InThisRun } from '../support/browser/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const size = 200
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 /**
  * f(p) = u g(p / u) with g(p) = (0.15 sin(2.4 y + 1), 0.11 sin(3.2 z), 0.12 sin(2 x)), in the sketch and in the oracle. The unit
@@ -47,10 +37,11 @@ const waves = (u) => ({
 const mapValues = (object, change) =>
   Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]))
 
-for (const [version, p5] of p5InThisRun) {
-  const draw = (options) => drawScenes(browser, server, [p5, addon], { size, ...options })
+for (const [version, renderer, p5] of p5HostsInThisRun) {
+  const draw = ({ files = p5, ...options }) =>
+    drawScenes(browsers[renderer], server, [...files, addon], { size, renderer, ...options })
 
-  describe(`createWarp on p5 ${version}`, () => {
+  describe(`createWarp on p5 ${version}, ${renderer}`, () => {
     test('has exact normals, shown as colours, for an offset in each space', async () => {
       // Describes the same scene twice: as calls of p5, and as matrices.
       const scene = `
@@ -124,10 +115,12 @@ for (const [version, p5] of p5InThisRun) {
         lights: 'orbitControl(); lights()',
         fill: `lights(); fill('orange')`,
         specular: 'lights(); specularMaterial(250, 80, 80); shininess(20)',
+        ambient: `ambientLight(120); directionalLight(90, 0, 90, 0, 1, -1); ambientMaterial('teal')`,
         texture: 'texture(stripes)',
         'lit texture': 'lights(); texture(stripes)',
         imageLight: 'imageLight(stripes)',
-        normalMaterial: 'normalMaterial()',
+        // p5 2.3 itself draws no normalMaterial() on WEBGPU.
+        ...(renderer === 'WEBGL' && { normalMaterial: 'normalMaterial()' }),
       }
       const setup = `
         distort = createWarp(${code})
@@ -185,9 +178,9 @@ for (const [version, p5] of p5InThisRun) {
           const { x, y } = { x: position.x().mult(0).add(40), y: position.y().mult(0).add(40) }
           return glsl.vec3(random([x, y]), 0, 0)
         }, { space: 'world' })`
-      for (const file of [p5, p5.replace('.js', '.min.js')]) {
+      for (const files of [p5, p5.map((file) => file.replace('.js', '.min.js'))]) {
         const scenes = { image: `noStroke(); distort(); fill('red'); plane(20)` }
-        const { image } = await drawScenes(browser, server, [file, addon], { size, setup, scenes })
+        const { image } = await draw({ files, setup, scenes })
         assert.deepEqual(colorAt(image, size / 2 + 40, size / 2), [255, 0, 0])
       }
     })
@@ -220,7 +213,11 @@ for (const [version, p5] of p5InThisRun) {
         size: ({ size }) => size.x().mult(0.2),
         width: ({ width, height }) => width.add(height).mult(0.1),
         pixelDensity: ({ pixelDensity }) => pixelDensity.mult(40),
-        defs: ({ glsl }) => glsl.param('twice(amount)').add(glsl.vec3Param('shift').z()),
+        defs:
+          renderer === 'WEBGL'
+            ? ({ glsl }) => glsl.param('twice(amount)').add(glsl.vec3Param('shift').z())
+            : ({ glsl }) =>
+                glsl.param('amount').mult(glsl.param('twice(1)')).add(glsl.vec3Param('shift').z()),
         matrix: ({ glsl }) =>
           glsl
             .mat3Param('turn')
@@ -230,16 +227,23 @@ for (const [version, p5] of p5InThisRun) {
           glsl
             .fn({
               name: 'halved',
-              source: 'float halved(float x) { return 0.5 * x; }',
+              source: {
+                glsl: 'float halved(float x) { return 0.5 * x; }',
+                wgsl: 'fn halved(x: f32) -> f32 { return 0.5 * x; }',
+              },
               arity: 1,
               derivatives: [0.5],
             })(80)
             .add(position.x().mult(0)),
       }
+      const twice =
+        renderer === 'WEBGPU'
+          ? 'fn twice(x: f32) -> f32 { return 2.0 * x; }'
+          : 'float twice(float x) { return 2.0 * x; }'
       const defs = `uniform float amount;
         uniform vec3 shift;
         uniform mat3 turn;
-        float twice(float x) { return 2.0 * x; }`
+        ${twice}`
       const warps = Object.entries(shifts).map(
         ([name, shift]) => `
           const shift = ${shift}
@@ -300,7 +304,8 @@ for (const [version, p5] of p5InThisRun) {
             return glsl.vec3(x.mult(5).floor().div(5).sub(x), 0, 0)
           })`,
         scenes: {
-          colored: 'ortho(); colors(); model(tile)',
+          // p5 2.3 draws nothing with ortho() on WEBGPU.
+          ...(renderer === 'WEBGL' && { colored: 'ortho(); colors(); model(tile)' }),
           still: `${light}; still(); model(tile)`,
           flat: `${light}; flat(); sphere(60)`,
           stairs: `${light}; noStroke(); stairs(); plane(120, 120, 40, 40)`,
@@ -313,6 +318,7 @@ for (const [version, p5] of p5InThisRun) {
         const dark = inside.filter(({ color }) => color[0] < 59)
         assert.deepEqual([inside.length, dark.length], [70 * 70, 0], name)
       }
+      if (!colored) return
       const blue = colorAt(colored, size / 2 + 50 - 100 / 3, size / 2 + 50 - 100 / 3)[2]
       assert.ok(Math.abs(blue - (2 / 3) * 255) < 3, `${blue} at the triangle's centre`)
     })

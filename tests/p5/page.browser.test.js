@@ -1,23 +1,14 @@
 // How createWarp is loaded in a page, adapts to changes of the canvas, and reports mistakes.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
-import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import { describe, test } from 'node:test'
+import { leavePage } from '../support/browser/browser.js'
 import { colorAt, readPixels } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { drawScenes, p5InThisRun, runSketch } from '../support/browser/sketch.js'
+import { drawScenes, openHost, p5InThisRun, runSketch } from '../support/browser/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const size = 200
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost()
 
 /** The arguments of a createWarp that moves by 40 pixels. */
 const toTheRight = `({ glsl }) => glsl.vec3(40, 0, 0), { space: 'world' }`

@@ -1,11 +1,10 @@
 // Tests the single script on real pages: from another origin, with other scripts in any order, and under a content security policy.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { fileURLToPath, pathToFileURL } from 'node:url'
-import { launchBrowser, leavePage, openPage } from '../support/browser/browser.js'
-import { servePages } from '../support/browser/server.js'
-import { p5InThisRun, p5Versions, runSketch } from '../support/browser/sketch.js'
+import { leavePage, openPage } from '../support/browser/browser.js'
+import { openHost, p5InThisRun, p5Versions, runSketch } from '../support/browser/sketch.js'
 
 const path = (name) => fileURLToPath(new URL(`../..${name}`, import.meta.url))
 const dist = (name) => readFileSync(path(`/dist/${name}`), 'utf8')
@@ -17,15 +16,7 @@ const cdn = 'https://cdn.jsdelivr.net'
 const ownMesh = `${cdn}/npm/warpjet@${version}/dist/mesh.min.js`
 const triangle = 'data:model/obj,v 4 0 0%0Av 6 0 0%0Av 5 1 0%0Af 1 2 3'
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost()
 
 /** Returns a context in which other hosts answer only with `texts`, by address; `asked` lists the requests. */
 async function withHosts(texts) {

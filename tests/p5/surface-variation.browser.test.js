@@ -1,26 +1,17 @@
 // Warps along the normal in p5 sketches: exact for shapes with addSurfaceVariation, as documented for others. The normal material
 // shows the normals computed on the GPU.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
-import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import { describe, test } from 'node:test'
+import { leavePage } from '../support/browser/browser.js'
 import * as m from '../support/browser/matrix.js'
 import { directions, geometryCode, sphereMesh } from '../support/browser/mesh.js'
 import { colorAt, differingPixels, litPixels, readPixels } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { p5Versions, runSketch } from '../support/browser/sketch.js'
+import { openHost, p5Versions, runSketch } from '../support/browser/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const size = 200
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost()
 
 /** Bumps along the unit normal, in the sketch and in double; the model has size `u`. */
 const bumps = (u) => ({

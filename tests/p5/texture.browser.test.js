@@ -1,26 +1,17 @@
 // glsl.texture in p5 sketches: heights that displace a plane, with its normals, and an image sampled at warped positions in a
 // fragment shader. Compares the picture on the canvas with the interpolant in double.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
 import { randomImage, sample } from '../operations/textures.js'
-import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import { leavePage } from '../support/browser/browser.js'
 import { normalize } from '../support/browser/matrix.js'
 import { colorAt, differingPixels } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { drawScenes, p5InThisRun, runSketch } from '../support/browser/sketch.js'
+import { drawScenes, openHost, p5InThisRun, runSketch } from '../support/browser/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost()
 
 const [size, side, height] = [200, 160, 30]
 const image = randomImage(7, 5, 4)

@@ -1,22 +1,13 @@
-// The option `uniforms` of createWarp, on each p5 and both WebGL versions: checks the position in the picture.
+// The option `uniforms` of createWarp, on each p5, both WebGL versions and WebGPU: checks the position in the picture.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
-import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import { describe, test } from 'node:test'
+import { leavePage } from '../support/browser/browser.js'
 import { litPixels } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { drawScenes, p5InThisRun, runSketch } from '../support/browser/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from '../support/browser/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 /** Returns the offset of the drawing from the centre of the canvas to the right and down, in pixels. */
 function place(image) {
@@ -29,138 +20,136 @@ function place(image) {
 const moves = (offset, uniforms, more = '') =>
   `(({ glsl, uniforms }) => ${offset}), { space: 'world', uniforms: { ${uniforms} }, ${more} }`
 
-for (const [version, p5] of p5InThisRun)
-  for (const webgl of [2, 1])
-    describe(`uniforms on p5 ${version} and WebGL ${webgl}`, () => {
-      const shape = `fill('red'); plane(20)`
+/** Each host with a name and the code of setup() that checks or chooses its version of WebGL. */
+const hosts = p5HostsInThisRun.flatMap(([version, renderer, scripts]) =>
+  renderer === 'WEBGPU'
+    ? [[`p5 ${version} and WebGPU`, renderer, scripts, '']]
+    : [2, 1].map((webgl) => [
+        `p5 ${version} and WebGL ${webgl}`,
+        renderer,
+        scripts,
+        `${webgl === 1 ? 'setAttributes({ version: 1 })' : ''}
+        if (drawingContext instanceof WebGL2RenderingContext !== ${webgl === 2}) throw 'another WebGL'`,
+      ]),
+)
 
-      /** Draws the scenes → positions by scene. `warps` are arguments of createWarp by name. */
-      async function places(warps, scenes, before = '') {
-        const setup = Object.entries(warps).map(
-          ([name, args]) => `warps.${name} = createWarp(${args})`,
-        )
-        const images = await drawScenes(browser, server, [p5, addon], {
-          setup: [
-            webgl === 1 && 'setAttributes({ version: 1 })',
-            `if (drawingContext instanceof WebGL2RenderingContext !== ${webgl === 2}) throw 'another WebGL'`,
-            before,
-            ...setup,
-          ]
-            .filter(Boolean)
-            .join('\n'),
-          scenes: Object.fromEntries(
-            Object.entries(scenes).map(([name, code]) => [name, `${code}; ${shape}`]),
-          ),
-        })
-        return Object.fromEntries(Object.entries(images).map(([name, i]) => [name, place(i)]))
+for (const [host, renderer, p5, choose] of hosts)
+  describe(`uniforms on ${host}`, () => {
+    const shape = `fill('red'); plane(20)`
+
+    /** Draws the scenes → positions by scene. `warps` are arguments of createWarp by name. */
+    async function places(warps, scenes, before = '') {
+      const setup = Object.entries(warps).map(
+        ([name, args]) => `warps.${name} = createWarp(${args})`,
+      )
+      const images = await drawScenes(browsers[renderer], server, [...p5, addon], {
+        renderer,
+        setup: [choose, before, ...setup].join('\n'),
+        scenes: Object.fromEntries(
+          Object.entries(scenes).map(([name, code]) => [name, `${code}; ${shape}`]),
+        ),
+      })
+      return Object.fromEntries(Object.entries(images).map(([name, i]) => [name, place(i)]))
+    }
+
+    test('of each type reach the shader', async () => {
+      const warps = {
+        number: moves('glsl.vec3(uniforms.a, 0, 0)', 'a: 40'),
+        truth: moves('glsl.vec3(uniforms.a.mult(40).add(uniforms.b), 0, 0)', 'a: true, b: false'),
+        vec2: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
+        vec3: moves('uniforms.a', 'a: [40, 0, 0]'),
+        vec4: moves('uniforms.a.wyz()', 'a: [9, 0, 0, 40]'),
+        typed: moves('uniforms.a', 'a: new Float32Array([40, 0, 0])'),
+        mat3: moves('uniforms.a.mult(glsl.vec3(0, -40, 0))', 'a: [0, 1, 0, -1, 0, 0, 0, 0, 1]'),
+        mat4: moves(
+          'uniforms.a.mult(glsl.vec4(0, 0, 0, 1)).xyz()',
+          'a: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 40, 0, 0, 1]',
+        ),
+        vector: moves('uniforms.a', 'a: createVector(40, 0, 0)'),
+        color: moves('glsl.vec3(uniforms.a.g().mult(40), uniforms.a.r(), 0)', `a: color('lime')`),
+        many: moves(
+          'glsl.vec3(uniforms.a.sub(uniforms.b), uniforms.c.x(), 0)',
+          'a: 60, b: 20, c: [0, 3]',
+        ),
       }
+      const scenes = Object.fromEntries(Object.keys(warps).map((name) => [name, `warps.${name}()`]))
+      for (const [name, found] of Object.entries(await places(warps, scenes)))
+        assert.deepEqual(found, [40, 0], name)
+    })
 
-      test('of each type reach the shader', async () => {
-        const warps = {
-          number: moves('glsl.vec3(uniforms.a, 0, 0)', 'a: 40'),
-          truth: moves('glsl.vec3(uniforms.a.mult(40).add(uniforms.b), 0, 0)', 'a: true, b: false'),
-          vec2: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
-          vec3: moves('uniforms.a', 'a: [40, 0, 0]'),
-          vec4: moves('uniforms.a.wyz()', 'a: [9, 0, 0, 40]'),
-          typed: moves('uniforms.a', 'a: new Float32Array([40, 0, 0])'),
-          mat3: moves('uniforms.a.mult(glsl.vec3(0, -40, 0))', 'a: [0, 1, 0, -1, 0, 0, 0, 0, 1]'),
-          mat4: moves(
-            'uniforms.a.mult(glsl.vec4(0, 0, 0, 1)).xyz()',
-            'a: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 40, 0, 0, 1]',
-          ),
-          vector: moves('uniforms.a', 'a: createVector(40, 0, 0)'),
-          color: moves('glsl.vec3(uniforms.a.g().mult(40), uniforms.a.r(), 0)', `a: color('lime')`),
-          many: moves(
-            'glsl.vec3(uniforms.a.sub(uniforms.b), uniforms.c.x(), 0)',
-            'a: 60, b: 20, c: [0, 3]',
-          ),
-        }
-        const scenes = Object.fromEntries(
-          Object.keys(warps).map((name) => [name, `warps.${name}()`]),
-        )
-        for (const [name, found] of Object.entries(await places(warps, scenes)))
-          assert.deepEqual(found, [40, 0], name)
-      })
-
-      test('are read at each distort, and overridden for one', async () => {
-        const warps = {
-          fixed: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
-          follow: moves('glsl.vec3(uniforms.at, 0)', 'at: () => [mouseX, frame]'),
-          grow: moves('glsl.vec3(uniforms.x, uniforms.y, 0)', 'x: 10, y: () => frame'),
-        }
-        const found = await places(
-          warps,
-          {
-            fixed: 'warps.fixed()',
-            replaced: 'warps.fixed({ a: [20, 30] })',
-            'as before': 'warps.fixed()',
-            'by a vector': 'warps.fixed({ a: createVector(15, 25) })',
-            asked: 'frame = 5; warps.follow()',
-            'asked again': 'frame = 50; warps.follow()',
-            'the other is asked': 'frame = 7; warps.grow({ x: 33 })',
-            'not asked': 'frame = 7; warps.grow({ y: 8 })',
-            'twice in a frame': 'warps.fixed({ a: [60, 60] }); warps.fixed()',
-            'by the material': 'warps.fixed({ a: [20, 30] }); normalMaterial()',
-          },
-          'globalThis.frame = 0',
-        )
-        assert.deepEqual(found, {
-          fixed: [40, 0],
-          replaced: [20, 30],
-          'as before': [40, 0],
-          'by a vector': [15, 25],
-          asked: [30, 5],
-          'asked again': [30, 50],
-          'the other is asked': [33, 7],
-          'not asked': [10, 8],
-          'twice in a frame': [40, 0],
-          'by the material': [20, 30],
-        })
-      })
-
-      test('may have any name, and can be combined with defs', async () => {
-        const names = [
-          'uModelViewMatrix',
-          'float',
-          'aPosition',
-          'offset',
-          'gl_Position',
-          'a__b',
-          'größe',
-          'a b',
-          'main',
-          'toString',
-        ]
-        const any = names.map((name) => `uniforms[${JSON.stringify(name)}]`)
-        const warps = {
-          any: moves(
-            `glsl.vec3(${any.slice(1).reduce((sum, name) => `${sum}.add(${name})`, any[0])}, 0, 0)`,
-            names.map((name) => `${JSON.stringify(name)}: 4`).join(', '),
-          ),
-          defs: moves(
-            `glsl.vec3(uniforms.a.add(glsl.param('half_of(b)')), glsl.param('b'), 0)`,
-            'a: 10, unread: [1, 2]',
-            `defs: 'uniform float b; float half_of(float a) { return 0.5 * a; }'`,
-          ),
-        }
-        const found = await places(warps, {
-          any: 'warps.any()',
-          'any given': 'warps.any({ "a b": 14 })',
-          defs: 'warps.defs({ a: 20, b: 40 })',
-          // A uniform declared by defs keeps its value.
-          again: 'warps.defs({ unread: [3, 4] })',
-        })
-        assert.deepEqual(found, {
-          any: [40, 0],
-          'any given': [50, 0],
-          defs: [40, 40],
-          again: [30, 40],
-        })
+    test('are read at each distort, and overridden for one', async () => {
+      const warps = {
+        fixed: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
+        follow: moves('glsl.vec3(uniforms.at, 0)', 'at: () => [mouseX, frame]'),
+        grow: moves('glsl.vec3(uniforms.x, uniforms.y, 0)', 'x: 10, y: () => frame'),
+      }
+      const found = await places(
+        warps,
+        {
+          fixed: 'warps.fixed()',
+          replaced: 'warps.fixed({ a: [20, 30] })',
+          'as before': 'warps.fixed()',
+          'by a vector': 'warps.fixed({ a: createVector(15, 25) })',
+          asked: 'frame = 5; warps.follow()',
+          'asked again': 'frame = 50; warps.follow()',
+          'the other is asked': 'frame = 7; warps.grow({ x: 33 })',
+          'not asked': 'frame = 7; warps.grow({ y: 8 })',
+          'twice in a frame': 'warps.fixed({ a: [60, 60] }); warps.fixed()',
+          'by the material': 'warps.fixed({ a: [20, 30] }); normalMaterial()',
+        },
+        'globalThis.frame = 0',
+      )
+      assert.deepEqual(found, {
+        fixed: [40, 0],
+        replaced: [20, 30],
+        'as before': [40, 0],
+        'by a vector': [15, 25],
+        asked: [30, 5],
+        'asked again': [30, 50],
+        'the other is asked': [33, 7],
+        'not asked': [10, 8],
+        'twice in a frame': [40, 0],
+        'by the material': [20, 30],
       })
     })
 
-for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: a WarpError reports mistakes with uniforms, and drawing goes on`, async () => {
+    test('may have any name, and can be combined with defs', async () => {
+      const names =
+        'uModelViewMatrix,float,aPosition,offset,gl_Position,a__b,größe,a b,main,toString'.split(
+          ',',
+        )
+      const any = names.map((name) => `uniforms[${JSON.stringify(name)}]`)
+      const warps = {
+        any: moves(
+          `glsl.vec3(${any.slice(1).reduce((sum, name) => `${sum}.add(${name})`, any[0])}, 0, 0)`,
+          names.map((name) => `${JSON.stringify(name)}: 4`).join(', '),
+        ),
+        defs: moves(
+          `glsl.vec3(uniforms.a.add(glsl.param('half_of(b)')), glsl.param('b'), 0)`,
+          'a: 10, unread: [1, 2]',
+          renderer === 'WEBGPU'
+            ? `defs: 'uniform float b; fn half_of(a: f32) -> f32 { return 0.5 * a; }'`
+            : `defs: 'uniform float b; float half_of(float a) { return 0.5 * a; }'`,
+        ),
+      }
+      const found = await places(warps, {
+        any: 'warps.any()',
+        'any given': 'warps.any({ "a b": 14 })',
+        defs: 'warps.defs({ a: 20, b: 40 })',
+        // A uniform declared by defs keeps its value.
+        again: 'warps.defs({ unread: [3, 4] })',
+      })
+      assert.deepEqual(found, {
+        any: [40, 0],
+        'any given': [50, 0],
+        defs: [40, 40],
+        again: [30, 40],
+      })
+    })
+  })
+
+for (const [version, renderer, p5] of p5HostsInThisRun)
+  test(`p5 ${version}, ${renderer}: a WarpError reports mistakes with uniforms, and drawing goes on`, async () => {
     const offset = '({ glsl, uniforms }) => glsl.vec3(uniforms.amount, uniforms.at)'
     const cases = {
       'createWarp(offset)':
@@ -192,18 +181,20 @@ for (const [version, p5] of p5InThisRun)
         /for the uniform "at", got an array of 3; its function must always return what it returned at first/,
     }
     const { page, messages } = await runSketch(
-      browser,
+      browsers[renderer],
       server,
-      [p5, addon],
+      [...p5, addon],
       `let now = [1, 2]
       const offset = ${offset}
-      function setup() {
-        createCanvas(100, 100, WEBGL)
+      let distort, plain
+      ${renderer === 'WEBGPU' ? 'async' : ''} function setup() {
+        ${renderer === 'WEBGPU' ? 'await' : ''} createCanvas(100, 100, ${renderer})
         distort = createWarp(offset, { uniforms: { amount: 0.5, at: () => now, unread: 1 } })
         plain = createWarp(({ position }) => position)
         noLoop()
       }
       function draw() {
+        if (!plain) return
         plain()
         sphere(5)
         distort({ unread: 3 })

@@ -2,12 +2,11 @@
 // passes to the GPU.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
-import { after, before, test } from 'node:test'
+import { test } from 'node:test'
 import { path } from '../../.scripts/lib/files.mjs'
 import { eye, shapes } from '../support/units.js'
-import { launchBrowser, leavePage } from '../support/browser/browser.js'
-import { servePages } from '../support/browser/server.js'
-import { p5Versions, runSketch } from '../support/browser/sketch.js'
+import { leavePage } from '../support/browser/browser.js'
+import { openHost, p5Versions, runSketch } from '../support/browser/sketch.js'
 
 /** Records the contents of each buffer, and the vertices and matrices of each draw call. Runs in the page, before p5. */
 const watching = `
@@ -91,15 +90,7 @@ const table = new Map(
   ),
 )
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost()
 
 test('the table has numbers for eleven functions', () =>
   assert.equal([...table.values()].filter(Boolean).length, 11))

@@ -1,26 +1,18 @@
-// createWarp on a WebGPU canvas: draws the same pictures as in WebGL, which other tests check.
+// createWarp on a WebGPU canvas: draws the same pictures as in WebGL, which other tests check. Materials, spaces, inputs and uniforms are
+// tested on each host in p5.browser.test.js and uniforms.browser.test.js.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import * as deformers from '../../dist/deformers.js'
 import { warps as listings } from '../warps/listings.js'
 import { stress } from '../warps/stress.js'
-import { launchBrowserWithWebGPU, leavePage } from '../support/browser/browser.js'
+import { leavePage } from '../support/browser/browser.js'
 import { beyondEdges, litPixels } from '../support/browser/pixels.js'
-import { servePages } from '../support/browser/server.js'
-import { drawScenes, p5Versions, p5WebGPU, runSketch } from '../support/browser/sketch.js'
+import { drawScenes, openHost, p5Versions, p5WebGPU, runSketch } from '../support/browser/sketch.js'
 
 const p5 = p5Versions['2.x']
 const scripts = ['/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowserWithWebGPU()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browser, server } = await openHost('WEBGPU')
 
 /** Draws the scenes with both renderers, and compares them. No scene has highlights, which differ in p5 itself. */
 async function compare({ setup, scenes, tolerance = 6, share = 0.005 }) {
@@ -44,45 +36,7 @@ const wave = `({ glsl, position }) => glsl.vec3(
   position.y().mult(2.4).add(1).sin().mult(0.15), position.z().mult(3.2).sin().mult(0.11), 0)`
 
 describe('createWarp on WEBGPU looks as in WEBGL', () => {
-  test('with each material, in each space', async () => {
-    const images = await compare({
-      setup: `
-        warps.local = createWarp(${wave})
-        warps.normal = createWarp(${wave}, { type: 'normal' })
-        for (const space of ['world', 'camera'])
-          for (const type of ['specular', 'normal'])
-            warps[space + type] = createWarp(({ glsl, position }) =>
-              glsl.vec3(0, 0, position.x().mult(0.05).sin().mult(20)), { space, type })
-        warps.floor = createWarp(({ glsl, position }) =>
-          glsl.vec3(position.x().mult(5).floor().div(5).sub(position.x()), 0, 0))
-        stripes = createImage(32, 32)
-        for (let y = 0; y < 32; y++)
-          for (let x = 0; x < 32; x++) stripes.set(x, y, color(y < 20 ? 'purple' : 'yellow'))
-        stripes.updatePixels()`,
-      scenes: {
-        lights: 'lights(); warps.local(); sphere(60)',
-        fill: `lights(); warps.local(); fill('orange'); sphere(60)`,
-        ambient: `ambientLight(120); directionalLight(90, 0, 90, 0, 1, -1); warps.local(); ambientMaterial('teal'); sphere(60)`,
-        texture: 'warps.local(); texture(stripes); sphere(60)',
-        'the normal as colour': 'warps.normal(); sphere(60)',
-        'normalMaterial()': 'normalMaterial(); warps.local(); sphere(60)',
-        'normalMaterial() after it': 'warps.local(); normalMaterial(); sphere(60)',
-        'world space':
-          'lights(); rotateZ(1); warps.worldspecular(); fill(200); plane(100, 120, 40, 40)',
-        'camera space':
-          'lights(); rotateZ(1); warps.cameraspecular(); fill(200); plane(100, 120, 40, 40)',
-        'normals in world space': 'rotateX(1); warps.worldnormal(); plane(100, 120, 40, 40)',
-        'normals in camera space': 'rotateX(1); warps.cameranormal(); plane(100, 120, 40, 40)',
-        'where there is no normal':
-          'ambientLight(60); directionalLight(200, 200, 200, 0, 0, -1); warps.floor(); fill(255); plane(120, 120, 40, 40)',
-      },
-    })
-    assert.notDeepEqual(images.lights, images.fill)
-    assert.deepEqual(images['normalMaterial()'], images['the normal as colour'])
-  })
-
-  test("with uniforms of each type, images and the sketch's WGSL", async () => {
-    const move = (x) => `({ glsl, uniforms }) => glsl.vec3(${x}, 0, 0)`
+  test("with images and the sketch's WGSL", async () => {
     const world = `space: 'world'`
     await compare({
       setup: `
@@ -90,12 +44,6 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
         for (let y = 0; y < 16; y++)
           for (let x = 0; x < 16; x++) heights.set(x, y, color(128 + 100 * sin(x * 0.7) * cos(y)))
         heights.updatePixels()
-        const uniforms = { a: 10, b: () => 5, v: [0, 10], w: createVector(0, 0, 10), q: [0, 0, 0, 10],
-          m: [0, 1, 0, -10, 0, 0, 0, 0, 1], n: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 12, 0, 0, 1] }
-        warps.all = createWarp(${move('uniforms.a.add(uniforms.b).add(uniforms.v.y()).add(uniforms.w.z()).add(uniforms.q.w()).add(uniforms.m.mult(glsl.vec3(0, -1, 0)).x()).add(uniforms.n.mult(glsl.vec4(0, 0, 0, 1)).x())')},
-          { ${world}, uniforms })
-        warps.inputs = createWarp(({ glsl, size, millis, pixelDensity }) =>
-          glsl.vec3(size.x().div(10), millis.min(20), pixelDensity), { ${world} })
         warps.map = createWarp(({ glsl, uv, uniforms }) =>
           glsl.vec3(0, 0, glsl.texture(uniforms.map, uv, { filter: 'bicubic' }).x().mult(40)),
           { ${world}, uniforms: { map: heights }, surfaceVariation: false })
@@ -115,9 +63,6 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
         'one of the uniforms of defs unchanged': `warps.declared({ a: -20 }); fill('red'); plane(60)`,
         'an image of defs': `lights(); rotateX(0.6); warps.relief({ map: heights }); fill('white'); plane(120, 120, 60, 60)`,
         'a function of defs': `warps.called({ a: 12 }); fill('red'); plane(60)`,
-        uniforms: `warps.all(); fill('red'); plane(60)`,
-        'uniforms replaced': `warps.all({ a: -40 }); fill('red'); plane(60)`,
-        inputs: `warps.inputs(); fill('red'); plane(60)`,
         image: `lights(); rotateX(0.6); warps.map(); fill('white'); plane(120, 120, 60, 60)`,
       },
     })

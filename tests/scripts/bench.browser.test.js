@@ -136,9 +136,12 @@ test('rejects unknown options and rows with one message', async () => {
   const unknown = await bench('--fast')
   assert.deepEqual(unknown, {
     code: 1,
-    text: "✗ Unknown option '--fast'; --help lists the options.\n",
+    text: "✗ Unknown option '--fast'. --help lists the options.\n",
   })
   const { code, text } = await bench('--row', 'cube')
   assert.equal(code, 1)
-  assert.match(text, /^✗ No row is named 'cube': choose from 14,000 × 150; .*; p5\.\n$/)
+  assert.match(
+    text,
+    /^✗ Expected the name of one row, got 'cube': choose from 14,000 × 150; .*; p5\.\n$/,
+  )
 })

@@ -18,3 +18,7 @@ export const throwsWarpError = (work, pattern) =>
 /** Asserts that the promise of `work` is rejected with a `WarpError` whose message matches `pattern`. */
 export const rejectsWithWarpError = (work, pattern) =>
   assert.rejects(work, (error) => checkWarpError(error, pattern))
+
+/** Asserts for each row [work, pattern] what `throwsWarpError` does. */
+export const throwWarpErrors = (rows) =>
+  rows.forEach(([work, pattern]) => throwsWarpError(work, pattern))

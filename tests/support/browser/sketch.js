@@ -40,6 +40,12 @@ export async function openHosts(hosts) {
   return { browsers, server }
 }
 
+/** Opens a server of pages and the browser of one renderer, until the tests of the calling file have finished. */
+export async function openHost(renderer = 'WEBGL') {
+  const { browsers, server } = await openHosts([['2.x', renderer]])
+  return { browser: browsers[renderer], server }
+}
+
 /** Opens a page with `scripts` (addresses) and then `code`, and waits until that sets `window.done` → { page, messages }. */
 export async function runSketch(browser, server, scripts, code, type = '') {
   const html = `<!doctype html>

@@ -1,7 +1,7 @@
 // A reference for the time of generation: a plain JavaScript graph (interned objects in a Map, forward derivatives with respect to three
 // inputs, one statement per node) of the stacked sines in the paper's performance test. It packs no vectors, folds little and schedules
 // nothing, so its time shows only how fast the machine is at such work. It is measured in the same run.
-// usage: import { plainGraph, stackedSines } from './plain-graph.mjs'; both take the number of sines per component (200 ≈ 3,006 builder nodes).
+// Both functions take the number of sines per component: 200 ≈ 3,006 builder nodes.
 let state
 const random = (low, high) => {
   state = (state * 1664525 + 1013904223) >>> 0

@@ -1,6 +1,6 @@
 // The warps that `npm run bench -- evaluate` measures, and the same functions written by hand in JavaScript, with their derivatives:
 // they map { positions, normals } and the time → { positions, normals }.
-import { stackedSines, stress } from '../../tests/warps/stress.js'
+import { stackedSines, stress } from '../../../tests/warps/stress.js'
 
 const NODES_OF_A_SINE = 5
 const { sin, cos, sqrt } = Math

@@ -2,12 +2,12 @@
 // Also draws the two pictures of the slider in web/docs/normals.md.
 import assert from 'node:assert/strict'
 import { writeFileSync } from 'node:fs'
-import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
-import { readPixels } from '../../tests/support/browser/pixels.js'
-import { servePages } from '../../tests/support/browser/server.js'
-import { path } from '../lib/files.mjs'
-import { say } from '../lib/terminal.mjs'
-import { markdownTable } from '../reference/parts.mjs'
+import { launchBrowser, openPage } from '../../../tests/support/browser/browser.js'
+import { readPixels } from '../../../tests/support/browser/pixels.js'
+import { servePages } from '../../../tests/support/browser/server.js'
+import { path } from '../../lib/files.mjs'
+import { say } from '../../lib/terminal.mjs'
+import { markdownTable } from '../../reference/parts.mjs'
 
 const size = 600
 

@@ -1,6 +1,7 @@
 // Opens the two browsers of the benchmark: one draws as fast as it can, one with vsync, both on the machine's GPU if it has one.
-import { gpuFlags, softwareFlags, uncappedFlags } from '../lib/flags.mjs'
-import { Stop } from '../lib/terminal.mjs'
+import { chromium } from 'playwright-core'
+import { gpuFlags, softwareFlags, uncappedFlags } from '../../lib/flags.mjs'
+import { Stop } from '../../lib/terminal.mjs'
 
 const software = /swiftshader|llvmpipe|softpipe|basic render/i
 
@@ -23,26 +24,19 @@ async function rendererWith(launch, flags) {
 
 /** Chooses the machine's GPU, or software if there is none or if `withoutGpu` → { flags, renderer, isSoftware } */
 export async function chooseRenderer(launch, withoutGpu) {
-  if (!withoutGpu) {
-    // A GPU whose driver crashes the browser counts as no GPU.
-    const renderer = await rendererWith(launch, gpuFlags).catch(() => null)
-    if (renderer && !software.test(renderer))
-      return { flags: gpuFlags, renderer, isSoftware: false }
-  }
+  // A GPU whose driver crashes the browser counts as no GPU.
+  const gpu = withoutGpu ? null : await rendererWith(launch, gpuFlags).catch(() => null)
+  if (gpu && !software.test(gpu)) return { flags: gpuFlags, renderer: gpu, isSoftware: false }
   const renderer = await rendererWith(launch, softwareFlags)
   if (!renderer) throw new Stop('This Chromium has no WebGL 2: name another one in CHROME_PATH.')
   return { flags: softwareFlags, renderer, isSoftware: true }
 }
 
-/**
- * Opens the benchmark's page twice, uncapped and capped → { version, renderer, isSoftware, uncapped, capped, close() }
- * @param options { chromium, url, size, withoutGpu }: `chromium` is the program
- */
-export async function openBrowsers({ chromium: executablePath, url, size, withoutGpu }) {
-  const { chromium } = await import('playwright-core')
+/** Opens the benchmark's page twice, uncapped and capped → { version, renderer, isSoftware, uncapped, capped, close() } */
+export async function openBrowsers(url, size, withoutGpu) {
+  const executablePath = process.env.WARPJET_CHROMIUM
   const launch = (args) => chromium.launch({ executablePath, args, handleSIGINT: false })
   const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
-
   const browsers = []
   const close = () => Promise.all(browsers.map((browser) => browser.close()))
   async function open(moreFlags) {
@@ -54,7 +48,6 @@ export async function openBrowsers({ chromium: executablePath, url, size, withou
     await page.evaluate((size) => void window.bench.open(size), size)
     return page
   }
-
   try {
     const pages = { uncapped: await open(uncappedFlags), capped: await open([]) }
     return { version: browsers[0].version(), renderer, isSoftware, ...pages, close }

@@ -1,10 +1,10 @@
 // The angle between the normal that light is computed with and the exact one, at random points of p5's sphere, on the CPU.
-import { compileWarp } from '../../dist/warpjet.js'
-import { normalize } from '../../tests/support/browser/matrix.js'
-import { angleBetween, warpVertex } from '../../tests/support/browser/oracle.js'
-import { pixelWarps } from '../../tests/support/browser/pixel-normals.js'
-import { say } from '../lib/terminal.mjs'
-import { markdownTable } from '../reference/parts.mjs'
+import { compileWarp } from '../../../dist/warpjet.js'
+import { normalize } from '../../../tests/support/browser/matrix.js'
+import { angleBetween, warpVertex } from '../../../tests/support/browser/oracle.js'
+import { pixelWarps } from '../../../tests/support/browser/pixel-normals.js'
+import { say } from '../../lib/terminal.mjs'
+import { markdownTable } from '../../reference/parts.mjs'
 
 const pointCount = 20_000
 /** The step of the oracle's differences. */

@@ -1,12 +1,13 @@
 // Measures how long a page waits for warpjet: until its script has run, and until the first createWarp returns; and the same in Node.
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
-import { findBrowser } from '../lib/browser.mjs'
-import { path } from '../lib/files.mjs'
-import { softwareFlags } from '../lib/flags.mjs'
-import { median } from '../lib/median.mjs'
+import { chromium } from 'playwright-core'
+import { findBrowser } from '../../lib/browser.mjs'
+import { path } from '../../lib/files.mjs'
+import { softwareFlags } from '../../lib/flags.mjs'
+import { median } from '../../lib/median.mjs'
 
-const RUNS = 15
+const runs = 15
 
 /** Code that both hosts run before warpjet. Records the milliseconds of `WebAssembly.Module` and `.Instance`. */
 const watchWebAssembly = `
@@ -23,7 +24,7 @@ for (const [name, stage] of [['Module', 'compile'], ['Instance', 'instantiate']]
 const offset = ({ glsl, position, millis }) => glsl.vec3(0, position.x().add(millis).sin(), 0)`
 
 const stages = (script, first, second) => `({
-  'script': ${script}, 'first warp': ${first}, '  compile': inWasm.compile, '  instantiate': inWasm.instantiate, 'second warp': ${second},
+  'script': ${script}, 'first warp': ${first}, 'of it compile': inWasm.compile, 'of it instantiate': inWasm.instantiate, 'second warp': ${second},
 })`
 
 const page = `<!doctype html>
@@ -47,14 +48,13 @@ function setup() {
 </script>`
 
 async function inChromium() {
-  const { chromium } = await import('playwright-core')
   const browser = await chromium.launch({
     executablePath: await findBrowser(),
     args: softwareFlags,
   })
   try {
-    const runs = []
-    for (let i = 0; i < RUNS; i++) {
+    const times = []
+    for (let i = 0; i < runs; i++) {
       // A new context has no compiled code in its cache.
       const context = await browser.newContext()
       await context.route('**/*', (route) => {
@@ -68,10 +68,10 @@ async function inChromium() {
       })
       const opened = await context.newPage()
       await opened.goto('http://localhost/')
-      runs.push(await (await opened.waitForFunction('window.stages')).jsonValue())
+      times.push(await (await opened.waitForFunction('window.stages')).jsonValue())
       await context.close()
     }
-    return runs
+    return times
   } finally {
     await browser.close()
   }
@@ -92,19 +92,18 @@ function inNode() {
       cwd: path('.'),
       encoding: 'utf8',
     })
-  return Array.from({ length: RUNS }, () => JSON.parse(run()))
+  return Array.from({ length: runs }, () => JSON.parse(run()))
 }
 
-/** Returns the median milliseconds of each stage: [{ where, stages }]. */
+/** Returns the median milliseconds of each stage, by host. */
 export async function measureStartUp() {
-  const measured = {
-    'Chromium, p5.warpjet.min.js': await inChromium(),
-    'Node, warpjet': inNode(),
+  const medians = (all) =>
+    Object.keys(all[0]).map((stage) => {
+      const ms = median(all.map((each) => each[stage]))
+      return [stage, Number(ms.toFixed(1))]
+    })
+  return {
+    'Chromium, p5.warpjet.min.js': Object.fromEntries(medians(await inChromium())),
+    'Node, warpjet': Object.fromEntries(medians(inNode())),
   }
-  return Object.entries(measured).map(([where, runs]) => ({
-    where,
-    stages: Object.fromEntries(
-      Object.keys(runs[0]).map((stage) => [stage, median(runs.map((run) => run[stage]))]),
-    ),
-  }))
 }

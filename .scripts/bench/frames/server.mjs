@@ -1,28 +1,27 @@
 // The local server of the benchmark's pages, which are not part of the published site.
-import { readFile } from 'node:fs/promises'
-import { path } from '../lib/files.mjs'
+import { readFileSync } from 'node:fs'
+import { createServer } from 'vite'
+import { path } from '../../lib/files.mjs'
 
 /** The gallery's server provides what its examples load; only the benchmark also loads p5 1.x. */
 const p5v1 = 'node_modules/p5-v1/lib/p5.min.js'
-const oldP5 = () => ({
+const oldP5 = {
   name: 'old-p5',
-  configureServer(server) {
-    server.middlewares.use(`/${p5v1}`, async (request, response) => {
+  configureServer: ({ middlewares }) =>
+    void middlewares.use(`/${p5v1}`, (request, response) => {
       response.setHeader('Content-Type', 'text/javascript; charset=utf-8')
-      response.end(await readFile(path(p5v1)))
-    })
-  },
-})
+      response.end(readFileSync(path(p5v1)))
+    }),
+}
 
 /** Starts it → { url, close() }. */
 export async function serveBench() {
-  const { createServer } = await import('vite')
   const server = await createServer({
     configFile: path('web/vite.config.js'),
     logLevel: 'warn',
     clearScreen: false,
     cacheDir: path('.build/vite-bench'),
-    plugins: [oldP5()],
+    plugins: [oldP5],
     // If Vite found this dependency late, it would reload the page in the middle of a measurement.
     optimizeDeps: { include: ['gl-matrix'] },
     server: {

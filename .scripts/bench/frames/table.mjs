@@ -1,8 +1,5 @@
 // Formats tables of figures for the terminal.
-import { paint } from '../lib/terminal.mjs'
-
-const GAP = '  '
-const NONE = '–'
+import { paint } from '../../lib/terminal.mjs'
 
 /** Formats a number with `digits` decimals. */
 export const withDecimals = (digits) => (value) => value.toFixed(digits)
@@ -20,21 +17,18 @@ export function alike(values) {
  * @returns two lines of head and one for each record
  */
 export function table(columns, records, style = () => undefined) {
-  const cells = columns.map(({ text }) => records.map((record) => text(record) ?? NONE))
-  const widths = columns.map(({ head }, i) =>
-    Math.max(...[...head, ...cells[i]].map(({ length }) => length)),
-  )
-  const pad = (text, i) => (columns[i].left ? text.padEnd(widths[i]) : text.padStart(widths[i]))
-  const heads = [0, 1].map((line) => columns.map(({ head }, i) => pad(head[line], i)).join(GAP))
-  const lines = records.map((record, line) =>
-    columns.map((column, i) => {
-      const name = style(record, column)
-      const text = pad(cells[i][line], i)
+  const padded = columns.map(({ head, text, left }) => {
+    const cells = [...head, ...records.map((record) => text(record) ?? '–')]
+    const width = Math.max(...cells.map(({ length }) => length))
+    return cells.map((cell) => (left ? cell.padEnd(width) : cell.padStart(width)))
+  })
+  const styleOf = (line, column) => (line < 2 ? 'dim' : style(records[line - 2], column))
+  return padded[0].map((_, line) => {
+    const cells = columns.map((column, i) => {
+      const name = styleOf(line, column)
+      const text = i === columns.length - 1 ? padded[i][line].trimEnd() : padded[i][line]
       return name ? paint(name, text) : text
-    }),
-  )
-  return [
-    ...heads.map((text) => paint('dim', text.trimEnd())),
-    ...lines.map((cells) => cells.join(GAP).trimEnd()),
-  ]
+    })
+    return cells.join('  ').trimEnd()
+  })
 }

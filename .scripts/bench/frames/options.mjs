@@ -1,0 +1,89 @@
+// The command line of `npm run bench`.
+import { resolve } from 'node:path'
+import { parseArgs } from 'node:util'
+import { workloads } from '../../../web/bench/workloads.js'
+import { path } from '../../lib/files.mjs'
+import { Stop } from '../../lib/terminal.mjs'
+
+/** The row that runs p5 sketches instead of methods. */
+export const P5 = 'p5'
+
+const allRows = [...workloads.map(({ name }) => name), P5]
+const quickRows = ['14,000 × 150', 'airplane twist', 'wobble', P5]
+
+/**
+ * The settings of a run with reliable figures. `size` is that of the canvas in pixels, `duration` the milliseconds for which a frame rate
+ * is measured; web/bench/measure.js describes the rest.
+ */
+const thorough = {
+  ...{ size: 1200, rounds: 11, frames: 15, duration: 1000 },
+  ...{ turn: 250, runs: 50, samples: 2000 },
+}
+
+/** The settings of `--quick`, which only checks that the benchmark works. */
+const quick = { size: 150, rounds: 3, frames: 2, turn: 30, runs: 5, samples: 100, duration: 100 }
+
+export const helpText = `Usage: npm run bench -- [options]
+
+Draws warped meshes in headless Chromium in several ways: warpjet, finite differences, dFdx, derivatives by hand, on this machine's
+GPU if it has one. Prints the time of a frame and the error of the normals, and appends all of it to web/bench/results.csv. Without a
+GPU, on two cores, it takes about a quarter of an hour, in which the machine should do nothing else.
+
+  --quick         a minute, to see that all of it works: a small picture, few rows and rounds; appends nothing without --out
+  --row <name>    this row alone; can be repeated. 14000x150 for 14,000 × 150, or a part of a name that no other has
+  --rounds <n>    how many times each method has its turn
+  --out <file>    the CSV file to append to
+  --software      draw without the GPU
+  --help          this text
+
+Rows, vertices × nodes or by name:
+${allRows.map((name) => `  ${name}`).join('\n')}
+
+CHROME_PATH names the Chromium to use.`
+
+const options = {
+  quick: { type: 'boolean', default: false },
+  row: { type: 'string', multiple: true },
+  rounds: { type: 'string' },
+  out: { type: 'string' },
+  software: { type: 'boolean', default: false },
+  help: { type: 'boolean', default: false },
+}
+
+/** Normalizes a name for comparison: '14,000 × 150' is '14000x150'. */
+const plain = (name) => name.toLowerCase().replaceAll('×', 'x').replace(/[\s,]/g, '')
+
+function findRow(wanted, rows) {
+  const exact = rows.filter((name) => plain(name) === plain(wanted))
+  const found = exact.length ? exact : rows.filter((name) => plain(name).includes(plain(wanted)))
+  if (found.length === 1) return found[0]
+  throw new Stop(
+    `Expected the name of one row, got '${wanted}': choose from ${(found.length ? found : rows).join('; ')}.`,
+  )
+}
+
+/**
+ * @returns { rows, settings, file, software, help }, where `rows` are in the benchmark's order and `file` is the CSV file to append to, or
+ * undefined
+ */
+export function readOptions(args, all = allRows) {
+  const {
+    row: wanted,
+    rounds,
+    out,
+    quick: isQuick,
+    ...values
+  } = parseArgs({ args, options }).values
+  const chosen = wanted?.map((name) => findRow(name, all)) ?? (isQuick ? quickRows : all)
+  if (rounds !== undefined && !/^[1-9]\d{0,4}$/.test(rounds))
+    throw new Stop(`Expected a whole number of --rounds from 1, got ${rounds}.`)
+  const settings = { millis: 1200, ...(isQuick ? quick : thorough) }
+  if (rounds) settings.rounds = Number(rounds)
+  const table = isQuick ? undefined : path('web/bench/results.csv')
+  return {
+    ...values,
+    rows: all.filter((name) => chosen.includes(name)),
+    settings,
+    file: out ? resolve(out) : table,
+  }
+}

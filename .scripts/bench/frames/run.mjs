@@ -1,0 +1,111 @@
+// Runs the benchmark row by row in the browsers' pages, through the functions of web/bench/driven.js, and prints the table of each row as
+// soon as it is measured.
+import { relative } from 'node:path'
+import { workloads } from '../../../web/bench/workloads.js'
+import { capture } from '../../lib/run.mjs'
+import { Stop, good, heading, say, seconds } from '../../lib/terminal.mjs'
+import { openBrowsers } from './browsers.mjs'
+import { P5 } from './options.mjs'
+import { appendRecords, p5Records, rowRecords } from './records.mjs'
+import { aimsText, legend, rowText } from './report.mjs'
+import { serveBench } from './server.mjs'
+
+/** Returns the commit of the measured code; '' without git. */
+async function readCommit() {
+  const id = await capture('git', ['rev-parse', '--short', 'HEAD'])
+  if (id === null) return ''
+  // The results of earlier runs do not affect the measurements.
+  const others = ['--untracked-files=no', '--', '.', ':!web/bench/results.csv']
+  const changes = await capture('git', ['status', '--porcelain', ...others])
+  return `${id.trim()}${changes ? '-dirty' : ''}`
+}
+
+/** Measures the frame rates in each browser. */
+const bothRates = async ({ uncapped, capped }, ask, question) => ({
+  uncapped: await uncapped.evaluate(ask, question),
+  capped: await capped.evaluate(ask, question),
+})
+
+/** Measures every method in the row of that name → its records. */
+async function measureRow(browsers, run, name, settings) {
+  // Otherwise this row's peak would include the garbage of the previous row.
+  await browsers.uncapped.requestGC()
+  const measured = await browsers.uncapped.evaluate(
+    ({ name, settings }) => window.bench.measure(name, settings),
+    { name, settings },
+  )
+  const steps = Object.fromEntries(measured.results.map(({ method, error }) => [method, error.h]))
+  const rates = await bothRates(
+    browsers,
+    ({ name, steps, duration }) => window.bench.frameRates(name, steps, duration),
+    { name, steps, duration: settings.duration },
+  )
+  const row = workloads.find((workload) => workload.name === name)
+  return rowRecords(run, row, measured, rates)
+}
+
+/** Measures the p5 sketches → their records. */
+async function measureP5(browsers, run, name, settings) {
+  // Half the rounds suffice: differences of a few percent do not matter here, and each round has to load p5 again, which is slow.
+  const rounds = Math.ceil(settings.rounds / 2)
+  const ask = (settings) => window.bench.measureP5(settings)
+  const measured = await browsers.uncapped.evaluate(ask, { ...settings, rounds })
+  const askRates = (settings) => window.bench.p5FrameRates(settings)
+  const rates = await bothRates(browsers, askRates, settings)
+  return p5Records(run, workloads[0], measured, rates)
+}
+
+/** Measures each row, prints its table and passes its records to `save` → all records. */
+async function measureRows(browsers, run, { rows, settings }, save) {
+  const all = []
+  for (const [i, name] of rows.entries()) {
+    heading(`${name} (${i + 1} of ${rows.length})`)
+    const measureOne = name === P5 ? measureP5 : measureRow
+    const records = await measureOne(browsers, run, name, settings)
+    say(rowText(records))
+    save(records)
+    all.push(...records)
+  }
+  return all
+}
+
+/** Measures, prints the tables, and appends the records to the file, if there is one. `options` are what readOptions returns. */
+export async function measure(options) {
+  const start = performance.now()
+  const { file, settings, software } = options
+  const server = await serveBench()
+  let browsers
+  let isStopped = false
+  const stop = () => {
+    isStopped = true
+    browsers?.close()
+  }
+  process.once('SIGINT', stop)
+  try {
+    browsers = await openBrowsers(server.url, settings.size, software)
+    const { version: chromium, renderer, isSoftware } = browsers
+    const { size: sizePx, rounds } = settings
+    const date = new Date().toISOString().replace(/\.\d+Z$/, 'Z')
+    const commit = await readCommit()
+    good(`Chromium ${chromium}, ${isSoftware ? 'without a GPU' : 'on the GPU'}: ${renderer}`)
+    good(`${sizePx} × ${sizePx} pixels, ${rounds} rounds with every method in turn`)
+    say(`\n${legend}`)
+    const run = { date, commit, chromium, renderer, sizePx, rounds }
+    // Row by row, so that a measurement that is stopped loses nothing.
+    const save = (records) => file && appendRecords(file, records)
+    const aims = aimsText(await measureRows(browsers, run, options, save))
+    if (aims) {
+      heading('What we aim at: warpjet as a multiple of other methods; noise decides few rounds')
+      say(aims)
+    }
+    if (file) good(`Appended to ${relative(process.cwd(), file)}`)
+    good(`Done in ${seconds(start)}`)
+  } catch (error) {
+    if (!isStopped) throw error
+    throw new Stop(`Stopped${file ? '; the rows that were finished are in the file' : ''}.`)
+  } finally {
+    process.off('SIGINT', stop)
+    await browsers?.close()
+    await server.close()
+  }
+}
