@@ -1,6 +1,18 @@
 import * as THREE from 'three/webgpu'
-import { Fn, Loop, color, cross, float, mx_noise_float, positionLocal, sin, time } from 'three/tsl'
-import { transformNormalToView, uniform, vec3 } from 'three/tsl'
+import {
+  Fn,
+  Loop,
+  color,
+  cross,
+  float,
+  mx_noise_float,
+  positionLocal,
+  sin,
+  time,
+  transformNormalToView,
+  uniform,
+  vec3,
+} from 'three/tsl'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { GUI } from 'three/addons/libs/lil-gui.module.min.js'
 import { exactNormals } from 'warpjet/three/webgpu'
@@ -83,7 +95,7 @@ function resize() {
 addEventListener('resize', resize)
 resize()
 
-renderer.setAnimationLoop(() => {
+await renderer.setAnimationLoop(() => {
   controls.update()
   renderer.render(scene, camera)
 })

@@ -12,7 +12,6 @@ const {
   atan,
   attribute,
   cos,
-  cross,
   distance,
   dot,
   exp,
@@ -21,17 +20,8 @@ const {
   fract,
   instanceIndex,
 } = TSL
-const {
-  instancedArray,
-  length,
-  mat3,
-  max,
-  min,
-  mix,
-  mx_fractal_noise_float,
-  mx_noise_float,
-  mx_noise_vec3,
-} = TSL
+const { instancedArray, mat3, min, mix, mx_fractal_noise_float, mx_noise_float, mx_noise_vec3 } =
+  TSL
 const {
   normalGeometry,
   normalLocal,

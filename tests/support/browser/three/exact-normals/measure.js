@@ -102,7 +102,6 @@ export async function measure(row, normals, isOfChunks, isRaw) {
 
 function compare(row, mesh, { at, space, shown, clips }) {
   const { uv, position } = mesh.geometry.attributes
-  const toView = new THREE.Matrix4().multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld)
   const angles = []
   let [skipped, farthest, total] = [0, 0, 0]
   for (let k = 0; k < (mesh.isInstancedMesh ? mesh.count : 1); k++) {
