@@ -115,7 +115,7 @@ describe('an entry loads only the files that it needs', () => {
     mesh: ['mesh'],
     deformers: [],
     three: ['core', 'evaluation', 'glsl'],
-    'three.webgpu': ['core', 'evaluation', 'glsl', 'mesh'],
+    'three.webgpu': ['core', 'evaluation', 'mesh', 'glsl'],
     glsl: ['core', 'glsl'],
     operators: [],
     'operators-runtime': [],
