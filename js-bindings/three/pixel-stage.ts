@@ -49,8 +49,9 @@ export function pixelNormalsFor(
 
 function obstacleIn(shader: Shader, material: Material, warp: ThreeWarp): string | undefined {
   const { fragmentShader, morphNormals } = shader
-  if (!hasNormalLine(fragmentShader) || isRaw(material))
-    return "its fragment shader lacks the chunk normal_fragment_begin of three.js, or that chunk's line vec3 normal = normalize( vNormal );"
+  if (isRaw(material)) return 'a RawShaderMaterial has no declarations of three.js'
+  if (!hasNormalLine(fragmentShader))
+    return "its fragment shader has no line 'vec3 normal = normalize( vNormal );', as the chunk normal_fragment_begin of three.js does"
   if (warp.settings.space === 'rest' && morphNormals)
     return "morph targets change normals after a warp in the space 'rest'"
   return undefined

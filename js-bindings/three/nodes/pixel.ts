@@ -23,7 +23,7 @@ export interface NormalMaterial {
   setupNormal(builder: Builder): unknown
 }
 
-/** Materials of which vertex tangents matter. */
+/** Properties of a material that decide whether it reads normals, and vertex tangents. */
 interface Maps {
   normalNode?: unknown
   normalMap?: unknown
