@@ -1,11 +1,13 @@
 #include "emit/early_end.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace warpjet {
 
 namespace {
 
+// Limits recursion; deeper choices count as unknown.
 constexpr int maxDepth = 24;
 
 // Simplifies the values of a step under the assumption that a condition holds.
@@ -14,8 +16,14 @@ class Assumption {
   Assumption(const Graph& graph, NodeId flag) : graph_(graph), flag_(flag) {}
 
   // Follows choices as far as they are known.
-  NodeId chosen(NodeId id, int depth = maxDepth) const {
+  NodeId chosen(NodeId id, int depth = maxDepth) {
     if (depth == 0 || !graph_.is(id, ops::find("ifElse"))) return id;
+    const auto known = chosen_.find(id);
+    return known != chosen_.end() ? known->second : chosen_[id] = follow(id, depth);
+  }
+
+ private:
+  NodeId follow(NodeId id, int depth) {
     const auto condition = truth(graph_.operand(id, 0), depth - 1);
     const NodeId yes = graph_.operand(id, 1), no = graph_.operand(id, 2);
     if (condition) return chosen(*condition ? yes : no, depth - 1);
@@ -23,7 +31,6 @@ class Assumption {
     return value == chosen(no, depth - 1) ? value : id;
   }
 
- private:
   std::optional<bool> truth(NodeId id, int depth) const {
     if (depth == 0) return {};
     if (isFlag(id)) return true;
@@ -48,10 +55,12 @@ class Assumption {
 
   const Graph& graph_;
   NodeId flag_;
+  // Nodes that several choices share are followed once.
+  std::unordered_map<NodeId, NodeId> chosen_;
 };
 
 bool ends(const Graph& graph, std::span<const State> states, const State& flag) {
-  const Assumption hasEnded(graph, flag.local);
+  Assumption hasEnded(graph, flag.local);
   const NodeId next = hasEnded.chosen(flag.next);
   if (next != flag.local && !graph.isConstant(next, 1)) return false;
   return std::all_of(states.begin(), states.end(), [&](const State& state) {

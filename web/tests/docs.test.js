@@ -111,6 +111,6 @@ test('most blocks of JavaScript run, and the others are listed here', () => {
     'README.md',
     ...['babylon.md', 'babylon.md', 'babylon.md', 'babylon.md', 'babylon.md'],
     ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'mesh.md'],
-    ...['operators.md', 'three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
+    ...['operators.md', 'three.md', 'three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
   ])
 })

@@ -11,6 +11,14 @@ interface Noting {
 
 const ofInstances = new Set(['instanceMatrix', 'instanceColor', 'gl_InstanceID'])
 
+const isInstanced = (attribute: object | undefined) => {
+  const { isInstancedBufferAttribute, data } = (attribute ?? {}) as {
+    isInstancedBufferAttribute?: boolean
+    data?: { isInstancedInterleavedBuffer?: boolean }
+  }
+  return isInstancedBufferAttribute === true || data?.isInstancedInterleavedBuffer === true
+}
+
 /** Warns if the normals of an object are only approximate, since how an attribute varies over the surface is unknown. */
 export function noteConstants(
   exact: Noting,
@@ -24,9 +32,7 @@ export function noteConstants(
   if (warp.varies && attributes && !hasVariation)
     noteApproximation(method, 'await addSurfaceVariation(geometry)')
   const isOfVertices = (name: string) =>
-    !ofInstances.has(name) &&
-    (attributes?.[name] as { isInstancedBufferAttribute?: boolean } | undefined)
-      ?.isInstancedBufferAttribute !== true
+    attributes !== undefined && !ofInstances.has(name) && !isInstanced(attributes[name])
   const [first] = parameters.filter(({ isAttribute, name }) => isAttribute && isOfVertices(name))
   if (first)
     exact.warn(

@@ -71,8 +71,8 @@ const counts = [
 ]
 
 /**
- * Returns the lines, without those of morph targets, bones and batches: the position is read before three's own lines move it by
- * these.
+ * Returns the `#define` lines, except those of morph targets, bones, batches, shadows and logarithmic depth: the position is read before
+ * three's own lines move it by these.
  */
 export function definesFor(shader: ExactShader): string {
   const given = shader as unknown as Record<string, unknown>
@@ -82,6 +82,7 @@ export function definesFor(shader: ExactShader): string {
     'varying out',
     'texture2D texture',
     'HIGH_PRECISION',
+    ...(given.vertexTangents && !given.flatShading ? ['USE_TANGENT'] : []),
     ...counts.map((name) => `${name} 0`),
     ...Object.entries(macros).flatMap(([name, macro]) => (given[name] ? [macro] : [])),
     ...Object.entries(maps).flatMap(([name, macro]) => [

@@ -166,7 +166,7 @@ export class ExactMaterial {
   private weaveAttribute(shader: ExactShader, reading: Reading) {
     if (this.settings.normals === 'pixel')
       this.warn(
-        "has its normals computed at vertices, although the option normals is 'pixel': its fragment shader lacks the chunk normal_fragment_begin of three.js.",
+        "has its normals computed at vertices, although the option normals is 'pixel': its vertex shader lacks the chunks beginnormal_vertex and defaultnormal_vertex of three.js.",
       )
     return {
       vertexShader: weaveAttribute(

@@ -39,7 +39,7 @@ const optionKinds = object({
  * With a mesh, its shadows, culling and rays follow the displacement, too.
  *
  * A shader that cannot be read stays as it is, with one message on the console. Throws a `WarpError` for anything but a material or a
- * mesh, and for a material that has no normals.
+ * mesh, for materials of sprites, lines, points and nodes, and for one that `warpMaterial` has warped. Other materials without normals stay as they are.
  *
  * ```js
  * material.onBeforeCompile = (shader) => {

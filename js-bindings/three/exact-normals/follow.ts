@@ -75,7 +75,7 @@ function followRays(mesh: Mesh, reading: MeshReading) {
       const warp = reading.onCpu()?.warp
       if (warp && !warp.runs)
         reading.exact?.warn(
-          'moves vertices by what only the GPU has, so that rays meet the mesh as it is without that.',
+          'moves vertices by values that only the GPU has, so rays meet the mesh without its displacement.',
         )
       if (!warp?.runs) return own.call(this, raycaster, intersects)
       let cast = made.get(warp)

@@ -1,5 +1,6 @@
 // The displacement of a mesh, read from the shader that was compiled last or, before that, from one that is made for it.
 import type { IUniform, Material, Mesh } from 'three'
+import { definesFor } from './defines.js'
 import { type ExactMaterial, exactMaterialOf, messageOf } from './exact-material.js'
 import { parametersOf, plainShader } from './plain-shader.js'
 import type { Reading } from './reading.js'
@@ -30,14 +31,17 @@ export class MeshReading {
     const { exact } = this
     const shader = exact && this.shaderOf(exact)
     if (!shader) return undefined
-    const source = `${exact.material.id} ${shader.vertexShader}`
+    const complete = this.forMesh(exact, shader)
+    const source = [exact.material.id, definesFor(complete), complete.vertexShader].join('\n')
     const known = this.readings.get(key)
     if (known?.source === source) return known.reading
     let reading: Reading | undefined
     try {
-      reading = exact.read(this.forMesh(exact, shader), values)
+      reading = exact.read(complete, values)
     } catch (error) {
-      exact.warn(`has shadows, culling and rays as without its displacement: ${messageOf(error)}`)
+      exact.warn(
+        `cannot be read for shadows, culling and rays, which ignore its displacement: ${messageOf(error)}`,
+      )
     }
     this.readings.set(key, { source, reading })
     return reading

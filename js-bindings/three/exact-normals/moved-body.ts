@@ -14,9 +14,9 @@ export const movedFunction = 'warpjetMoved'
 export interface MovedBody {
   body: string
   result: string
-  /** Matrices that are replaced by 1, since the result is led back before they count. */
+  /** Matrices that are replaced by the identity: `result` is the position before they are applied. */
   hidden: readonly string[]
-  /** What does not count, for a message. */
+  /** The message about statements that are ignored, if there are any. */
   note?: string
 }
 
@@ -24,8 +24,8 @@ export interface MovedBody {
 export function movedBody(main: string, top: string, isInstancing: boolean): MovedBody {
   const user = withoutProjection(main)
   const found = bodyOf(
-    main.replace(afterProjection, (found) => found.replace(/[^\n]/g, ' ')),
-    user.replace(afterProjection, ''),
+    main.replace(afterProjection, (found) => `${found.slice(0, -1).replace(/[^\n]/g, ' ')};`),
+    user.replace(afterProjection, ';'),
     top,
     isInstancing,
   )
@@ -80,12 +80,12 @@ const projecting = [
   'envmap_vertex',
 ].map((name) => plainLines(withoutComments(chunkSource(name))))
 
-const withoutProjection = (main: string) =>
+export const withoutProjection = (main: string) =>
   projecting.reduce((text, chunk) => (chunk ? text.replaceAll(chunk, '') : text), plainLines(main))
 
 /**
- * Finds the last matrix that is known to be applied to a finished position, and leads the result back before it. Matrices before that
- * are computed with, since the shader may move vertices between them.
+ * Finds the last matrix that is applied to the finished position, and the expression for the position before it. Earlier matrices stay in
+ * the computation, since the shader may move vertices between them.
  */
 function chainOf(user: string, top: string, isInstanced: boolean): Omit<MovedBody, 'body'> {
   const text = `${top}\n${user}`

@@ -6,8 +6,8 @@ export const numberedIncludes = (source: string): string =>
   source
     .split('\n')
     .map((line, i) => {
-      const [, name] = /^[ \t]*#include +<([\w\d./]+)>/.exec(line) ?? []
+      const [include, name] = /^[ \t]*#include +<([\w\d./]+)>/.exec(line) ?? []
       const chunk = name && chunkSource(name)
-      return chunk ? `${chunk}\n#line ${i + 2}` : line
+      return chunk ? `${chunk}\n#line ${i + 1}\n${line.slice(include!.length)}` : line
     })
     .join('\n')

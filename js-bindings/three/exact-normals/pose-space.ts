@@ -3,9 +3,13 @@ import type { Place } from '../../options/place.js'
 import { chunkSource, resolveIncludes } from '../shader-source.js'
 import type { WarpSpace } from '../settings.js'
 import { anchor, splitAtAnchor } from '../weave.js'
+import { withoutProjection } from './moved-body.js'
 import type { ExactShader } from './shader.js'
 
 const assignment = /(?<![.\w])transformed\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
+
+/** Matches a change of three's position in view space. */
+const viewAssignment = /(?<![.\w])(?<!\bvec4\s+)mvPosition\s*(?:\.\w+\s*)?[-+*/]?=(?!=)/
 
 /** Returns the space of the displacement. Throws a `WarpError` if it is in both. */
 export function spaceOf(shader: ExactShader, place: Place): WarpSpace {
@@ -16,7 +20,11 @@ export function spaceOf(shader: ExactShader, place: Place): WarpSpace {
     .split(chunkSource('skinning_vertex'))
   if (after === undefined)
     throw place.error(
-      'the vertex shader lacks the chunk skinning_vertex of three.js, so that bones and morph targets cannot be told from the displacement.',
+      'expected the chunk skinning_vertex of three.js, got a vertex shader without it, in which the displacement cannot be separated from bones and morph targets.',
+    )
+  if (viewAssignment.test(withoutProjection(main)))
+    throw place.error(
+      'the vertex shader moves mvPosition on a mesh with bones or morph targets; move transformed, behind #include <skinning_vertex>.',
     )
   const own = without(after, ['displacementmap_vertex'])
   if (!assignment.test(own)) return 'rest'

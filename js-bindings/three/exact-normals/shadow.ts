@@ -50,7 +50,9 @@ function putDisplacement(shader: ExactShader, { warp, parameters }: Reading, mat
       ({ name, isAttribute }) => isAttribute && !declared.has(name) && !name.startsWith('gl_'),
     )
     .map(({ name, type }) => `attribute ${type} ${name};\n`)
-  const woven = weave(`${attributes.join('')}${shader.vertexShader}`, warp, {
+  // The displacement of a displacement map is among those of the warp.
+  const vertexShader = shader.vertexShader.replace('#include <displacementmap_vertex>', '')
+  const woven = weave(`${attributes.join('')}${vertexShader}`, warp, {
     mayHaveTangents: false,
     hasColors: false,
     isShaderMaterial: false,

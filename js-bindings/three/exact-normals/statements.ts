@@ -12,11 +12,16 @@ export interface Statement {
   calls: ReadonlySet<string>
 }
 
+/** Attributes, which no function can change. */
+const attributes = new Set(['position', 'normal', 'uv', 'color', 'tangent'])
+
 /** What a function of the source does with the globals, also by the functions that it calls. */
 export interface Effects {
   reads: Set<string>
   writes: Set<string>
   calls: Set<string>
+  /** `true` if it writes to variables that are passed to it. */
+  hasOutputs: boolean
 }
 
 const words = (text: string) => text.match(/(?<![.\w])[A-Za-z_]\w*/g) ?? []
@@ -33,6 +38,16 @@ export function writtenIn(text: string): Set<string> {
   if (declared) written.add(declared)
   return written
 }
+
+/** Maps a variable that the statements declare → its type. */
+export const localTypes = (statements: readonly Statement[]) =>
+  new Map(
+    statements.flatMap(({ text }) => {
+      const name = declaredBy(text)
+      const [, type] = /(\w+)\s+\w+$/.exec(declaration.exec(text)?.[0] ?? '') ?? []
+      return name && type ? [[name, type] as const] : []
+    }),
+  )
 
 /** Returns the name that a statement declares. */
 export const declaredBy = (text: string) => declaration.exec(text)?.[1]
@@ -55,6 +70,9 @@ export function statementsOf(body: string, effects: ReadonlyMap<string, Effects>
         for (const each of effect.calls) calls.add(each)
         for (const each of effect.reads) reads.add(each)
         for (const each of effect.writes) writes.add(each)
+        if (effect.hasOutputs)
+          for (const word of words(text))
+            if (!effects.has(word) && !attributes.has(word)) writes.add(word)
       }
       // An assignment without an operator does not read the variable.
       const [, only] = /^\s*(\w+)\s*=(?!=)/.exec(text) ?? []
@@ -127,6 +145,7 @@ export function effectsOf(top: string, globals: ReadonlySet<string>): Map<string
       reads: new Set(words(text).filter(isGlobal)),
       writes: new Set([...writtenIn(text)].filter(isGlobal)),
       calls: new Set(),
+      hasOutputs: /\b(?:in)?out\b/.test(match[2]!),
     }
     for (const word of words(text)) {
       const called = effects.get(word)

@@ -8,7 +8,7 @@ import { resolveIncludes, splitAtMain } from '../shader-source.js'
 import { WarpCode } from '../warp-code.js'
 import type { WeaveOptions } from '../weave-options.js'
 import type { Reading } from './reading.js'
-import { type Statement, declaredBy, effectsOf, statementsOf } from './statements.js'
+import { type Statement, declaredBy, effectsOf, localTypes, statementsOf } from './statements.js'
 import { withoutComments } from './plain-source.js'
 import { uniforms } from './vertex-source.js'
 
@@ -115,6 +115,7 @@ function withNewNormals(
     text.replace(/(?<![.\w])[A-Za-z_]\w*/g, (word) =>
       word === 'normal' ? newNormal : (copies.get(word) ?? word),
     )
+  const locals = localTypes(statements)
   const ends: string[] = []
   let hasNormals = false
   const lines = statements.map((statement, i) => {
@@ -136,17 +137,25 @@ function withNewNormals(
       }
       if (isBlock || [...calls].some((name) => effects.get(name)?.reads.has('normal')))
         throw fail(statement, 'reads the normal for the position and for light; write these as two')
+      // A number that moves the vertex and is shown, such as a height, is no normal.
+      if ([...writes].every((name) => varyings.has(name) && !isVector(varyings.get(name)!)))
+        return text
       const copy = [...writes].map((name) => {
         const own = `warpjetCopy_${name}`
         const isDeclared = copies.has(name) || declaredBy(text) === name
         copies.set(name, own)
-        if (!varyings.has(name)) return ''
-        hasNormals = true
+        if (varyings.has(name)) hasNormals = true
         if (isDeclared) return ''
-        ends.push(`${name} = ${own};`)
-        return `${varyings.get(name)} ${own};\n`
+        if (varyings.has(name)) ends.push(`${name} = ${own};`)
+        const type = varyings.get(name) ?? locals.get(name)
+        if (!type)
+          throw fail(
+            statement,
+            'reads the normal for the position and for light; write these as two',
+          )
+        return `${type} ${own} = ${name};\n`
       })
-      return `${text}\n${copy.join('')}${rename(text)}`
+      return `${copy.join('')}${text}\n${rename(text)}`
     }
     const readsPosition = some(reads, (name) => name === 'position' || ofPosition.has(name))
     if (readsNormal) {
@@ -172,6 +181,8 @@ function withNewNormals(
     )
   return [...lines, ...ends].join('\n')
 }
+
+const isVector = (type: string) => /^vec[34]$/.test(type)
 
 /** Tests for each statement whether `name` may depend on it. */
 function sliceOf(statements: readonly Statement[], name: string): boolean[] {

@@ -164,13 +164,32 @@ export class NodeReading {
         throw this.differs('vertexIndex')
       },
       getDrawIndex: () => this.nameFor('drawIndex', () => ({ type: 'uint', node: tsl.drawIndex })),
-      generateTexture: (_: Texture, name: string, uv: string) => sample(name, uv),
-      generateTextureLevel: (_: Texture, name: string, uv: string) => sample(name, uv),
+      generateTexture: (_: Texture, name: string, uv: string, depth?: string, offset?: string) =>
+        this.atLevelZero('0', depth, offset) && sample(name, uv),
+      generateTextureLevel: (
+        _: Texture,
+        name: string,
+        uv: string,
+        level: string,
+        depth?: string,
+        offset?: string,
+      ) => this.atLevelZero(level, depth, offset) && sample(name, uv),
       addNode: (node: ReadNode) => {
         if (node.isStorageArrayElementNode || node.isArrayBufferElementNode) this.patchElement(node)
         addNode.call(builder, node)
       },
     }
+  }
+
+  /** Throws if a texture is read in another way than ours. */
+  private atLevelZero(level: string, depth: string | undefined, offset: string | undefined): true {
+    const isZero = /^(?:\w+\(\s*)?0(?:\.0*)?[uif]?\s*\)?$/.test(level.trim())
+    const found = !isZero ? 'a mip level' : depth ? 'a layer' : offset ? 'an offset' : undefined
+    if (found)
+      throw new WarpError(
+        `${this.place}: the position reads ${found} of a texture; expected texture( map, uv ) at level 0.`,
+      )
+    return true
   }
 
   /** The error about something that differs by vertex, so that it has no derivative by the position. */

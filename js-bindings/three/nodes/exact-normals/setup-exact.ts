@@ -59,7 +59,7 @@ function moveExactly(
   }
   const now = warp.outerNodes(source)
   const ofVertex = vertexNormalsFor(builder, material)
-  // Replaces them again.
+  // Overwrites the normals that `vertexNormalsFor` has set.
   const pixel = pixelNormalsFor(warp, builder, material, now)
   const vertex = pixel ? undefined : ofVertex
   const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
@@ -77,9 +77,20 @@ function moveExactly(
   vertex?.pass()
 }
 
+const numbers = new WeakMap<object, number>()
+let count = 0
+
+/** Returns a number of its own for each object. */
+function numberOf(object: object): number {
+  if (!numbers.has(object)) numbers.set(object, count++)
+  return numbers.get(object)!
+}
+
 function warpFor(exact: ExactMaterial, source: PositionSource): ExactWarp {
-  let warp = exact.warps.get(source.text)
-  if (!warp) exact.warps.set(source.text, (warp = compile(exact, source)))
+  // The warp reads the nodes of its textures, which equal texts may not share.
+  const key = [source.text, ...Array.from(source.textures.values(), numberOf)].join('\n')
+  let warp = exact.warps.get(key)
+  if (!warp) exact.warps.set(key, (warp = compile(exact, source)))
   if (typeof warp === 'string') throw new WarpError(warp)
   return warp
 }

@@ -126,7 +126,9 @@ class Uniforms {
     read: () => number | readonly number[],
   ): Binding {
     const isFree = ownName && /^[a-z]\w*$/i.test(ownName) && !(ownName in this.values)
-    const label = isFree ? ownName : `uniform${Object.keys(this.values).length}`
+    let number = Object.keys(this.values).length
+    while (`uniform${number}` in this.values) number++
+    const label = isFree ? ownName : `uniform${number}`
     this.values[label] = read
     return [name, ({ uniforms }) => uniformOf(uniforms, label)]
   }

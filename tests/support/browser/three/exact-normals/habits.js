@@ -30,6 +30,33 @@ const shader =
 
 /** Shaders by what is particular to each: a function that creates the material, and what the mesh needs. */
 export const habits = {
+  'a number of the normal that is multiplied afterwards': [
+    shader(`varying vec3 vNormal;
+void main() {
+  float k = 0.5;
+  k *= sin(normal.x * 4.0) + 2.0;
+  vNormal = normalMatrix * normal;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position + vec3(0.0, 0.0, k * 0.4 * sin(position.x * 3.0)), 1.0);
+}`),
+  ],
+  'a function with an inout parameter and the normal': [
+    shader(`varying vec3 vNormal;
+void push(inout vec3 p, vec3 n) { p += n * 0.3 * sin(p.x * 3.0); }
+void main() {
+  vNormal = normalMatrix * normal;
+  vec3 p = position;
+  push(p, normal);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0);
+}`),
+  ],
+  'a height that is shown': [
+    shader(`varying vec3 vNormal; varying float vHeight;
+void main() {
+  vNormal = normalMatrix * normal;
+  vHeight = 0.3 * sin(position.x * 3.0);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position + normal * vHeight, 1.0);
+}`),
+  ],
   'functions above main, and uniforms with names of inputs': [
     changed(
       [
