@@ -11,16 +11,12 @@ import { differing } from './pixels.js'
 import { draw, rendererFor } from './webgpu-renderer.js'
 
 const { size } = scenes
-const { normalLocal, normalGeometry } = THREE.TSL
+const { normalGeometry, transformNormalToView } = THREE.TSL
 
 const sabotages = {
-  // Three.js converts this material to a node material that inherits its methods.
+  // Three.js converts this material to a node material that has its properties.
   normals: ({ material }) => {
-    material.setupPosition = function (builder) {
-      const result = THREE.NodeMaterial.prototype.setupPosition.call(this, builder)
-      normalLocal.assign(normalGeometry)
-      return result
-    }
+    material.normalNode = transformNormalToView(normalGeometry)
   },
 }
 
