@@ -10,8 +10,7 @@ export interface Language {
   local: (type: Type, name: string, value: string) => string
   isZero: (vector: string) => string
   choose: (condition: string, value: string, otherwise: string) => string
-  /** `interpolation` is that of GLSL; WGSL of Babylon.js has only one. */
-  declareVarying: (type: Type, name: string, interpolation?: string) => string
+  declareVarying: (type: Type, name: string) => string
   /** Returns the vertex stage's expression for a varying. */
   output: (name: string) => string
   /** Returns the fragment stage's expression for a varying. */
@@ -32,7 +31,7 @@ export const glsl: Language = {
   local: (type, name, value) => `${type} ${name} = ${value};`,
   isZero: (vector) => `(${vector} == vec3(0.0))`,
   choose: (condition, value, otherwise) => `(${condition} ? ${value} : ${otherwise})`,
-  declareVarying: (type, name, interpolation = '') => `${interpolation}varying ${type} ${name};`,
+  declareVarying: (type, name) => `varying ${type} ${name};`,
   output: (name) => name,
   input: (name) => name,
   linear: (matrix) => `mat3(${matrix})`,

@@ -2,7 +2,7 @@
  * The vertex stage of normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts, runs the
  * same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
  */
-import { type HostText, interpolationOf } from '../compile/hosts.js'
+import type { HostText } from '../compile/hosts.js'
 import { type Language, ifDefined, languageOf } from './language.js'
 import { names, normalDefines, textOf } from './names.js'
 import type { ShaderParts } from './uniforms.js'
@@ -54,9 +54,9 @@ export const choose = (texts: PixelTexts | undefined, part: (text: PixelText) =>
     : ''
 
 /** Returns the declarations of both stages. */
-export const sharedDeclarations = ({ text, varyings }: PixelText, language: Language) =>
+export const sharedDeclarations = ({ varyings }: PixelText, language: Language) =>
   [
-    ...varyings.map(({ type, name }) => language.declareVarying(type, name, interpolationOf(text))),
+    ...varyings.map(({ type, name }) => language.declareVarying(type, name)),
     ...worldColumns.map((name) => language.declareVarying('vec3', name)),
     cofactors(language),
   ].join('\n')

@@ -2,7 +2,7 @@
 export { HostWarp } from './host-warp.js'
 export type { Host } from './host.js'
 export type { FrameConstants } from './frame.js'
-export { type HostText, interpolationOf } from './warp-text.js'
+export type { HostText } from './warp-text.js'
 export type { HostUniform } from './host-uniforms.js'
 export {
   type ImageSampling,

@@ -23,14 +23,6 @@ export interface HostText extends WarpText {
   frame: string[]
 }
 
-/**
- * Returns the qualifier of varyings in GLSL ES 3.00. At an antialiased border the center of a pixel may be outside of the triangle, where
- * the offset may be undefined; `centroid` interpolates at a place inside. Noise that fades needs differences between the centers of
- * pixels, so its varyings have no qualifier, and its normals at a border are those of the centers.
- */
-export const interpolationOf = ({ declarations }: Compiled) =>
-  /\bwarpjetAcross\b/.test(declarations) ? '' : 'centroid '
-
 export function writeWarp(
   recorded: RecordedWarp,
   target: Target,

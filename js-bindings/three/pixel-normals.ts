@@ -3,7 +3,7 @@
  * The fragment shader runs the same warp on their interpolated values, but computes only the normal, and the tangent if the geometry
  * has any.
  */
-import { type HostText, interpolationOf, shaderNames, variationNames } from '../compile/hosts.js'
+import { type HostText, shaderNames, variationNames } from '../compile/hosts.js'
 import { chunkSource } from './shader-source.js'
 import { byTangent, uniformsInGlsl } from './glsl.js'
 import type { ThreeWarp } from './three-warp.js'
@@ -58,11 +58,8 @@ export class PixelNormals {
   /** Declares the varyings, in both stages. */
   get varyings(): string {
     const { matrices } = this.options
-    const interpolation = interpolationOf(this.texts[0]!)
     return [
-      ...[...this.inputs].map(
-        ([input, type]) => `${interpolation}varying highp ${type} ${varyingOf(input)};`,
-      ),
+      ...[...this.inputs].map(([input, type]) => `varying highp ${type} ${varyingOf(input)};`),
       '#ifdef USE_TANGENT',
       `varying highp vec4 ${names.tangent};`,
       '#endif',

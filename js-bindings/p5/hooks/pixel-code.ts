@@ -2,7 +2,7 @@
  * The code that computes a warp's normal at each pixel. The vertex stage passes the inputs of the warp, in the space of the offset, as
  * varyings; the fragment stage runs the same warp on their interpolated values, but computes only the normal.
  */
-import { type HostWarp, type Target, interpolationOf, variationNames } from '../../compile/hosts.js'
+import { type HostWarp, type Target, variationNames } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import { inputUniforms } from '../sketch-uniforms.js'
 import type { PixelCode, Varying } from './styles.js'
@@ -52,7 +52,7 @@ export function pixelTextOf(warp: HostWarp, target: Target) {
       ? { input: name, name: normalVarying, type: 'vec4' }
       : { input: name, name: nameOfPixel(name), type: type as Varying['type'] },
   )
-  return { text, varyings, interpolation: target === 'glsl300' ? interpolationOf(text) : '' }
+  return { text, varyings }
 }
 
 /** Returns the attributes that the vertex shader declares, and the built-in variables of its stage. */

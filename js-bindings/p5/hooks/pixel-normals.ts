@@ -28,11 +28,11 @@ export const readsNormals = (base: Shader) =>
 export const pixelDeclarations = (pixel: PixelCode | undefined, base: Shader) =>
   !!pixel && declare('OUT', pixel, base)
 
-function declare(direction: 'IN' | 'OUT', { varyings, interpolation }: PixelCode, base: Shader) {
+function declare(direction: 'IN' | 'OUT', { varyings }: PixelCode, base: Shader) {
   const all = varyings.map(({ name, type, input }) =>
     input === 'instance'
       ? `flat ${direction} highp ${type} ${name};`
-      : `${interpolation}${direction} highp ${type} ${name};`,
+      : `${direction} highp ${type} ${name};`,
   )
   if (!isLit(base)) all.push(`${direction} highp vec3 ${ownViewPosition};`)
   return all.join('\n')

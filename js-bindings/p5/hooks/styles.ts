@@ -28,8 +28,6 @@ export interface PixelCode {
   text: HostText
   /** The inputs that the code reads, as varyings. */
   varyings: readonly Varying[]
-  /** How GLSL interpolates them. */
-  interpolation: string
   /** Uniforms that the fragment stage must declare. */
   uniforms: readonly Declared[]
 }
