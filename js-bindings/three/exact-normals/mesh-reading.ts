@@ -65,7 +65,7 @@ export class MeshReading {
     return shader
   }
 
-  /** The same shader, with the parameters of this mesh and the uniforms that were compiled last. */
+  /** Returns the same shader with the parameters of this mesh and the uniforms that were compiled last. */
   private forMesh(exact: ExactMaterial, shader: ExactShader): ExactShader {
     const newest = () => this.shaderOf(exact)?.uniforms ?? shader.uniforms
     const uniforms = new Proxy({} as Record<string, IUniform>, {

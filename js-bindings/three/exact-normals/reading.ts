@@ -22,7 +22,7 @@ export interface Parameter {
 export interface Reading {
   warp: ThreeWarp
   parameters: readonly Parameter[]
-  /** What of the shader does not count, for a message. */
+  /** The message about statements of the shader that are ignored, if there are any. */
   note?: string
 }
 

@@ -1,4 +1,4 @@
-// What `onBeforeCompile` of a material receives.
+// The shader that `onBeforeCompile` of a material receives.
 import type { IUniform } from 'three'
 
 /** A shader with the parameters of its program that decide what is in it. Older versions of three.js have fewer. */

@@ -15,7 +15,7 @@ export interface Statement {
 /** Attributes, which no function can change. */
 const attributes = new Set(['position', 'normal', 'uv', 'color', 'tangent'])
 
-/** What a function of the source does with the globals, also by the functions that it calls. */
+/** The globals that a function of the source reads and writes, also by the functions that it calls. */
 export interface Effects {
   reads: Set<string>
   writes: Set<string>

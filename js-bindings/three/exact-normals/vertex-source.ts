@@ -26,7 +26,7 @@ export interface VertexSource {
   text: string
   /** Attributes that an offset function does not have. They are uniforms of `text`. */
   attributes: ReadonlySet<string>
-  /** What of the shader does not count, for a message. */
+  /** The message about statements of the shader that are ignored, if there are any. */
   note?: string
 }
 

@@ -14,7 +14,7 @@ import { uniforms } from './vertex-source.js'
 
 const newNormal = 'warpjetAttributeNormal'
 
-/** Throws a `WarpError` for a shader whose varyings cannot be told from its position. */
+/** Throws a `WarpError` for a shader whose varyings cannot be separated from its position. */
 export function weaveAttribute(
   vertexShader: string,
   { warp }: Reading,
