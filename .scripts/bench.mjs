@@ -1,8 +1,8 @@
 // npm run bench: measures a frame with each method of drawing a warped mesh, in headless Chromium; --help lists the options.
 // npm run bench -- evaluate | generate | …: other benchmarks, which are the files of .scripts/bench.
 import { readdirSync } from 'node:fs'
-import { checkColumns } from './bench/frames/records.mjs'
 import { helpText, readOptions } from './bench/frames/options.mjs'
+import { checkColumns } from './bench/frames/records.mjs'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'
 import { main, say } from './lib/terminal.mjs'

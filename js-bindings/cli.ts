@@ -10,8 +10,8 @@ import { info } from './cli/info.js'
 import { printable } from './cli/printable.js'
 import { UsageError, withFlags } from './cli/usage.js'
 import { WarpError } from './errors/errors.js'
-import { registerFrontEnd } from './glsl-source/call.js'
 import { version } from './generated/version.js'
+import { registerFrontEnd } from './glsl-source/call.js'
 
 registerFrontEnd()
 

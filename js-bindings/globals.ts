@@ -4,9 +4,9 @@
  */
 import type * as deformers from './deformers.js'
 import type * as glsl from './glsl.js'
+import type { AdaptiveOptions, LevelsOptions } from './mesh.js'
 import type * as operators from './operators.js'
 import type { CreateWarpOptions, Distort, LoadModelOptions, ModelOf } from './p5.js'
-import type { AdaptiveOptions, LevelsOptions } from './mesh.js'
 import type * as compiler from './warpjet.js'
 
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>

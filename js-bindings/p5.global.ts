@@ -2,8 +2,8 @@
  * The script for a <script> tag, before or after p5's own tag. If a page has a second one, the first one stays in effect, with
  * everything that was added to it.
  */
-import * as library from './global.js'
 import { didYouMean, throwingPrototype } from './errors/nearest.js'
+import * as library from './global.js'
 import { withSketchLine } from './p5/page/places.js'
 import { registerGlobally } from './p5/page/register.js'
 import { addScript, namesInOtherScripts } from './p5/page/scripts.js'

@@ -1,7 +1,7 @@
 // npm run bench -- pixels: what normals at pixels cost. Times the fragment shader alone, beside normals by differences in it, and frames
 // of p5 with normals at vertices and at pixels.
-import { servePages } from '../../tests/support/browser/server.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { servePages } from '../../tests/support/browser/server.js'
 
 /** Sources of offset functions of a sphere of radius 1. */
 export const warps = {

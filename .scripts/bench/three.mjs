@@ -5,8 +5,8 @@ import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
 import { bakeWarp } from '../../dist/mesh.js'
 import { fromBufferGeometry, toBufferGeometry, warp } from '../../dist/three.js'
 import { compileWarp } from '../../dist/warpjet.js'
-import { median, medianTime, time } from '../lib/median.mjs'
 import { threePages } from '../../tests/support/browser/three/open.js'
+import { median, medianTime, time } from '../lib/median.mjs'
 
 const offset = ({ glsl, position, millis }) =>
   glsl.vec3(position.y().mult(5).add(millis).sin().mult(0.2), 0, 0)

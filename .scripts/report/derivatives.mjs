@@ -1,10 +1,10 @@
 // Measures every operation on the CPU and on three GPU pipelines, as the tests do.
-import { say } from '../lib/terminal.mjs'
-import { markdownTable } from '../reference/parts.mjs'
 import { measure as measureOperation } from '../../tests/operations/measure.js'
 import { programOf, runOnCpu } from '../../tests/operations/program.js'
 import { cases } from '../../tests/operations/reference.js'
 import { openPipelines } from '../../tests/support/browser/pipelines.js'
+import { say } from '../lib/terminal.mjs'
+import { markdownTable } from '../reference/parts.mjs'
 
 const dialects = ['CPU', 'glsl300', 'glsl100', 'wgsl']
 

@@ -1,6 +1,6 @@
 // Measures how many triangles `subdivide` needs to reach a given error on the gallery's warps, adaptively and uniformly.
-import { compileWarp } from '../../dist/warpjet.js'
 import { subdivide } from '../../dist/mesh.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { box, icosahedron, plane } from '../../tests/support/coarse-meshes.js'
 import { deviation } from '../../tests/support/deviation.js'
 import { cube, noiseWarps } from '../../tests/support/noise-warps.js'

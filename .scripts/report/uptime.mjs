@@ -1,9 +1,9 @@
 // Measures the precision of the gallery's warps after a week of uptime, with and without precomputing numbers once per frame.
-import { markdownTable } from '../reference/parts.mjs'
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import { openPipeline } from '../../tests/support/browser/transform-feedback.js'
 import { afterAWeek, isMeasured } from '../../tests/support/browser/uptime.js'
 import { warps } from '../../tests/warps/index.js'
+import { markdownTable } from '../reference/parts.mjs'
 
 const size = (value) => (value === 0 ? '0' : value.toExponential(0))
 const degrees = (value) => (value < 0.0001 ? '0' : value.toFixed(value < 0.1 ? 4 : 1))

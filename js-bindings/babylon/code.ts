@@ -1,6 +1,6 @@
 // The code of a warp in the shaders of a material, for `getCustomCode` of a plugin.
 import { fragmentCode } from './fragment-normals.js'
-import { type PixelTexts, pixelTextsOf } from './pixel-normals.js'
+import { pixelTextsOf, type PixelTexts } from './pixel-normals.js'
 import { vertexCode } from './shader.js'
 import type { ShaderParts } from './uniforms.js'
 

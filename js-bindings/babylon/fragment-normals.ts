@@ -3,18 +3,18 @@
  * on a collapsed surface, the geometric normal takes its place.
  */
 import { shaderNames } from '../compile/hosts.js'
-import { type Language, ifDefined, languageOf } from './language.js'
+import { ifDefined, languageOf, type Language } from './language.js'
 import { names, normalDefines } from './names.js'
 import {
-  type PixelText,
-  type PixelTexts,
-  type Varying,
   choose,
   sharedDeclarations,
   sideOf,
   worldColumns,
+  type PixelText,
+  type PixelTexts,
+  type Varying,
 } from './pixel-normals.js'
-import { type ShaderParts, declareImages, localUniforms } from './uniforms.js'
+import { declareImages, localUniforms, type ShaderParts } from './uniforms.js'
 
 /** Functions of the fragment stage. No direction that they return is NaN. */
 function helpers(language: Language) {

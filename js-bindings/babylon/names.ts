@@ -1,5 +1,5 @@
 // The names of a warp in shaders of Babylon.js.
-import { type HostWarp, type Result, shaderNames, variationNames } from '../compile/hosts.js'
+import { shaderNames, variationNames, type HostWarp, type Result } from '../compile/hosts.js'
 
 /** Maps inputs of the offset function → their names in shaders. */
 export const names: Readonly<Record<string, string>> = {

@@ -4,7 +4,7 @@ import type { MaterialDefines } from '@babylonjs/core/Materials/materialDefines.
 import type { NormalStage, NormalsOption } from '../compile/hosts.js'
 import { marker } from './fragment-normals.js'
 import { normalDefines } from './names.js'
-import { type PixelTexts, varyingsOf } from './pixel-normals.js'
+import { varyingsOf, type PixelTexts } from './pixel-normals.js'
 
 type Defines = Readonly<Record<string, unknown>>
 

@@ -1,15 +1,15 @@
 // What a `BabylonWarp` accepts: its options, and the materials that it can warp.
 import type { Material } from '@babylonjs/core/Materials/material.js'
 import {
+  normalsKinds,
   type NormalsOption,
   type UniformOptions,
   type UniformValues,
-  normalsKinds,
 } from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { anything, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
+import { object, type KindsOf } from '../options/schema.js'
 import { pluginName } from './passes.js'
 
 export const place = new Place('BabylonWarp')

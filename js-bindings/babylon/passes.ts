@@ -17,7 +17,7 @@ import { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
 import { variationDefines } from './names.js'
 import { passDefines, warpPass } from './shader.js'
-import { type NumberSetter, type ShaderParts, sentUniforms, texturesOf } from './uniforms.js'
+import { sentUniforms, texturesOf, type NumberSetter, type ShaderParts } from './uniforms.js'
 import { variationKinds } from './variation.js'
 
 /** The name of our plugin. */

@@ -3,7 +3,7 @@
  * same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
  */
 import type { HostText } from '../compile/hosts.js'
-import { type Language, ifDefined, languageOf } from './language.js'
+import { ifDefined, languageOf, type Language } from './language.js'
 import { names, normalDefines, textOf } from './names.js'
 import type { ShaderParts } from './uniforms.js'
 

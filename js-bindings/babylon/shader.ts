@@ -1,23 +1,23 @@
 // The warp in vertex shaders of Babylon.js, which have the same names for a vertex in GLSL and in WGSL: in those of a material by
 // the code of a plugin, in those of passes by changing their source.
 import {
-  type HostText,
-  type HostWarp,
   shaderNames,
   variationAttribute,
   variationNames,
+  type HostText,
+  type HostWarp,
 } from '../compile/hosts.js'
 import { ifDefined, ifNotDefined } from './language.js'
 import { names, textOf, variationDefines } from './names.js'
-import { type PixelTexts, passInputs, vertexDefinitions, vertexEnd } from './pixel-normals.js'
+import { passInputs, vertexDefinitions, vertexEnd, type PixelTexts } from './pixel-normals.js'
 import {
-  type ShaderParts,
   declareAttribute,
   declareImages,
   declareUniform,
   localUniforms,
   orientationUniform,
   sentUniforms,
+  type ShaderParts,
 } from './uniforms.js'
 
 const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }

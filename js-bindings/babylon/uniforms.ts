@@ -1,6 +1,6 @@
 // The uniforms of a warp in shaders of Babylon.js: their names and types there, and how their numbers are sent.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
-import { type HostUniform, type HostWarp, shaderNames } from '../compile/hosts.js'
+import { shaderNames, type HostUniform, type HostWarp } from '../compile/hosts.js'
 
 /** A warp, and the names of its frame constants, which are vec4s. */
 export interface ShaderParts {

@@ -3,7 +3,7 @@ import { Buffer, VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Material } from '@babylonjs/core/Materials/material.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
-import { type HostWarp, variationAttribute, variationNames } from '../compile/hosts.js'
+import { variationAttribute, variationNames, type HostWarp } from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { Place } from '../options/place.js'
 

@@ -1,34 +1,34 @@
 // `BabylonWarp`: a warp as a plugin of a material of Babylon.js, in GLSL and in WGSL.
 import type { AbstractEngine } from '@babylonjs/core/Engines/abstractEngine.js'
+import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { Material } from '@babylonjs/core/Materials/material.js'
 import type { MaterialDefines } from '@babylonjs/core/Materials/materialDefines.js'
 import { MaterialPluginBase } from '@babylonjs/core/Materials/materialPluginBase.js'
 import { ShaderLanguage } from '@babylonjs/core/Materials/shaderLanguage.js'
 import { ShadowDepthWrapper } from '@babylonjs/core/Materials/shadowDepthWrapper.js'
-import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import {
   HostWarp,
+  shaderNames,
   type NormalStage,
   type OffsetFunction,
   type UniformValues,
-  shaderNames,
 } from '../compile/hosts.js'
 import { describe } from '../errors/errors.js'
 import { noteApproximation } from '../errors/notes.js'
-import { type WarpCode, codeOf } from './code.js'
+import { codeOf, type WarpCode } from './code.js'
 import { registerCopies, remember } from './copies.js'
 import { refreshMesh } from './mesh.js'
 import { meshDefines, names, variationDefines } from './names.js'
 import { NormalStages } from './normal-stages.js'
-import { type BabylonWarpOptions, place, rejectUnwarpable, settings } from './options.js'
-import { type PassWarp, codeDefine, installPasses, pluginName } from './passes.js'
-import { type SettableValues, settableValues } from './settable-values.js'
+import { place, rejectUnwarpable, settings, type BabylonWarpOptions } from './options.js'
+import { codeDefine, installPasses, pluginName, type PassWarp } from './passes.js'
+import { settableValues, type SettableValues } from './settable-values.js'
 import { declarationsOf } from './shader.js'
-import { type NumberSetter, type ShaderParts, sendUniforms, texturesOf } from './uniforms.js'
+import { sendUniforms, texturesOf, type NumberSetter, type ShaderParts } from './uniforms.js'
 import { babylon } from './values.js'
 import { variationOf } from './variation.js'
 

@@ -1,21 +1,21 @@
 // `npx warpjet bake`: writes a warped model to a file.
 import { writeFile } from 'node:fs/promises'
-import { type CompiledWarp, compileWarp } from '../compile/compile-warp.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { type Kind, optional, positiveNumber, wholeNumber } from '../options/kinds.js'
-import type { Place } from '../options/place.js'
+import { compileWarp, type CompiledWarp } from '../compile/compile-warp.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
+import { WarpError, describe } from '../errors/errors.js'
 import { bakeWarp } from '../mesh/bake.js'
 import { exportGLB } from '../mesh/export.js'
-import { bakeNormalMap, frameKind, sizeRange } from '../mesh/normal-map.js'
 import { loadMesh } from '../mesh/load.js'
 import type { Mesh } from '../mesh/mesh-arrays.js'
+import { bakeNormalMap, frameKind, sizeRange } from '../mesh/normal-map.js'
 import { subdivide } from '../mesh/subdivide.js'
+import { optional, positiveNumber, wholeNumber, type Kind } from '../options/kinds.js'
+import type { Place } from '../options/place.js'
 import { triangleLimit } from '../wasm/mesh-tables.js'
 import { areOneFile, withWriteErrors } from './files.js'
 import { Progress, count } from './progress.js'
 import { numeric, readArguments } from './usage.js'
-import { withFileInErrors, choiceOf, glslFlags, readWarp } from './warp-file.js'
+import { choiceOf, glslFlags, readWarp, withFileInErrors } from './warp-file.js'
 
 const triangles = wholeNumber({
   min: 1,

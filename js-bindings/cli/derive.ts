@@ -1,7 +1,7 @@
 // `npx warpjet derive`: prints a function of GLSL or WGSL with its derivatives.
 import { writeFile } from 'node:fs/promises'
-import { differentiate } from '../glsl-source/differentiate.js'
 import { targetKind } from '../core/module/serialized-module.js'
+import { differentiate } from '../glsl-source/differentiate.js'
 import { optional } from '../options/kinds.js'
 import { areOneFile, withWriteErrors } from './files.js'
 import { readArguments } from './usage.js'

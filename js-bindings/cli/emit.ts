@@ -5,7 +5,7 @@ import type { Declared } from '../core/module/result.js'
 import { targetKind } from '../core/module/serialized-module.js'
 import { areOneFile, withWriteErrors } from './files.js'
 import { readArguments } from './usage.js'
-import { withFileInErrors, glslFlags, choiceOf, readWarp } from './warp-file.js'
+import { choiceOf, glslFlags, readWarp, withFileInErrors } from './warp-file.js'
 
 export async function emit(args: string[]): Promise<void> {
   const { values, files, wrong } = readArguments(

@@ -1,5 +1,5 @@
 // Parses the command line.
-import { type ParseArgsConfig, parseArgs } from 'node:util'
+import { parseArgs, type ParseArgsConfig } from 'node:util'
 import { WarpError } from '../errors/errors.js'
 import type { Kind } from '../options/kinds.js'
 import { Place } from '../options/place.js'

@@ -2,13 +2,13 @@
 import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { maxIterationLimit } from '../glsl-source/options.js'
-import { numeric } from './usage.js'
-import { optional, wholeNumber } from '../options/kinds.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { glslOffset, wgslOffset } from '../glsl-source/offset.js'
 import { inputSizes } from '../core/inputs/inputs.js'
 import type { OffsetFunction, UniformOptions } from '../core/types/types.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { glslOffset, wgslOffset } from '../glsl-source/offset.js'
+import { maxIterationLimit } from '../glsl-source/options.js'
+import { optional, wholeNumber } from '../options/kinds.js'
+import { numeric } from './usage.js'
 
 /** The exports of a file. */
 export interface WarpFile {

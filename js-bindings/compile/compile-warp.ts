@@ -3,9 +3,9 @@ import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { callback } from '../options/kinds.js'
 import { Place } from '../options/place.js'
-import { type Emits, textsOf } from './emit.js'
+import { textsOf, type Emits } from './emit.js'
 import { HostWarp } from './host-warp.js'
-import { type WarpOptions, readWarpOptions } from './warp-options.js'
+import { readWarpOptions, type WarpOptions } from './warp-options.js'
 import type { WarpText } from './warp-text.js'
 
 /** An offset function as shader code and on the CPU. */

@@ -4,25 +4,25 @@ import { Expression, toExpression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
 import { lazily } from '../core/module/lazily.js'
 import {
-  type Compiled,
-  type CompileOptions,
   declaredOf,
   withSession,
+  type CompileOptions,
+  type Compiled,
 } from '../core/module/result.js'
 import {
-  type SerializedModule,
   makeProgram,
   resultsOf,
   targetKind,
   writeText,
+  type SerializedModule,
 } from '../core/module/serialized-module.js'
 import type { Expression as AnyExpression, Glsl } from '../core/types/types.js'
-import { type Numbers, evaluate } from '../cpu/double.js'
+import { evaluate, type Numbers } from '../cpu/double.js'
 import { describe } from '../errors/errors.js'
 import { readOperators } from '../errors/operators.js'
 import { boolean, callback as callbackKind, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
+import { object, type KindsOf } from '../options/schema.js'
 
 export interface CompiledExpressions extends Compiled {
   /**

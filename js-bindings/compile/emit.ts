@@ -1,12 +1,12 @@
 // The shader code of `compileWarp`, and its frame constants.
-import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
-import { type Target, targetKind } from '../core/module/serialized-module.js'
+import { checkUniforms, type Uniforms } from '../core/inputs/vertices.js'
+import { targetKind, type Target } from '../core/module/serialized-module.js'
 import { noteApproximation } from '../errors/notes.js'
 import { Place } from '../options/place.js'
-import type { OffsetWarp } from './offset-warp.js'
 import type { NormalStage, NormalsOption } from './normals-option.js'
+import type { OffsetWarp } from './offset-warp.js'
 import type { Result } from './recorded-warp.js'
-import { type RecordOptions, type TextOptions, textOptions } from './warp-options.js'
+import { textOptions, type RecordOptions, type TextOptions } from './warp-options.js'
 import type { HostText, WarpText } from './warp-text.js'
 
 /** The methods of a compiled warp that write more code and compute frame constants. */

@@ -5,9 +5,9 @@
  */
 import type { Variable } from '../core/expression/shapes.js'
 import {
+  makeFrame,
   type IsFrameConstant,
   type SerializedModule,
-  makeFrame,
 } from '../core/module/serialized-module.js'
 import { runInDouble } from '../cpu/double.js'
 

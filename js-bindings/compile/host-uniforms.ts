@@ -1,13 +1,13 @@
 // The option `uniforms` in a host: the name of each uniform in the shader, and its value now, as numbers or as the host's image.
-import { type ShapeName, imageShape, typeOf } from '../core/expression/shapes.js'
+import { imageShape, typeOf, type ShapeName } from '../core/expression/shapes.js'
 import {
-  type DeclaredUniform,
-  type DeclaredUniforms,
   uniformsKind,
   unknownUniform,
+  type DeclaredUniform,
+  type DeclaredUniforms,
 } from '../core/inputs/declared-uniforms.js'
 import { numbersFor } from '../core/inputs/uniform-values.js'
-import { type WarpError, describe } from '../errors/errors.js'
+import { describe, type WarpError } from '../errors/errors.js'
 import { isCallable, isList } from '../options/guards.js'
 import type { Place } from '../options/place.js'
 import type { Host, HostValues } from './host.js'

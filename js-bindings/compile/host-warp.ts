@@ -1,12 +1,12 @@
 // `HostWarp`: everything that an adapter needs from a warp, so that it contains only what is particular to its host.
-import { type Vertices, allowNonFinite } from '../core/inputs/vertices.js'
+import { allowNonFinite, type Vertices } from '../core/inputs/vertices.js'
 import { lazily } from '../core/module/lazily.js'
-import { type Program, makeProgram } from '../core/module/serialized-module.js'
+import { makeProgram, type Program } from '../core/module/serialized-module.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { createCpuWarp } from '../cpu/create-cpu-warp.js'
-import { type WarpProgram, warpProgram } from '../cpu/warp-program.js'
+import { warpProgram, type WarpProgram } from '../cpu/warp-program.js'
 import { warpResults } from '../wasm/tables.js'
-import { type DrawValues, OffsetWarp } from './offset-warp.js'
+import { OffsetWarp, type DrawValues } from './offset-warp.js'
 import { onSurface } from './recorded-warp.js'
 
 type CpuResult = 'position' | 'offset'

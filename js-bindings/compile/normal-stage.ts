@@ -4,14 +4,14 @@
  */
 import type { Variable } from '../core/expression/shapes.js'
 import {
-  type IsFrameConstant,
-  type Program,
   costOf,
   makeProgram,
+  type IsFrameConstant,
+  type Program,
 } from '../core/module/serialized-module.js'
 import { runInDouble } from '../cpu/double.js'
 import type { NormalStage } from './normals-option.js'
-import { type RecordedWarp, resultNumber } from './recorded-warp.js'
+import { resultNumber, type RecordedWarp } from './recorded-warp.js'
 
 /** With `'auto'`, the maximum number of operations on floats per pixel. */
 const maxOperations = 4000

@@ -1,29 +1,29 @@
 // A recorded offset function without evaluation on the CPU: its uniforms, shader code and frame constants.
 import type { Variable } from '../core/expression/shapes.js'
-import { type InputName, drawInputs } from '../core/inputs/inputs.js'
+import { drawInputs, type InputName } from '../core/inputs/inputs.js'
 import { withUniforms } from '../core/inputs/uniform-expressions.js'
 import { numbersFor } from '../core/inputs/uniform-values.js'
 import { lazily } from '../core/module/lazily.js'
 import {
-  type IsFrameConstant,
-  type Target,
   inputsOf,
   inputsReadBy,
+  type IsFrameConstant,
+  type Target,
 } from '../core/module/serialized-module.js'
 import type { OffsetFunction } from '../core/types/types.js'
 import { own } from '../options/guards.js'
 import { callback } from '../options/kinds.js'
 import { finiteDouble, readNumbers } from '../options/numbers.js'
 import type { Place } from '../options/place.js'
-import { type FrameConstants, frameOf } from './frame.js'
-import type { DrawInput, Host } from './host.js'
+import { frameOf, type FrameConstants } from './frame.js'
 import { HostUniforms } from './host-uniforms.js'
+import type { DrawInput, Host } from './host.js'
 import { stageFor } from './normal-stage.js'
 import type { NormalStage, NormalsOption } from './normals-option.js'
-import { type RecordedWarp, type Result, recordWarp, resultNumber } from './recorded-warp.js'
+import { recordWarp, resultNumber, type RecordedWarp, type Result } from './recorded-warp.js'
 import { shaderNames } from './shader-names.js'
-import { type RecordOptions, type TextOptions, settingsOf } from './warp-options.js'
-import { type HostText, writeWarp } from './warp-text.js'
+import { settingsOf, type RecordOptions, type TextOptions } from './warp-options.js'
+import { writeWarp, type HostText } from './warp-text.js'
 
 export interface HostOptions extends RecordOptions {
   /** Missing for `compileWarp`, whose shader code is for any host. */

@@ -1,10 +1,10 @@
 // Calls an offset function, once, and records it as a module, from which shader code and CPU programs are made.
-import { type Expression, toExpression } from '../core/expression/expression.js'
+import { toExpression, type Expression } from '../core/expression/expression.js'
 import { operationNamed } from '../core/expression/operations.js'
 import type { Session } from '../core/expression/session.js'
-import { type InputName, inputSizes } from '../core/inputs/inputs.js'
-import { type SerializedModule, resultsOf } from '../core/module/serialized-module.js'
+import { inputSizes, type InputName } from '../core/inputs/inputs.js'
 import { withSession } from '../core/module/result.js'
+import { resultsOf, type SerializedModule } from '../core/module/serialized-module.js'
 import type { OffsetFunction } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { describe, describeShape } from '../errors/errors.js'

@@ -1,7 +1,7 @@
 // The argument of an offset function: the inputs of a vertex and of a draw call, as expressions.
 import { createBuilder } from '../core/expression/builder.js'
-import { callable } from '../core/expression/methods.js'
 import type { Expression } from '../core/expression/expression.js'
+import { callable } from '../core/expression/methods.js'
 import type { Session } from '../core/expression/session.js'
 import { inputSizes, variationInputs } from '../core/inputs/inputs.js'
 import { lazyObject } from '../core/lazy-object.js'

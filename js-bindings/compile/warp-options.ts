@@ -1,11 +1,11 @@
 // The options of `compileWarp`: types, schema and defaults.
-import { type InputName, inputSizes, variationInputs } from '../core/inputs/inputs.js'
-import { type Target, targetKind, targets } from '../core/module/serialized-module.js'
+import { inputSizes, variationInputs, type InputName } from '../core/inputs/inputs.js'
 import type { CompileOptions } from '../core/module/result.js'
+import { targetKind, targets, type Target } from '../core/module/serialized-module.js'
 import type { UniformOptions, UniformValues } from '../core/types/types.js'
 import { anything, boolean, kind, optional, text } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
+import { object, type KindsOf } from '../options/schema.js'
 import type { NormalsOption } from './normals-option.js'
 import { shaderNames } from './shader-names.js'
 

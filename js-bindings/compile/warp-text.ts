@@ -1,11 +1,11 @@
 // Writes the shader code of a recorded warp, in a language and with the names of a host.
 import { drawInputs, vertexInputs } from '../core/inputs/inputs.js'
-import { type Compiled, type Declared, declaredOf, toDeclared } from '../core/module/result.js'
-import { type IsFrameConstant, type Target, writeText } from '../core/module/serialized-module.js'
+import { declaredOf, toDeclared, type Compiled, type Declared } from '../core/module/result.js'
+import { writeText, type IsFrameConstant, type Target } from '../core/module/serialized-module.js'
 import { Place } from '../options/place.js'
 import { isFrameUniform } from './frame.js'
-import { type RecordedWarp, type Result, resultNumber } from './recorded-warp.js'
-import { type TextOptions, withoutGaps } from './warp-options.js'
+import { resultNumber, type RecordedWarp, type Result } from './recorded-warp.js'
+import { withoutGaps, type TextOptions } from './warp-options.js'
 
 /** An offset function as shader code. */
 export interface WarpText extends Compiled {

@@ -2,7 +2,7 @@
 import type { Variable } from '../core/expression/shapes.js'
 import type { Range } from '../core/inputs/vertices.js'
 import type { Program } from '../core/module/serialized-module.js'
-import { type Program as LoadedProgram, evaluation } from '../wasm/evaluation.js'
+import { evaluation, type Program as LoadedProgram } from '../wasm/evaluation.js'
 
 /** Does `work` with a program that is loaded into the wasm, and unloads it. */
 export const withProgram = <Result>(

@@ -1,12 +1,12 @@
 // `bounds`: a box that contains the warped points of a box.
 import type { VertexInput } from '../core/inputs/inputs.js'
-import { type Box, type Range, readRanges, uniformsOf } from '../core/inputs/vertices.js'
+import { readRanges, uniformsOf, type Box, type Range } from '../core/inputs/vertices.js'
 import { Place } from '../options/place.js'
 import { boundProgram } from './analyse-program.js'
 import type { Bounds, EvaluationOptions } from './cpu-warp.js'
 import { originsOf, planInputs } from './origins.js'
 import { positionsAlone } from './results.js'
-import { type WarpProgram, programOf } from './warp-program.js'
+import { programOf, type WarpProgram } from './warp-program.js'
 
 const place = new Place('bounds')
 

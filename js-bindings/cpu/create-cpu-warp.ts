@@ -6,7 +6,7 @@ import { evaluate, evaluateAt } from './evaluate.js'
 import { foldover } from './foldover.js'
 import { inverseAt } from './inverse-at.js'
 import { isMirrored, mirrors } from './orientation.js'
-import { type WarpProgram, warpProgram } from './warp-program.js'
+import { warpProgram, type WarpProgram } from './warp-program.js'
 
 export const createCpuWarp = (warp: WarpProgram): CpuWarp => ({
   [warpProgram]: {

@@ -1,16 +1,16 @@
 // `evaluate` and `evaluateAt`: warp vertices.
-import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
-import { type Vertices, arrayNames, countVertices, uniformsOf } from '../core/inputs/vertices.js'
+import { vertexInputs, type VertexInput } from '../core/inputs/inputs.js'
+import { arrayNames, countVertices, uniformsOf, type Vertices } from '../core/inputs/vertices.js'
 import { readNumbers } from '../options/numbers.js'
 import { Place } from '../options/place.js'
 import { rejectUnknownOptions } from '../options/schema.js'
 import type { EvaluateOptions, PointInputs, WarpedPoint } from './cpu-warp.js'
 import {
-  type VertexResults,
-  type WarpedVertices,
   releaseSinks,
   takeSinks,
   vertexResults,
+  type VertexResults,
+  type WarpedVertices,
 } from './results.js'
 import { runOnVertices } from './vertex-run.js'
 import type { WarpProgram } from './warp-program.js'

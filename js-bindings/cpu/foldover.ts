@@ -1,10 +1,10 @@
 // `foldover`: finds vertices where a warp turns the surface inside out.
-import { type Vertices, countVertices, uniformsOf } from '../core/inputs/vertices.js'
+import { countVertices, uniformsOf, type Vertices } from '../core/inputs/vertices.js'
 import { Place } from '../options/place.js'
 import type { EvaluationOptions, Foldover } from './cpu-warp.js'
 import { determinantAlone, resultNumbers } from './results.js'
 import { runOnVertices } from './vertex-run.js'
-import { type WarpProgram, rejectWithoutNormals } from './warp-program.js'
+import { rejectWithoutNormals, type WarpProgram } from './warp-program.js'
 
 const place = new Place('foldover')
 

@@ -6,9 +6,9 @@ import { Place } from '../options/place.js'
 import { rejectUnknownOptions } from '../options/schema.js'
 import type { InverseOptions, WarpInverse } from './cpu-warp.js'
 import { runInDouble } from './double.js'
-import { type Triple, type Warped, findInverse } from './inverse.js'
+import { findInverse, type Triple, type Warped } from './inverse.js'
 import { originsOf, planInputs } from './origins.js'
-import { type WarpProgram, missingInput, programOf, rejectWithoutNormals } from './warp-program.js'
+import { missingInput, programOf, rejectWithoutNormals, type WarpProgram } from './warp-program.js'
 
 const place = new Place('inverseAt')
 const inverseOptions = ['near', 'normal', 'uv', 'color', 'uniforms']

@@ -2,10 +2,10 @@
 // holds none between two runs.
 import type { Program } from '../core/module/serialized-module.js'
 import {
-  type Code as WrittenCode,
+  evaluation,
   type Evaluation,
   type InputArray,
-  evaluation,
+  type Code as WrittenCode,
 } from '../wasm/evaluation.js'
 import { withProgram } from './analyse-program.js'
 

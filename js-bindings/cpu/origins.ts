@@ -1,10 +1,10 @@
 // Reads the inputs of a warp's program on the CPU, from vertices, or from uniforms, which are checked here.
 import type { Variable } from '../core/expression/shapes.js'
-import { type DeclaredUniform, withDeclared } from '../core/inputs/declared-uniforms.js'
+import { withDeclared, type DeclaredUniform } from '../core/inputs/declared-uniforms.js'
 import { inputNumbers } from '../core/inputs/input-numbers.js'
-import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
+import { vertexInputs, type VertexInput } from '../core/inputs/inputs.js'
 import { isWhole, numbersFor, scalarOrArray } from '../core/inputs/uniform-values.js'
-import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
+import { checkUniforms, type Uniforms } from '../core/inputs/vertices.js'
 import type { ResultSet } from '../core/module/result-set.js'
 import type { Program } from '../core/module/serialized-module.js'
 import { isList, own } from '../options/guards.js'

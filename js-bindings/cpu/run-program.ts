@@ -1,11 +1,11 @@
 // Evaluates programs at many vertices: by machine code where the engine compiles it, otherwise by the interpreter of the
 // evaluation. Both give the same bits.
-import type { Program } from '../core/module/serialized-module.js'
 import type { ResultSet } from '../core/module/result-set.js'
+import type { Program } from '../core/module/serialized-module.js'
 import { WarpError } from '../errors/errors.js'
 import { evaluation } from '../wasm/evaluation.js'
 import { withProgram } from './analyse-program.js'
-import { MachineCode, type Sink, type Stream, copy, sizeOf, batchSize } from './machine-code.js'
+import { MachineCode, batchSize, copy, sizeOf, type Sink, type Stream } from './machine-code.js'
 
 /**
  * Evaluates `program`. `inputs` has all of its inputs in order, and `wanted` are the results that the sinks receive. With machine

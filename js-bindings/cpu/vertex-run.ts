@@ -1,14 +1,14 @@
 // Evaluates the program of a warp at the vertices of a mesh.
 import { variationInputs, vertexInputs } from '../core/inputs/inputs.js'
-import { type Uniforms, type Vertices, arrayNames } from '../core/inputs/vertices.js'
+import { arrayNames, type Uniforms, type Vertices } from '../core/inputs/vertices.js'
 import type { ResultSet } from '../core/module/result-set.js'
 import { noteApproximation } from '../errors/notes.js'
 import type { Place } from '../options/place.js'
 import type { Sink } from './machine-code.js'
-import { type Origin, originsOf, planInputs, releaseOrigins } from './origins.js'
+import { originsOf, planInputs, releaseOrigins, type Origin } from './origins.js'
 import { copyOverwritten } from './overlaps.js'
 import { runProgram } from './run-program.js'
-import { type WarpProgram, missingInput, programOf } from './warp-program.js'
+import { missingInput, programOf, type WarpProgram } from './warp-program.js'
 
 /** Computes results of all vertices into sinks. */
 export function runOnVertices(

@@ -1,5 +1,5 @@
-import { asOwn } from '../errors/operators.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
+import { asOwn } from '../errors/operators.js'
 import { Place } from '../options/place.js'
 import { warpsOf } from './warps.js'
 

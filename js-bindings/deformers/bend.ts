@@ -1,17 +1,17 @@
 import type { OffsetFunction, Scalar } from '../core/types/types.js'
-import {
-  type AxisOption,
-  type NumberOption,
-  type VectorOption,
-  axis,
-  constantDirection,
-  number,
-  vector,
-} from './kinds.js'
 import { optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import type { KindsOf } from '../options/schema.js'
 import { readOptions, withFormula } from './deformer.js'
+import {
+  axis,
+  constantDirection,
+  number,
+  vector,
+  type AxisOption,
+  type NumberOption,
+  type VectorOption,
+} from './kinds.js'
 
 export interface BendOptions {
   /** The axis of the bend. Default: `'z'`. */

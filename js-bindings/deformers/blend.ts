@@ -1,7 +1,7 @@
-import { asOwn } from '../errors/operators.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { type NumberOption, number } from './kinds.js'
+import { asOwn } from '../errors/operators.js'
 import { Place } from '../options/place.js'
+import { number, type NumberOption } from './kinds.js'
 import { warpsOf } from './warps.js'
 
 /**

@@ -1,7 +1,7 @@
-import { asOwn } from '../errors/operators.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { inputsAt } from './places.js'
+import { asOwn } from '../errors/operators.js'
 import { Place } from '../options/place.js'
+import { inputsAt } from './places.js'
 import { warpsOf } from './warps.js'
 
 /**

@@ -2,7 +2,7 @@
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { asOwn } from '../errors/operators.js'
 import { Place } from '../options/place.js'
-import { type Kinds, type KindsOf, type ValuesOf, object } from '../options/schema.js'
+import { object, type Kinds, type KindsOf, type ValuesOf } from '../options/schema.js'
 import type { Computed } from './kinds.js'
 
 /** The arguments of a formula: computed values are replaced by their results. */

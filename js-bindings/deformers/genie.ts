@@ -1,15 +1,15 @@
 import type { OffsetFunction } from '../core/types/types.js'
+import { optional } from '../options/kinds.js'
+import { deformer } from './deformer.js'
 import {
-  type AxisOption,
-  type NumberOption,
-  type VectorOption,
   axis,
   number,
   positive,
   vector,
+  type AxisOption,
+  type NumberOption,
+  type VectorOption,
 } from './kinds.js'
-import { optional } from '../options/kinds.js'
-import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface GenieOptions {

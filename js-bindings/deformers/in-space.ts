@@ -12,7 +12,7 @@ import { describe, describeShape } from '../errors/describe.js'
 import { asOwn, readOperators } from '../errors/operators.js'
 import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
 import { Place } from '../options/place.js'
-import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
+import { isExpression, type OptionInputs, type OrFunction } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
 import { warp as warpKind } from './warps.js'
 

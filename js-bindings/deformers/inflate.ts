@@ -1,6 +1,6 @@
 import type { OffsetFunction } from '../core/types/types.js'
-import { type NumberOption, type VectorOption, number, vector } from './kinds.js'
 import { deformer } from './deformer.js'
+import { number, vector, type NumberOption, type VectorOption } from './kinds.js'
 
 export interface InflateOptions {
   /** The distance, in units. Default: 20. 0 moves nothing; negative values make the shape thinner. */

@@ -6,7 +6,7 @@ import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../core/types/type
 import { describe, describeShape, isExpression as hasItsShape } from '../errors/describe.js'
 import { readOperators } from '../errors/operators.js'
 import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
-import { type Kind, wholeNumber } from '../options/kinds.js'
+import { wholeNumber, type Kind } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
 import { maxSeed } from '../wasm/tables.js'
 

@@ -1,14 +1,14 @@
 import type { OffsetFunction } from '../core/types/types.js'
+import { deformer } from './deformer.js'
 import {
-  type AxisOption,
-  type NumberOption,
-  type VectorOption,
   axis,
   number,
   positive,
   vector,
+  type AxisOption,
+  type NumberOption,
+  type VectorOption,
 } from './kinds.js'
-import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface MeltOptions {

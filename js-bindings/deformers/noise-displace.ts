@@ -1,6 +1,6 @@
 import type { OffsetFunction } from '../core/types/types.js'
-import { type NumberOption, type VectorOption, number, positive, seed, vector } from './kinds.js'
 import { deformer } from './deformer.js'
+import { number, positive, seed, vector, type NumberOption, type VectorOption } from './kinds.js'
 
 export interface NoiseDisplaceOptions {
   /** The max distance that points move in both directions, in units. Default: 20; 0 moves nothing. */

@@ -1,13 +1,13 @@
 import type { OffsetFunction } from '../core/types/types.js'
+import { deformer } from './deformer.js'
 import {
-  type AxisOption,
-  type NumberOption,
-  type VectorOption,
   axis,
   number,
   vector,
+  type AxisOption,
+  type NumberOption,
+  type VectorOption,
 } from './kinds.js'
-import { deformer } from './deformer.js'
 
 export interface ShearOptions {
   /** The axis along which the displacement grows. Default: `'y'`. */

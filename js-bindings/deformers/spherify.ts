@@ -1,6 +1,6 @@
 import type { OffsetFunction } from '../core/types/types.js'
-import { type NumberOption, type VectorOption, number, vector } from './kinds.js'
 import { deformer } from './deformer.js'
+import { number, vector, type NumberOption, type VectorOption } from './kinds.js'
 
 export interface SpherifyOptions {
   /** The centre of the sphere, in units. Default: `[0, 0, 0]`. A point at the centre does not move. */

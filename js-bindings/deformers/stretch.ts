@@ -1,14 +1,14 @@
 import type { OffsetFunction } from '../core/types/types.js'
+import { boolean } from '../options/kinds.js'
+import { deformer } from './deformer.js'
 import {
-  type AxisOption,
-  type NumberOption,
-  type VectorOption,
   axis,
   number,
   vector,
+  type AxisOption,
+  type NumberOption,
+  type VectorOption,
 } from './kinds.js'
-import { boolean } from '../options/kinds.js'
-import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface StretchOptions {

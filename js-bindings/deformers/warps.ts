@@ -3,9 +3,9 @@ import type { Expression } from '../core/expression/expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { describe, describeShape } from '../errors/describe.js'
 import { readOperators } from '../errors/operators.js'
-import { type Kind, callable } from '../options/kinds.js'
+import { callable, type Kind } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
-import { type Computed, isExpression } from './kinds.js'
+import { isExpression, type Computed } from './kinds.js'
 
 const offsetFunction = callable<OffsetFunction>('an offset function, such as twist({ angle: 1 }),')
 

@@ -1,21 +1,21 @@
 // `differentiate`: generates the source of a function that returns the derivatives of another.
 import { compile } from '#text-compiler'
-import { anything, kind, oneOf, optional, text } from '../options/kinds.js'
-import { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
-import { type Target, targetKind } from '../core/module/serialized-module.js'
+import { targetKind, type Target } from '../core/module/serialized-module.js'
 import type { Vector } from '../core/types/types.js'
+import { anything, kind, oneOf, optional, text } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { object, type KindsOf } from '../options/schema.js'
 import { bindExternals, parameterOf } from './bind.js'
 import { functionText } from './function-text.js'
-import { type FunctionHead, type Listing, type Named, withSource } from './listing.js'
+import { withSource, type FunctionHead, type Listing, type Named } from './listing.js'
 import {
-  type GlslOptions,
-  type SourceLanguage,
   articleIn,
   glslKinds,
   sourceKinds,
+  type GlslOptions,
+  type SourceLanguage,
 } from './options.js'
 import { pack, replay } from './replay.js'
 

@@ -1,5 +1,5 @@
 // Writes code that the compiler does not generate, in each language: whole functions, and the size of an image.
-import { type Target, targets } from '../core/module/serialized-module.js'
+import { targets, type Target } from '../core/module/serialized-module.js'
 import { languages } from '../wasm/tables.js'
 import type { Named } from './listing.js'
 import { wgslType } from './options.js'

@@ -1,19 +1,19 @@
 // `glslOffset` and `wgslOffset`: make an offset function from source.
-import { asOwn } from '../errors/operators.js'
-import { nearest } from '../errors/nearest.js'
-import { oneOf } from '../options/kinds.js'
-import { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { UniformValues, Vec3, WarpInputs } from '../core/types/types.js'
+import { nearest } from '../errors/nearest.js'
+import { asOwn } from '../errors/operators.js'
+import { oneOf } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { object, type KindsOf } from '../options/schema.js'
 import { bindExternals, inputNamed, inputTypes } from './bind.js'
-import { type External, type FunctionHead, withSource } from './listing.js'
+import { withSource, type External, type FunctionHead } from './listing.js'
 import {
-  type GlslOptions,
-  type SourceLanguage,
   articleIn,
   glslKinds,
   sourceKinds,
+  type GlslOptions,
+  type SourceLanguage,
 } from './options.js'
 import { pack, replay } from './replay.js'
 

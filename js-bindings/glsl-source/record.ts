@@ -1,8 +1,8 @@
 // Records a function of GLSL source as a separate module, which remains a function in the generated code and is differentiated as one.
-import { Place } from '../options/place.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import type { RecordedFunction, Session } from '../core/expression/session.js'
+import { Place } from '../options/place.js'
 
 /** Calls the recorded function in the session of a builder, and returns its results, one expression per number. */
 export type Routine = (glsl: Builder, operands: Expression[]) => Expression[]

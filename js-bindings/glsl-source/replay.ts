@@ -3,9 +3,9 @@
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import { glsl as wasm } from '../wasm/glsl.js'
-import { Columns, type GlslValue, Halves, halfOf, halvesOf, wholeOf } from './halves.js'
+import { Columns, Halves, halfOf, halvesOf, wholeOf, type GlslValue } from './halves.js'
 import type { Listing } from './listing.js'
-import { type Routine, record } from './record.js'
+import { record, type Routine } from './record.js'
 
 /** Maps codes to the builder's names of operations and to names of leaves; see codes.hpp. */
 let operations: string[] | undefined

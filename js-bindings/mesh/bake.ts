@@ -1,25 +1,25 @@
 // `bakeWarp`: applies a warp to a mesh on the CPU.
+import { isGeometry, type Geometry } from '../core/inputs/geometry.js'
+import { uniformsOf, type Uniforms, type Vertices } from '../core/inputs/vertices.js'
 import type { CpuWarp, EvaluationOptions } from '../cpu/cpu-warp.js'
 import type { WarpedVertices } from '../cpu/results.js'
+import { warpProgram, type RunningProgram } from '../cpu/warp-program.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { anyNumber, finiteFloat, firstWrong } from '../options/numbers.js'
 import { isList } from '../options/guards.js'
 import { kind } from '../options/kinds.js'
+import { anyNumber, finiteFloat, firstWrong } from '../options/numbers.js'
 import { Place } from '../options/place.js'
-import { type Uniforms, type Vertices, uniformsOf } from '../core/inputs/vertices.js'
-import { type RunningProgram, warpProgram } from '../cpu/warp-program.js'
-import { type Geometry, isGeometry } from '../core/inputs/geometry.js'
-import { type Plain, movedGeometry } from './geometry.js'
+import { movedGeometry, type Plain } from './geometry.js'
+import { withJob } from './job.js'
 import {
-  type Mesh,
-  type MeshInput,
-  type MeshOrGeometry,
   putMesh,
   reverseTriangles,
   takeMesh,
+  type Mesh,
+  type MeshInput,
+  type MeshOrGeometry,
 } from './mesh-arrays.js'
-import { withJob } from './job.js'
-import { type SurfaceVariation, takeVariation } from './surface-variation.js'
+import { takeVariation, type SurfaceVariation } from './surface-variation.js'
 
 /** The part of `compileWarp`'s result that meshes need. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {

@@ -2,7 +2,7 @@
 import { describe } from '../errors/errors.js'
 import { anything, optional } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
+import { object, type KindsOf } from '../options/schema.js'
 import { importFromWorkingFolder, importPackage } from './sources.js'
 
 /** `MeshoptDecoder` of the package meshoptimizer. */

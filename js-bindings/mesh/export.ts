@@ -1,7 +1,7 @@
 // `exportGLB`: writes a mesh as a GLB file.
 import { Place } from '../options/place.js'
-import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import { withJob } from './job.js'
+import { putMesh, type MeshOrGeometry } from './mesh-arrays.js'
 
 const place = new Place('exportGLB')
 

@@ -1,10 +1,10 @@
 // Makes geometries of three.js from meshes. Attributes that we don't know are copied, or interpolated for new vertices.
 import {
+  arraysOf,
+  attributeNumbers,
+  geometryAttributes,
   type Attribute,
   type Geometry,
-  arraysOf,
-  geometryAttributes,
-  attributeNumbers,
 } from '../core/inputs/geometry.js'
 import type { Mesh, MeshInput } from './mesh-arrays.js'
 

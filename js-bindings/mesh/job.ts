@@ -3,12 +3,12 @@ import { anyNumber, describeNumber, firstWrong } from '../options/numbers.js'
 import type { Place } from '../options/place.js'
 import type { ByteArray, FloatArray, IndexArray } from '../wasm/mesh-tables.js'
 import {
-  type Mesh,
   MeshFailure,
-  type MeshModule,
   MeshStartFailure,
-  type Outcome,
   meshes,
+  type Mesh,
+  type MeshModule,
+  type Outcome,
 } from '../wasm/mesh.js'
 
 /** The actions of a job that have no parameters. */

@@ -1,21 +1,21 @@
 // `loadMesh`: reads a model file as a mesh.
+import { isGeometry } from '../core/inputs/geometry.js'
 import { callable, kind, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object } from '../options/schema.js'
-import { isGeometry } from '../core/inputs/geometry.js'
+import { decodersKind, findDecoder, type Codec, type Decoders } from './decoders.js'
 import { geometryAs } from './geometry.js'
-import { type Codec, type Decoders, decodersKind, findDecoder } from './decoders.js'
-import { type Mesh, takeMesh } from './mesh-arrays.js'
-import { type FoundDecoders, unpackParts } from './unpack.js'
-import { type Job, withJob } from './job.js'
+import { withJob, type Job } from './job.js'
+import { takeMesh, type Mesh } from './mesh-arrays.js'
 import {
-  type Bytes,
-  type Resolve,
-  type Source,
   locate,
   readBytes,
   resolveBeside,
+  type Bytes,
+  type Resolve,
+  type Source,
 } from './sources.js'
+import { unpackParts, type FoundDecoders } from './unpack.js'
 
 export interface LoadOptions {
   /** Loads the files that a .gltf, .obj or .mtl refers to. Default: loads files in the model's folder, if the model has a URL. */

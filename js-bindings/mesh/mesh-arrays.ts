@@ -1,10 +1,10 @@
 // Meshes as flat arrays: their types, and how they are checked and copied into a job and out of it.
+import { arraysOf, isGeometry, type Geometry } from '../core/inputs/geometry.js'
 import { describe } from '../errors/errors.js'
-import { finiteFloat, firstWrong, describeNumber } from '../options/numbers.js'
 import { isList } from '../options/guards.js'
 import { kind, record, text } from '../options/kinds.js'
+import { describeNumber, finiteFloat, firstWrong } from '../options/numbers.js'
 import type { Place } from '../options/place.js'
-import { type Geometry, arraysOf, isGeometry } from '../core/inputs/geometry.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import type { Job } from './job.js'
 

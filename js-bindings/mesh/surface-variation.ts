@@ -3,8 +3,8 @@ import { variationNames } from '../core/inputs/inputs.js'
 import { arrayNames } from '../core/inputs/vertices.js'
 import { Place } from '../options/place.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
-import { type Job, withJob } from './job.js'
-import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
+import { withJob, type Job } from './job.js'
+import { putMesh, type MeshOrGeometry } from './mesh-arrays.js'
 
 const place = new Place('surfaceVariation')
 

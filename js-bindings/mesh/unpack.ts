@@ -1,7 +1,7 @@
 // Decodes the compressed parts of a glTF.
 import { shorten } from '../errors/errors.js'
-import { type Codec, type MeshoptDecoder, adviceFor } from './decoders.js'
-import { type DracoModule, type DracoPlan, decodeDraco } from './draco.js'
+import { adviceFor, type Codec, type MeshoptDecoder } from './decoders.js'
+import { decodeDraco, type DracoModule, type DracoPlan } from './draco.js'
 import type { Job } from './job.js'
 
 /** Maps a codec to its decoder, or to `undefined` if none was found. */

@@ -3,8 +3,8 @@ import { isClass, isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import { guardedKey, isOwnFunction } from '../errors/operators.js'
 import { isKnown, ofExpressions, ofNumbers } from './functions.js'
-import { wrapHelper, isOfOperator } from './messages.js'
-import { type Glsl, holdsExpression, isSketch, isWarped, p5Prototype, wholeOf } from './values.js'
+import { isOfOperator, wrapHelper } from './messages.js'
+import { holdsExpression, isSketch, isWarped, p5Prototype, wholeOf, type Glsl } from './values.js'
 
 export type Translated = (...x: never[]) => unknown
 

@@ -1,7 +1,7 @@
 // Warnings about variables that change while a sketch runs, but that an offset function reads only once.
 import type { Place } from '../options/place.js'
-import { noteReadOnce } from './messages.js'
 import { globalExists, valueOfGlobal } from './globals.js'
+import { noteReadOnce } from './messages.js'
 import type { References } from './resolve.js'
 import { assignedIn, walk } from './scopes.js'
 import type { Surroundings } from './surroundings.js'

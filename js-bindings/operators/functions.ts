@@ -1,7 +1,7 @@
 // The functions of Math, p5 and p5.strands that translated code may call with expressions.
 import { WarpError } from '../errors/errors.js'
 import { noteOnce } from './messages.js'
-import { type Glsl, isVectorLike, wholeOf } from './values.js'
+import { isVectorLike, wholeOf, type Glsl } from './values.js'
 
 /** A function on expressions; `known` is the page's own function of the same name, if it has one. */
 type Formula = (glsl: Glsl, x: unknown[], known?: Known) => unknown

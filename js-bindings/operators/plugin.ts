@@ -8,8 +8,8 @@ import { needsOf, returnsArray } from './needs.js'
 import { freeReferences } from './resolve.js'
 import { namesBoundBy, walk } from './scopes.js'
 import { unusedName } from './symbols.js'
-import { translateIn } from './translate.js'
 import type { Translation } from './translate-expressions.js'
+import { translateIn } from './translate.js'
 import type { Tree } from './tree.js'
 
 const calleeNames = new Set(['createWarp', 'compileWarp'])

@@ -1,25 +1,25 @@
 // Reads a function's source code and compiles it again, with operators that work on expressions.
-import type { Read } from './calls.js'
+import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
+import { isOwnFunction, type ReadOptions } from '../errors/operators.js'
 import { callable, record } from '../options/kinds.js'
 import { Place } from '../options/place.js'
-import { type ReadOptions, isOwnFunction } from '../errors/operators.js'
-import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
+import type { Read } from './calls.js'
 import { noteChanging } from './changing.js'
-import { isSurelyGlobal, globalExists } from './globals.js'
-import { cannotSee, lacksThis, withOperatorMessage } from './messages.js'
 import { isKnown } from './functions.js'
+import { globalExists, isSurelyGlobal } from './globals.js'
+import { cannotSee, lacksThis, withOperatorMessage } from './messages.js'
+import { needsOf, returnsArray } from './needs.js'
 import { parseFunction } from './parse.js'
-import { type References, freeReferences } from './resolve.js'
+import { freeReferences, type References } from './resolve.js'
 import {
-  type Operators,
   asVector,
   glslOf,
   operatorsOf,
   translated,
   withOperators,
+  type Operators,
 } from './runtime.js'
-import { type Definition, type Surroundings, surroundingsOf } from './surroundings.js'
-import { needsOf, returnsArray } from './needs.js'
+import { surroundingsOf, type Definition, type Surroundings } from './surroundings.js'
 import { unusedName } from './symbols.js'
 import { translate } from './translate.js'
 import type { Tree } from './tree.js'

@@ -1,5 +1,5 @@
 // Scope analysis: the free names of a function, and the names that are bound around it.
-import { namesBoundBy, isProperty, scopeOf } from './scopes.js'
+import { isProperty, namesBoundBy, scopeOf } from './scopes.js'
 import type { Tree } from './tree.js'
 
 /** The scopes that enclose a node. */

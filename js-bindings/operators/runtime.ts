@@ -1,18 +1,18 @@
 // Operators on expressions. Operators on numbers only stay JavaScript's: `-1 % 3` is -1, while `x % 3` on an expression has the
 // sign of the divisor, like GLSL's mod.
+import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
-import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { Place } from '../options/place.js'
-import { type ReadHelper, callsOf } from './calls.js'
+import { callsOf, type ReadHelper } from './calls.js'
 import { noteOnce, noteReadOnce, withOperatorMessage } from './messages.js'
 import {
-  type Glsl,
   decidesByVertex,
   isCondition,
   isWarped,
   useCondition,
   wholeOf,
+  type Glsl,
 } from './values.js'
 
 type Thunk = () => unknown

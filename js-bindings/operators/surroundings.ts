@@ -1,6 +1,6 @@
 // Describes what surrounds a function in its script.
 import { binderOf, definitionIn, pathTo } from './definitions.js'
-import { type Place, namesAround } from './resolve.js'
+import { namesAround, type Place } from './resolve.js'
 import { assignedIn, walk } from './scopes.js'
 import { placesOf, programsWith } from './sources.js'
 import type { Tree } from './tree.js'

@@ -1,7 +1,7 @@
 // Translates expressions: operators, assignments and calls.
 import { shorten } from '../errors/describe.js'
 import type { Edits } from './edits.js'
-import { functionNamesIn, canRepeat, isSuspended } from './flow.js'
+import { canRepeat, functionNamesIn, isSuspended } from './flow.js'
 import { isKnown } from './functions.js'
 import { assignedIn, propertySetIn } from './scopes.js'
 import { binary, bits, logical, unary, unusedName } from './symbols.js'

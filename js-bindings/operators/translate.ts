@@ -2,7 +2,7 @@
 // that errors refer to the sketch's own lines.
 import MagicString from 'magic-string'
 import { Edits } from './edits.js'
-import { changesVector, endsFunction, endsInReturn, isSuspended, containsJump } from './flow.js'
+import { changesVector, containsJump, endsFunction, endsInReturn, isSuspended } from './flow.js'
 import { assignedIn, declaredIn, isProperty, propertySetIn, varsIn, walk } from './scopes.js'
 import { unusedName } from './symbols.js'
 import { ExpressionTranslator, type Translation } from './translate-expressions.js'

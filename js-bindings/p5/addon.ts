@@ -4,24 +4,24 @@
  */
 import type { OffsetFunction, UniformValues } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { type Distort, createWarp as create, reapplyWarp } from './create-warp.js'
-import { type Canvas, rendererOf, sketchRemoved } from './host.js'
-import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'
+import { createWarp as create, reapplyWarp, type Distort } from './create-warp.js'
+import { drawBox } from './geometry/dense-shapes.js'
 import {
+  emptyModel,
+  fillModel,
+  makeAwaitable,
   type LoadModelOptions,
   type ModelOf,
   type Preloading,
-  makeAwaitable,
-  emptyModel,
-  fillModel,
 } from './geometry/load-model.js'
-import type { CreateWarpOptions } from './settings.js'
-import { defineVariationArrays } from './variation/variation-buffers.js'
-import { drawBox } from './geometry/dense-shapes.js'
-import { type SubdivideOptions, subdivideShape } from './geometry/subdivide.js'
 import type { P5Constructors, WarpModel } from './geometry/model.js'
-import { addSurfaceVariation } from './variation/add-surface-variation.js'
+import { subdivideShape, type SubdivideOptions } from './geometry/subdivide.js'
+import { rendererOf, sketchRemoved, type Canvas } from './host.js'
 import { watchShaderCalls } from './page/shader-calls.js'
+import type { CreateWarpOptions } from './settings.js'
+import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'
+import { addSurfaceVariation } from './variation/add-surface-variation.js'
+import { defineVariationArrays } from './variation/variation-buffers.js'
 
 /**
  * Methods that the addon adds to sketches and to p5.Graphics. TypeScript cannot extend the default export of p5's own types, so

@@ -11,25 +11,25 @@ import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
 import { callback } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { bakeIntoGeometry } from './geometry/bake.js'
-import { withGuards } from './page/guards.js'
 import { namesFor } from './hooks/hooks.js'
-import { rememberWarp } from './made-warps.js'
-import { withSketchLine } from './page/places.js'
+import { targetOf } from './hooks/styles.js'
 import {
-  type Canvas,
-  type Shader,
   drawsNormals,
   rememberNormals,
   rendererOf,
   sketchOf,
   stateOf,
+  type Canvas,
+  type Shader,
 } from './host.js'
-import { type CreateWarpOptions, type GivenSettings, readOptions } from './settings.js'
+import { rememberWarp } from './made-warps.js'
 import { checkShader, copyUniforms } from './own-shader.js'
+import { withGuards } from './page/guards.js'
+import { withSketchLine } from './page/places.js'
+import { readOptions, type CreateWarpOptions, type GivenSettings } from './settings.js'
 import { shadersFor, styleFor } from './shaders.js'
+import { p5, setInputs, setUniforms, valuesOf, type WarpUniforms } from './sketch-uniforms.js'
 import { applyStrokeShaders } from './strokes.js'
-import { targetOf } from './hooks/styles.js'
-import { type WarpUniforms, p5, setInputs, setUniforms, valuesOf } from './sketch-uniforms.js'
 import { prepareBuffers } from './variation/variation-buffers.js'
 
 const place = new Place('createWarp')

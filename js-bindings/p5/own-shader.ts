@@ -1,7 +1,7 @@
 /** The option `shader`: a shader that the sketch made by `modify` or `buildMaterialShader`, to which the warp is added. */
 import { WarpError, describe } from '../errors/errors.js'
+import { targetOf, type HookStyle } from './hooks/styles.js'
 import type { Shader } from './host.js'
-import { type HookStyle, targetOf } from './hooks/styles.js'
 import type { GivenSettings, WarpSettings } from './settings.js'
 
 /** Maps the sketch's shader to the uniforms that were set since it was passed to createWarp, for the warp's copies of the shader. */

@@ -1,14 +1,14 @@
 /** Reads the options of `createWarp`. */
 import {
+  normalsKinds,
   type NormalStage,
   type NormalsOption,
   type UniformOptions,
   type UniformValues,
-  normalsKinds,
 } from '../compile/hosts.js'
 import { anything, boolean, oneOf, optional, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
+import { object, type KindsOf } from '../options/schema.js'
 import type { Shader } from './host.js'
 
 /** The p5 material that the warp extends. */

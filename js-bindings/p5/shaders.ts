@@ -1,20 +1,20 @@
 /** The shaders of one warp for one renderer, each made on first use. */
 import {
+  lazily,
   type HostText,
   type HostWarp,
   type NormalStage,
   type Target,
-  lazily,
 } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
-import { checkDefs } from './page/defs.js'
-import { readsVariation } from './variation/variation-text.js'
-import { hookStyleOf, isOfLines, namesFor, addWarp } from './hooks/hooks.js'
+import { addWarp, hookStyleOf, isOfLines, namesFor } from './hooks/hooks.js'
 import { obstacleFor, pixelTextOf } from './hooks/pixel-code.js'
-import { type Canvas, type Renderer, type Shader, pointShaderOf, rendererOf } from './host.js'
+import { readsInstance, targetOf, type MaterialKind, type PixelCode } from './hooks/styles.js'
+import { pointShaderOf, rendererOf, type Canvas, type Renderer, type Shader } from './host.js'
+import { checkDefs } from './page/defs.js'
 import type { WarpSettings } from './settings.js'
 import { declaredInputs, declaredUniforms, defsFor, rejectUndeclared } from './sketch-uniforms.js'
-import { type MaterialKind, type PixelCode, readsInstance, targetOf } from './hooks/styles.js'
+import { readsVariation } from './variation/variation-text.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()

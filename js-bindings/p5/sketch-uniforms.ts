@@ -1,23 +1,23 @@
 /** The uniforms of a warp: those of the addon, which carry the inputs that change per draw call, and those of the sketch. */
 import {
+  drawInputs,
+  lazily,
+  samplingNumbers,
+  samplingUniforms,
+  scalarOrArray,
   type Declared,
   type FrameConstants,
   type Host,
   type HostText,
   type HostWarp,
   type Target,
-  drawInputs,
-  lazily,
-  samplingNumbers,
-  samplingUniforms,
-  scalarOrArray,
 } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { own } from '../options/guards.js'
-import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
-import { samplingOf } from './sampling.js'
 import { glslType } from './hooks/styles.js'
-import { type WarpSettings, uniformsIn } from './settings.js'
+import { sketchOf, type Canvas, type Shader, type Uniform } from './host.js'
+import { samplingOf } from './sampling.js'
+import { uniformsIn, type WarpSettings } from './settings.js'
 import { p5Image, place, toUniformValue } from './uniform-value.js'
 
 export const p5: Host = {

@@ -3,7 +3,7 @@
  * that never call it were written for warps without lines.
  */
 import { WarpError } from '../errors/errors.js'
-import { type Canvas, type Renderer, type Shader, rendererOf, setState, stateOf } from './host.js'
+import { rendererOf, setState, stateOf, type Canvas, type Renderer, type Shader } from './host.js'
 import type { WarpSettings } from './settings.js'
 import type { StrokeShaders } from './shaders.js'
 

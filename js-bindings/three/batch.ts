@@ -1,6 +1,6 @@
 // A BatchedMesh culls its instances one by one, by the bounds of its geometries.
-import { type BatchedMesh, Box3, Sphere } from 'three'
-import { type Extent, extentInBatch, stateOf } from './extent.js'
+import { Box3, Sphere, type BatchedMesh } from 'three'
+import { extentInBatch, stateOf, type Extent } from './extent.js'
 import { remembered } from './remembered.js'
 import type { ThreeWarp } from './three-warp.js'
 

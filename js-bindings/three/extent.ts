@@ -1,8 +1,8 @@
 // Computes boxes and spheres around warped objects, for culling. They are never too small, and are computed again when something has
 // changed.
-import { Box3, type BufferAttribute, Matrix4, Sphere, Vector3 } from 'three'
+import { Box3, Matrix4, Sphere, Vector3, type BufferAttribute } from 'three'
 import { instanceState, instancesOf } from './instances.js'
-import { type Warpable, isMoved, poseState } from './pose.js'
+import { isMoved, poseState, type Warpable } from './pose.js'
 import { boundsState, posedBox, posedFrom, restBox, restSphere } from './posed-bounds.js'
 import { remembered } from './remembered.js'
 import type { WarpSpace } from './settings.js'

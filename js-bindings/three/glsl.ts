@@ -1,5 +1,5 @@
 // Parts of GLSL that the vertex and the fragment shader of a warp have in common.
-import { type HostText, shaderNames } from '../compile/hosts.js'
+import { shaderNames, type HostText } from '../compile/hosts.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /** Declares the uniforms that the texts read, in both stages with the same precision. */

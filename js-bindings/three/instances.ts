@@ -1,5 +1,5 @@
 // The instances of an InstancedMesh, a BatchedMesh, or an object of @three.ez/instanced-mesh.
-import { type BatchedMesh, type InstancedMesh, Matrix4 } from 'three'
+import { Matrix4, type BatchedMesh, type InstancedMesh } from 'three'
 import type { Warpable } from './pose.js'
 
 /** Numbers that change when an instance moves, appears or disappears. */

@@ -1,10 +1,10 @@
 // `warpMaterial`: a material whose vertices a warp moves, and those that draw its shadows.
-import { type Material, MeshDepthMaterial, MeshDistanceMaterial, RGBADepthPacking } from 'three'
+import { MeshDepthMaterial, MeshDistanceMaterial, RGBADepthPacking, type Material } from 'three'
 import { WarpError, describe } from '../errors/errors.js'
 import { describeOfThree, nameOfMaterial } from './describe.js'
-import { type ThreeOffset, type WarpOptions, type WarpSpace, readOptions } from './settings.js'
+import { readOptions, type ThreeOffset, type WarpOptions, type WarpSpace } from './settings.js'
 import { ShaderWeaver, type WovenSurface } from './shader-weaver.js'
-import { markWarped, unsupportedMaterial, isWarpedByHand } from './supported.js'
+import { isWarpedByHand, markWarped, unsupportedMaterial } from './supported.js'
 import { ThreeWarp } from './three-warp.js'
 import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
 import { Variant } from './variant.js'

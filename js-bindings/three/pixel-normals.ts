@@ -3,9 +3,9 @@
  * The fragment shader runs the same warp on their interpolated values, but computes only the normal, and the tangent if the geometry
  * has any.
  */
-import { type HostText, shaderNames, variationNames } from '../compile/hosts.js'
-import { chunkSource } from './shader-source.js'
+import { shaderNames, variationNames, type HostText } from '../compile/hosts.js'
 import { byTangent, uniformsInGlsl } from './glsl.js'
+import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
 /**

@@ -1,18 +1,18 @@
 // The vertices of an object of three.js before it is warped, with its morph targets and bones.
 import {
+  Vector3,
   type BufferAttribute,
   type InterleavedBufferAttribute,
   type Line,
   type Mesh,
   type Points,
   type SkinnedMesh,
-  Vector3,
 } from 'three'
 import {
-  type Vertices,
   attributeNumbers,
   variationAttribute,
   variationNames,
+  type Vertices,
 } from '../compile/hosts.js'
 
 /** An object that can be warped. */

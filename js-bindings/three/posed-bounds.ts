@@ -1,24 +1,24 @@
 // Boxes and spheres around an object before it is warped: at rest, and with its morph targets and bones.
 import {
   Box3,
+  Matrix4,
+  Sphere,
+  Vector3,
   type BufferAttribute,
   type BufferGeometry,
   type InstancedBufferGeometry,
   type InstancedMesh,
-  Matrix4,
   type Mesh,
   type SkinnedMesh,
-  Sphere,
-  Vector3,
 } from 'three'
 import { attributeNumbers } from '../compile/hosts.js'
 import {
-  type Attribute,
-  type Warpable,
   isMoved,
   isSkinned,
   morphTextureOf,
   versionOf,
+  type Attribute,
+  type Warpable,
 } from './pose.js'
 
 /** Numbers that change when the geometry gets other bounds of its own. */

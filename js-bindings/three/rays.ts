@@ -1,25 +1,25 @@
 // Rays meet the warped surface: three's own `raycast` runs on a stand-in of the object whose vertices are warped.
 import {
+  Matrix3,
+  Matrix4,
+  Mesh,
   type BatchedMesh,
   type BufferAttribute,
   type BufferGeometry,
   type InstancedMesh,
   type Intersection,
-  Matrix3,
-  Matrix4,
-  Mesh,
   type Raycaster,
   type Sphere,
   type Vector3,
 } from 'three'
-import { withOtherSide } from './faces.js'
 import { sphereAround, stateOf, warpedBox } from './extent.js'
+import { withOtherSide } from './faces.js'
 import { instancesOf } from './instances.js'
-import type { ThreeWarp } from './three-warp.js'
 import type { Warpable } from './pose.js'
 import { posedBox } from './posed-bounds.js'
 import { remembered } from './remembered.js'
 import { warpedGeometry } from './surface.js'
+import type { ThreeWarp } from './three-warp.js'
 
 export type Raycast = (raycaster: Raycaster, intersects: Intersection[]) => void
 

@@ -1,14 +1,14 @@
 // Reads the options of `warp` and `warpMaterial`.
 import {
+  normalsKinds,
   type NormalsOption,
   type UniformExpressions,
   type Vec3,
   type WarpInputs,
-  normalsKinds,
 } from '../compile/hosts.js'
 import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
-import { type KindsOf, object } from '../options/schema.js'
+import { object, type KindsOf } from '../options/schema.js'
 import type { PlainOf, ThreeUniforms } from './uniforms.js'
 
 /**

@@ -12,8 +12,8 @@ import { pixelNormalsFor } from './pixel-stage.js'
 import { fillOf } from './surface.js'
 import type { ThreeWarp } from './three-warp.js'
 import { inShader } from './uniforms.js'
-import { weave } from './weave.js'
 import { weavePixelNormals, weaveVertexNormals } from './weave-fragment.js'
+import { weave } from './weave.js'
 
 type Shader = WebGLProgramParametersWithUniforms
 

@@ -3,15 +3,15 @@ import {
   Box3,
   BufferAttribute,
   BufferGeometry,
-  type Material,
   Matrix3,
-  type Matrix4,
   Sphere,
   Vector3,
+  type Material,
+  type Matrix4,
 } from 'three'
-import { type Vertices, variationNames } from '../compile/hosts.js'
+import { variationNames, type Vertices } from '../compile/hosts.js'
+import { verticesOf, type Warpable } from './pose.js'
 import type { ThreeWarp } from './three-warp.js'
-import { type Warpable, verticesOf } from './pose.js'
 
 /** `toWorld` is for a warp of that space: the geometry is in it then. */
 export function warpedGeometry(

@@ -1,19 +1,19 @@
 // A warp for three.js, whatever it is put on: texts for both renderers, and the same warp on the CPU, at the time of `update`.
 import {
+  HostWarp,
+  shaderNames,
   type FrameConstants,
   type HostText,
-  HostWarp,
   type NormalStage,
   type OffsetFunction,
   type Result,
   type Target,
   type Vertices,
-  shaderNames,
 } from '../compile/hosts.js'
 import { Place } from '../options/place.js'
 import { remembered } from './remembered.js'
 import type { Settings } from './settings.js'
-import { type UniformHandle, handlesOf } from './uniforms.js'
+import { handlesOf, type UniformHandle } from './uniforms.js'
 import { three } from './values.js'
 
 /** The last of position, normal and tangent that a text computes. */

@@ -1,10 +1,10 @@
 // Values of three.js, as a warp has them: textures, and the numbers of vectors, colours and matrices.
 import {
-  type Color,
-  type Matrix4,
   MirroredRepeatWrapping,
   NearestFilter,
   RepeatWrapping,
+  type Color,
+  type Matrix4,
   type Texture,
   type Vector4,
   type Wrapping,

@@ -11,7 +11,7 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three'
-import { type AddedUniforms, addedUniformsOf } from './added-uniforms.js'
+import { addedUniformsOf, type AddedUniforms } from './added-uniforms.js'
 import { withNormalsAtVertices } from './exact-normals/at-vertices.js'
 import { ForwardingMaterial } from './forwarding-material.js'
 import { ShaderWeaver, type WovenSurface } from './shader-weaver.js'

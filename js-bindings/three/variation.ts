@@ -1,9 +1,9 @@
 // Computes how normals and uvs vary over a geometry, and stores the result in attributes.
-import { type BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three'
+import { InterleavedBuffer, InterleavedBufferAttribute, type BufferGeometry } from 'three'
 import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
-import { describeOfThree } from './describe.js'
 import type { surfaceVariation } from '../mesh/surface-variation.js'
+import { describeOfThree } from './describe.js'
 import { fromBufferGeometry } from './geometry.js'
 
 /**

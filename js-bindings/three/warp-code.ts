@@ -1,10 +1,10 @@
 // The GLSL of a warp for WebGLRenderer: declarations, and statements that warp one vertex.
 import {
-  type HostText,
-  type Target,
   shaderNames,
   variationAttribute,
   variationNames,
+  type HostText,
+  type Target,
 } from '../compile/hosts.js'
 import { declareOrientation } from './faces.js'
 import { byTangent, uniformsInGlsl } from './glsl.js'

@@ -1,9 +1,9 @@
 // `warp`: an object of three.js, its shadows, its bounds and what rays meet, all warped.
-import { Box3, type Intersection, Matrix4, type Object3D, type Raycaster } from 'three'
+import { Box3, Matrix4, type Intersection, type Object3D, type Raycaster } from 'three'
 import { movedBox } from './extent.js'
-import { type Warped, updateOf } from './material.js'
+import { updateOf, type Warped } from './material.js'
 import type { Part } from './part.js'
-import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
+import { readOptions, type ThreeOffset, type WarpOptions } from './settings.js'
 import { ThreeWarp } from './three-warp.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 import { WarpedTree } from './warped-tree.js'

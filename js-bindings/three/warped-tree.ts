@@ -1,10 +1,10 @@
 // The objects that one call of `warp` warps: an object, its descendants, their clones, and objects that are added later.
-import { type Material, type Mesh, type Object3D, REVISION } from 'three'
+import { REVISION, type Material, type Mesh, type Object3D } from 'three'
 import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { noteApproximation } from '../errors/notes.js'
 import { describeOfThree, nameOf } from './describe.js'
-import { type Part, forgetBounds, warpPart } from './part.js'
+import { forgetBounds, warpPart, type Part } from './part.js'
 import type { Warpable } from './pose.js'
 import { wrapMethod } from './properties.js'
 import { isWarped, share, unshare } from './registry.js'

@@ -2,7 +2,7 @@
  * Puts the normals of a warp into the fragment shaders of WebGLRenderer. Three.js reads the interpolated normal in one line of its chunk
  * `normal_fragment_begin`. Everything after that line, such as both sides, maps, clearcoats and lights, follows from a change of it.
  */
-import { type PixelNormals, declareFacing, markViewPosition } from './pixel-normals.js'
+import { declareFacing, markViewPosition, type PixelNormals } from './pixel-normals.js'
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
 
 const line = /\bvec3\s+normal\s*=\s*normalize\s*\(\s*vNormal\s*\)\s*;/g

@@ -6,8 +6,8 @@
  * `objectNormal` and runs these lines there instead. Where anyone else has changed a normal, it is led back from view space to the
  * object, warped, and led forth again.
  */
+import { markViewPosition, passViewPosition, type PixelNormals } from './pixel-normals.js'
 import { chunkSource, resolveIncludes, splitAtMain } from './shader-source.js'
-import { type PixelNormals, markViewPosition, passViewPosition } from './pixel-normals.js'
 import type { ThreeWarp } from './three-warp.js'
 import { atObject, orientBitangent, warpBlock } from './warp-block.js'
 import { WarpCode } from './warp-code.js'

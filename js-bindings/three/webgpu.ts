@@ -4,16 +4,16 @@ import type { Node } from 'three/webgpu'
 import { WarpError } from '../errors/errors.js'
 import { nameOf, spriteError } from './describe.js'
 import {
-  type Warped,
   checkMaterial as checkForWebGL,
   checkUnwarped,
   mark,
   updateOf,
+  type Warped,
 } from './material.js'
 import { carry, install, isOurs, markNode } from './nodes/context.js'
 import { nodeFor } from './nodes/vertex.js'
 import { provideNodes } from './renderers.js'
-import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
+import { readOptions, type ThreeOffset, type WarpOptions } from './settings.js'
 import { ThreeWarp } from './three-warp.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 

@@ -1,8 +1,8 @@
 // The compiler (core.cpp). It starts with the first warp.
-import factory from '../generated/core.js'
 import type { Bound } from '../generated/core-bindings.js'
 import inlined from '../generated/core-wasm.js'
-import { type Emscripten, WasmInstance, outOfMemory } from './instance.js'
+import factory from '../generated/core.js'
+import { WasmInstance, outOfMemory, type Emscripten } from './instance.js'
 
 export type { Module, Session } from '../generated/core-bindings.js'
 

@@ -1,10 +1,10 @@
 // Loads the wasm module that evaluates programs at many vertices (evaluation.cpp). It is separate from the compiler's, which does not need
 // SIMD. It starts when the first warp is evaluated, and frees its memory after each call.
 import { WarpError } from '../errors/errors.js'
-import factory from '../generated/evaluation.js'
 import type { Bound } from '../generated/evaluation-bindings.js'
 import inlined from '../generated/evaluation-wasm.js'
-import { type Emscripten, WasmInstance, outOfMemory } from './instance.js'
+import factory from '../generated/evaluation.js'
+import { WasmInstance, outOfMemory, type Emscripten } from './instance.js'
 
 export type { Code, InputArray, Program } from '../generated/evaluation-bindings.js'
 

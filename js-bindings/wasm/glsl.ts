@@ -1,8 +1,8 @@
 // The front end for shader source (glsl.cpp). It starts with the first source.
-import factory from '../generated/glsl.js'
 import type { Bound } from '../generated/glsl-bindings.js'
 import inlined from '../generated/glsl-wasm.js'
-import { type Emscripten, WasmInstance, outOfMemory } from './instance.js'
+import factory from '../generated/glsl.js'
+import { WasmInstance, outOfMemory, type Emscripten } from './instance.js'
 
 export type * from '../generated/glsl-bindings.js'
 

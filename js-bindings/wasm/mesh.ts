@@ -1,8 +1,8 @@
 // The module of meshes (mesh.cpp). It starts when it is first used, and holds nothing between two calls.
-import factory from '../generated/mesh.js'
 import type { Bound } from '../generated/mesh-bindings.js'
 import inlined from '../generated/mesh-wasm.js'
-import { type Emscripten, WasmInstance } from './instance.js'
+import factory from '../generated/mesh.js'
+import { WasmInstance, type Emscripten } from './instance.js'
 
 export type { Mesh, Outcome } from '../generated/mesh-bindings.js'
 

@@ -6,17 +6,17 @@ import { describe, test } from 'node:test'
 import validator from 'gltf-validator'
 import { compileWarp } from 'warpjet'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
-import { readGlb, writeGlb } from '../support/glb.js'
-import { readNormalMap } from '../support/normal-map.js'
 import {
+  failsWithError,
   folder,
-  write,
   material,
   model,
   usage,
-  failsWithError,
   works,
+  write,
 } from '../support/cli-tests.js'
+import { readGlb, writeGlb } from '../support/glb.js'
+import { readNormalMap } from '../support/normal-map.js'
 
 describe('bake', () => {
   const load = (name) => loadMesh(join(folder, name))

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { describe, test } from 'node:test'
 import { compileWarp, targets } from 'warpjet'
-import { folder, write, failsWithError, works } from '../support/cli-tests.js'
+import { failsWithError, folder, works, write } from '../support/cli-tests.js'
 
 describe('emit', () => {
   test('prints the result of compileWarp, in every language', async () => {

@@ -5,7 +5,7 @@ import { join } from 'node:path'
 import { describe, test } from 'node:test'
 import { differentiate } from 'warpjet/glsl'
 import { loadMesh } from 'warpjet/mesh'
-import { folder, write, warpjet, works } from '../support/cli-tests.js'
+import { folder, warpjet, works, write } from '../support/cli-tests.js'
 
 describe('GLSL on the command line', () => {
   write(

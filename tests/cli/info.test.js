@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { exportGLB } from 'warpjet/mesh'
+import { failsWithError, model, works, write } from '../support/cli-tests.js'
+import { readGlb, writeGlb } from '../support/glb.js'
 import { packedVariants } from '../support/models/packed-variants.js'
 import { shapes } from '../support/models/shapes.js'
 import { textVariants } from '../support/models/text-variants.js'
-import { readGlb, writeGlb } from '../support/glb.js'
-import { write, model, failsWithError, works } from '../support/cli-tests.js'
 
 describe('info', () => {
   test('escapes control characters from a model', async () => {

@@ -4,7 +4,7 @@ import { spawn } from 'node:child_process'
 import { existsSync, openSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { version } from 'warpjet'
-import { program, folder, write, usage, failsWithError, works } from '../support/cli-tests.js'
+import { failsWithError, folder, program, usage, works, write } from '../support/cli-tests.js'
 
 describe('the program', () => {
   test('prints its version and its help', async () => {

@@ -4,8 +4,8 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { gen } from '../../dist/autodiff.js'
-import { seededRandom } from '../warps/random.js'
 import { runGlsl } from '../support/run-glsl.js'
+import { seededRandom } from '../warps/random.js'
 
 const { sin, cos, tan, sqrt, log, abs, sign, min, max, hypot } = Math
 const clamp = (x, low, high) => min(max(x, low), high)

@@ -5,7 +5,7 @@ import { test } from 'node:test'
 import { Script } from 'node:vm'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { memoryInUse } from '../../dist/memory.js'
-import { compile, compileWarp, gen, version, WarpError } from '../../dist/warpjet.js'
+import { WarpError, compile, compileWarp, gen, version } from '../../dist/warpjet.js'
 
 const namesOf = (declared) => declared.map(({ name }) => name)
 

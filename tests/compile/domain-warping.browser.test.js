@@ -4,11 +4,11 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { domainWarp, plainDomainWarp } from '../support/domain-warp.js'
 import { launchBrowser, leavePage } from '../support/browser/browser.js'
 import { differingPixels, readPixels } from '../support/browser/pixels.js'
 import { servePages } from '../support/browser/server.js'
 import { drawScenes, p5InThisRun, p5Versions, runSketch } from '../support/browser/sketch.js'
+import { domainWarp, plainDomainWarp } from '../support/domain-warp.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import { plainDomainWarp, domainWarp } from '../support/domain-warp.js'
+import { domainWarp, plainDomainWarp } from '../support/domain-warp.js'
 
 const points = Array.from({ length: 100 }, (_, i) => [3 * Math.sin(1.7 * i), 3 * Math.cos(2.3 * i)])
 

@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
-import { extremes } from '../warps/extremes.js'
 import { openPipelines, targetsInThisRun } from '../support/browser/pipelines.js'
+import { extremes } from '../warps/extremes.js'
 
 let pipelines
 

@@ -1,8 +1,8 @@
 // Integers that are frame constants: shaders of each language reassemble them from two halves, and the results must equal JavaScript's.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { openPipelines } from '../support/browser/pipelines.js'
 
 let pipelines

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
-import { compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
 import { warp } from '../../dist/three.js'
+import { compileWarp } from '../../dist/warpjet.js'
 
 const bitsOf = (x) => new Uint32Array(Float32Array.of(x).buffer)[0]
 

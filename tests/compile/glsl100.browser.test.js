@@ -1,10 +1,10 @@
 // The code for WebGL 1 compiles there, and has the same results as the code for WebGL 2.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { warpsInThisRun as warps } from '../warps/index.js'
 import { launchBrowser } from '../support/browser/browser.js'
 import { denseMesh } from '../support/browser/dense-mesh.js'
 import { openPipeline, vertexShader } from '../support/browser/transform-feedback.js'
+import { warpsInThisRun as warps } from '../warps/index.js'
 
 let browser
 before(async () => (browser = await launchBrowser()))

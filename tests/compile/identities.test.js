@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import { seededRandom } from '../warps/random.js'
 import { runGlsl } from '../support/run-glsl.js'
+import { seededRandom } from '../warps/random.js'
 
 /** The rounding error in double precision, of numbers of about 1. */
 const tolerance = 1e-11

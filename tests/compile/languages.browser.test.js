@@ -1,9 +1,9 @@
 // Every warp has the same positions and normals in every language, each on its own pipeline.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { warpsInThisRun as warps } from '../warps/index.js'
 import { denseMesh, layout, stride } from '../support/browser/dense-mesh.js'
 import { openPipelines, targets } from '../support/browser/pipelines.js'
+import { warpsInThisRun as warps } from '../warps/index.js'
 
 let pipelines
 before(async () => (pipelines = await openPipelines()))

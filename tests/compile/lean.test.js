@@ -1,11 +1,11 @@
 // The generated code is short: the value and its derivatives share sines and cosines.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { warps } from '../warps/index.js'
-import { stackedSines } from '../warps/stress.js'
 import { compile, compileWarp, gen } from '../../dist/warpjet.js'
 import { methods } from '../../web/bench/methods.js'
 import { workloads } from '../../web/bench/workloads.js'
+import { warps } from '../warps/index.js'
+import { stackedSines } from '../warps/stress.js'
 
 const calls = (text, name) => text.match(new RegExp(`\\b${name}\\(`, 'g'))?.length ?? 0
 

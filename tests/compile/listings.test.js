@@ -7,9 +7,9 @@ import { gen } from '../../dist/autodiff.js'
 import { compileWarp } from '../../dist/warpjet.js'
 import { add, cross, normalize, subtract } from '../support/browser/matrix.js'
 import { angleBetween, distanceBetween, warpVertex } from '../support/browser/oracle.js'
+import { runGlsl } from '../support/run-glsl.js'
 import { warps } from '../warps/listings.js'
 import { seededRandom } from '../warps/random.js'
-import { runGlsl } from '../support/run-glsl.js'
 
 const { sin, cos } = Math
 

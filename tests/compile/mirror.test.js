@@ -3,10 +3,10 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
-import { compileWarp, compile } from 'warpjet'
-import { bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
+import { compile, compileWarp } from 'warpjet'
 import { chain, inflate, stretch, twist } from 'warpjet/deformers'
 import { glslOffset } from 'warpjet/glsl'
+import { bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
 import { warp as warpObject } from 'warpjet/three'
 import { sphere } from '../support/meshes.js'
 

@@ -13,14 +13,14 @@
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { orphans, warpsInThisRun as warps } from '../warps/index.js'
-import { launchBrowser } from '../support/browser/browser.js'
+import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
 import { assertBaked, compareBaked } from '../support/browser/baked.js'
+import { launchBrowser } from '../support/browser/browser.js'
 import { compare, moments } from '../support/browser/compare.js'
 import { arraysOf, denseMesh, interleave, stride, vertices } from '../support/browser/dense-mesh.js'
 import { warpVertex } from '../support/browser/oracle.js'
-import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
 import { openPipeline, vertexShader } from '../support/browser/transform-feedback.js'
+import { orphans, warpsInThisRun as warps } from '../warps/index.js'
 
 const thinning = isRun('every vertex') ? 1 : 3
 

@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict'
 import { before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { warps } from '../warps/index.js'
 import { differingPixels, litPixels } from '../support/browser/pixels.js'
 import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
 import { openPipeline } from '../support/browser/transform-feedback.js'
 import { afterAWeek, isMeasured } from '../support/browser/uptime.js'
+import { warps } from '../warps/index.js'
 
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 

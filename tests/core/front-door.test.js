@@ -1,7 +1,7 @@
 // Notation that users of other libraries may try: components without parentheses, and the names of operations there.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
+import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
 import { madeOf, sameAs } from '../operations/aliases.js'
 
 const textOf = (make) =>

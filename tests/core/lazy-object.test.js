@@ -1,7 +1,7 @@
 // The inputs of an offset function are made when they are first read, and appear to exist from the start.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
+import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
 
 /** Calls `look` in an offset function, with its inputs. */
 function inside(look, options) {

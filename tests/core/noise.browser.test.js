@@ -3,7 +3,6 @@
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import { components } from '../operations/program.js'
 import {
   isFractal,
   kindsOfNoise,
@@ -11,6 +10,7 @@ import {
   propertiesOf,
   settingsOf,
 } from '../operations/noise.js'
+import { components } from '../operations/program.js'
 import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'
 
 const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']

@@ -3,7 +3,6 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
-import { components } from '../operations/program.js'
 import {
   isFractal,
   kindsOfNoise,
@@ -11,6 +10,7 @@ import {
   propertiesOf,
   settingsOf,
 } from '../operations/noise.js'
+import { components } from '../operations/program.js'
 import { randomOf } from '../random/generate.js'
 
 const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']

@@ -1,8 +1,8 @@
 // Compares every operation on the CPU, in double precision, with the reference of tests/operations, which must cover every operation.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
 import { compile } from '../../dist/warpjet.js'
+import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
 import { brokenConventions, inDouble, problemsOf } from '../operations/check.js'
 import { conventions } from '../operations/conventions.js'
 import { noises } from '../operations/noise.js'

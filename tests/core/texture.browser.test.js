@@ -2,8 +2,8 @@
 // finite differences. Also tests wrapping, several images at once, and continuity at texels.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { compile } from '../../dist/warpjet.js'
 import { differentiate } from '../../dist/glsl.js'
+import { compile } from '../../dist/warpjet.js'
 import { filters, randomImage, sample, wraps } from '../operations/textures.js'
 import { randomOf } from '../random/generate.js'
 import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'

@@ -1,8 +1,8 @@
 // Tests glsl.texture in Node: the names in the generated code, shared calls, and errors.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
+import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 
 const inverted = ({ glsl, position }) =>

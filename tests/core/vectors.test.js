@@ -1,7 +1,7 @@
 // Methods of p5.Vector on expressions have the same values as p5's own class, or throw an error that says what to write instead.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
+import { WarpError, compile, compileWarp } from '../../dist/warpjet.js'
 
 // p5's own class, without the rest of p5, which needs a browser.
 const { Vector } = await import('../../node_modules/p5/dist/math/p5.Vector.js')

@@ -2,11 +2,11 @@
 // those of the GPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { moments } from '../support/browser/compare.js'
-import { warps } from '../warps/index.js'
 import { throwsWarpError } from '../support/warp-errors.js'
+import { warps } from '../warps/index.js'
 
 const wave = compileWarp(({ glsl, position, millis }) =>
   glsl.vec3(0, position.x().mult(3).add(millis.div(500)).sin().mult(0.2), 0),

@@ -2,17 +2,17 @@
 // finite position.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js'
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
+import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js'
 import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
 import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 import { Scene } from '@babylonjs/core/scene.js'
 import '@babylonjs/core/Culling/ray.js'
 import * as THREE from 'three'
-import { compileWarp } from '../../dist/warpjet.js'
 import { BabylonWarp } from '../../dist/babylon.js'
 import { warp } from '../../dist/three.js'
+import { compileWarp } from '../../dist/warpjet.js'
 
 const beat = ({ glsl, position, millis, uniforms }) =>
   glsl.vec3(0, millis.div(uniforms.period).mult(0.001).add(position.x).sin(), 0)

@@ -2,32 +2,14 @@
 // step by step.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
-import {
-  add as plus,
-  columnMajor,
-  cross,
-  dot,
-  movePoint,
-  normalize,
-  product,
-  rotation,
-  scaling,
-  subtract,
-  translation,
-  turnNormal,
-} from '../support/browser/matrix.js'
-import { deformers as oracles } from '../warps/deformers.js'
-import { seededRandom } from '../warps/random.js'
-import { compile, compileWarp } from '../../dist/warpjet.js'
 import {
   add,
   bend,
   blend,
   bulge,
   chain,
-  inflate,
   inSpace,
+  inflate,
   mask,
   shear,
   spherify,
@@ -36,7 +18,25 @@ import {
   twist,
   wave,
 } from '../../dist/deformers.js'
+import { compile, compileWarp } from '../../dist/warpjet.js'
+import {
+  columnMajor,
+  cross,
+  dot,
+  movePoint,
+  normalize,
+  add as plus,
+  product,
+  rotation,
+  scaling,
+  subtract,
+  translation,
+  turnNormal,
+} from '../support/browser/matrix.js'
+import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
 import { throwsWarpError } from '../support/warp-errors.js'
+import { deformers as oracles } from '../warps/deformers.js'
+import { seededRandom } from '../warps/random.js'
 
 const random = seededRandom(66)
 const anyPoint = (size) => [0, 1, 2].map(() => size * (2 * random() - 1))

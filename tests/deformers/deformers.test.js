@@ -2,12 +2,12 @@
 // options of every form. The oracle evaluates the documented formula in plain numbers, and its finite differences.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
+import * as deformers from '../../dist/deformers.js'
+import { compile, compileWarp } from '../../dist/warpjet.js'
 import { normalize } from '../support/browser/matrix.js'
+import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
 import { deformers as oracles } from '../warps/deformers.js'
 import { seededRandom } from '../warps/random.js'
-import { compile, compileWarp } from '../../dist/warpjet.js'
-import * as deformers from '../../dist/deformers.js'
 
 const { PI } = Math
 const random = seededRandom(6)

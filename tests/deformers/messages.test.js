@@ -1,8 +1,8 @@
 // Messages of deformers and compositions about wrong options, arguments and results.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compileWarp } from '../../dist/warpjet.js'
 import * as deformers from '../../dist/deformers.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { columnMajor, product, rotation, scaling, translation } from '../support/browser/matrix.js'
 import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 import { deformers as oracles } from '../warps/deformers.js'

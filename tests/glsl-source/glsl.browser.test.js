@@ -1,9 +1,9 @@
 // GLSL source on real pipelines: compares the original as compiled by Chromium with our code for it, value by value.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { compile, compileWarp } from '../../dist/warpjet.js'
-import { differentiate, glslOffset } from '../../dist/glsl.js'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { differentiate, glslOffset } from '../../dist/glsl.js'
+import { compile, compileWarp } from '../../dist/warpjet.js'
 import { corpus } from '../glsl/corpus.js'
 import { above, randomFunction } from '../glsl/generate.js'
 import { pointsOfCube } from '../glsl/points.js'

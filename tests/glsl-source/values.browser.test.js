@@ -1,8 +1,8 @@
 // Functions whose values depend on a rule of the language have the same values as in Chromium.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { blocks, values } from '../glsl/values.js'
 import { launchBrowser, openPage } from '../support/browser/browser.js'
 import { servePages } from '../support/browser/server.js'

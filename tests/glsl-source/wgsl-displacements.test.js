@@ -3,8 +3,8 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile } from 'warpjet'
 import { wgslOffset } from 'warpjet/glsl'
-import { displacements } from '../wgsl/displacements.js'
 import { derivative } from '../random/differences.js'
+import { displacements } from '../wgsl/displacements.js'
 
 /** Points of a cube, on no plane that a displacement divides it by. */
 const points = Array.from({ length: 200 }, (_, i) =>

@@ -1,7 +1,7 @@
 // GLSL functions of packages whose licences allow us to run them, read from node_modules, and our own.
 import { readFileSync, readdirSync } from 'node:fs'
-import { fileURLToPath } from 'node:url'
 import { dirname, join } from 'node:path'
+import { fileURLToPath } from 'node:url'
 import { ownBuiltIns } from './own-built-ins.js'
 import { own } from './own.js'
 

@@ -5,8 +5,6 @@ import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { compileWarp } from '../../dist/warpjet.js'
 import { models } from '../../web/models/index.js'
-import { warpsInThisRun as warps } from '../warps/index.js'
-import { normalGradients } from '../warps/normal-field.js'
 import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
 import { assertBaked, compareBaked } from '../support/browser/baked.js'
 import { launchBrowser } from '../support/browser/browser.js'
@@ -21,6 +19,8 @@ import {
 } from '../support/browser/dense-mesh.js'
 import { angleBetween } from '../support/browser/oracle.js'
 import { openPipeline, vertexShader } from '../support/browser/transform-feedback.js'
+import { warpsInThisRun as warps } from '../warps/index.js'
+import { normalGradients } from '../warps/normal-field.js'
 
 const made = new Map()
 

@@ -1,7 +1,7 @@
 // loadMesh and exportGLB in JavaScript: round trips, and sources of bytes. C++ tests check the conversion from files to meshes.
 import assert from 'node:assert/strict'
-import { createServer } from 'node:http'
 import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
+import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, describe, test } from 'node:test'

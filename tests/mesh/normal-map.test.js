@@ -5,14 +5,14 @@ import validator from 'gltf-validator'
 import { BoxGeometry, SphereGeometry } from 'three'
 import { compileWarp } from 'warpjet'
 import { bakeNormalMap, bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
-import { angleBetween } from '../support/browser/oracle.js'
 import { cross, normalize } from '../support/browser/matrix.js'
+import { angleBetween } from '../support/browser/oracle.js'
+import { readGlb } from '../support/glb.js'
 import { checkMemoryAfterEach, material, rise, twist } from '../support/mesh-tests.js'
 import { grid, sphere } from '../support/meshes.js'
-import { readGlb } from '../support/glb.js'
 import {
-  mikktspaceNormal,
   blend,
+  mikktspaceNormal,
   readNormalMap,
   readPng,
   shownNormal,

@@ -4,9 +4,9 @@ import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { subdivide } from 'warpjet/mesh'
 import { box } from '../support/coarse-meshes.js'
-import { sketchWarps } from '../warps/sketches.js'
 import { deviation, edgesNotUsed } from '../support/deviation.js'
 import { cube as large, noiseWarps } from '../support/noise-warps.js'
+import { sketchWarps } from '../warps/sketches.js'
 
 const sketches = await sketchWarps()
 /** With or without normals. */

@@ -1,10 +1,10 @@
 // Functions, methods, classes and helpers of a sketch with operators, translated in a page and by the plugin.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
+import { MathUtils } from 'three'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
-import { MathUtils } from 'three'
-import { runTranslated, callOffset } from '../support/operator-tests.js'
+import { callOffset, runTranslated } from '../support/operator-tests.js'
 
 describe('functions, methods and classes:', () => {
   const expected = compileWarp(({ position }) => position.mult(2)).code

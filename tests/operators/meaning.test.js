@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
-import { runTranslated, compileBoth, callOffset } from '../support/operator-tests.js'
+import { callOffset, compileBoth, runTranslated } from '../support/operator-tests.js'
 
 const pairs = {
   'a shorthand parameter with a default': [

@@ -1,10 +1,10 @@
 // Offset functions with operators generate the same code as with methods, byte for byte.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { operators } from '../../dist/operators.js'
 import { translateModule } from '../../dist/operators-plugin.js'
 import { withOperators } from '../../dist/operators-runtime.js'
-import { compileWarp, WarpError } from '../../dist/warpjet.js'
+import { operators } from '../../dist/operators.js'
+import { WarpError, compileWarp } from '../../dist/warpjet.js'
 
 /** Maps a name to the function with operators and the one with methods. */
 const pairs = {

@@ -1,11 +1,11 @@
 // When operators are translated automatically, and the warnings and errors if they are not.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
+import { BoxGeometry, Mesh } from 'three'
 import { mask } from '../../dist/deformers.js'
 import { operators } from '../../dist/operators.js'
-import { compile, compileWarp } from '../../dist/warpjet.js'
 import { warp } from '../../dist/three.js'
-import { BoxGeometry, Mesh } from 'three'
+import { compile, compileWarp } from '../../dist/warpjet.js'
 import { runTranslated, uniforms } from '../support/operator-tests.js'
 
 test('compileWarp, compile and compositions translate operators automatically', () => {

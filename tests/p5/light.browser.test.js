@@ -4,8 +4,8 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
 import * as m from '../support/browser/matrix.js'
-import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
 import { radius, surfaces } from '../support/browser/p5-surfaces.js'
+import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
 import {
   drawScenes,
   openHosts,

@@ -8,12 +8,12 @@ import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
 import { tagsOf } from '../../web/playground/hosts.js'
 import { blocksOf } from '../../web/site/markdown.js'
-import { pngOf } from '../support/png.js'
 import { path } from '../support/browser/bench.js'
 import { launchBrowser, leavePage, openPage } from '../support/browser/browser.js'
 import { coarseShapes } from '../support/browser/examples.js'
 import { beyondEdges, readPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
+import { pngOf } from '../support/png.js'
 
 // The sketch reads the address of its page.
 globalThis.location ??= new URL('http://localhost/playground/index.html')

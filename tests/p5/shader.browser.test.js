@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
-import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
 import * as m from '../support/browser/matrix.js'
 import { geometryCode, sphereMesh } from '../support/browser/mesh.js'
+import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
 import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from '../support/browser/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'

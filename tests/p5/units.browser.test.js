@@ -4,9 +4,9 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { path } from '../../.scripts/lib/files.mjs'
-import { eye, shapes } from '../support/units.js'
 import { leavePage } from '../support/browser/browser.js'
 import { openHost, p5Versions, runSketch } from '../support/browser/sketch.js'
+import { eye, shapes } from '../support/units.js'
 
 /** Records the contents of each buffer, and the vertices and matrices of each draw call. Runs in the page, before p5. */
 const watching = `

@@ -4,12 +4,12 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
-import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
-import { pngOf } from '../support/png.js'
 import { path } from '../support/browser/bench.js'
-import { replaceResponses, addCookie, coarseShapes, cookie } from '../support/browser/examples.js'
+import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
+import { addCookie, coarseShapes, cookie, replaceResponses } from '../support/browser/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
+import { pngOf } from '../support/png.js'
 
 const screenshots = path('.build/screenshots/webgpu')
 

@@ -3,11 +3,11 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as deformers from '../../dist/deformers.js'
-import { warps as listings } from '../warps/listings.js'
-import { stress } from '../warps/stress.js'
 import { leavePage } from '../support/browser/browser.js'
 import { beyondEdges, litPixels } from '../support/browser/pixels.js'
 import { drawScenes, openHost, p5Versions, p5WebGPU, runSketch } from '../support/browser/sketch.js'
+import { warps as listings } from '../warps/listings.js'
+import { stress } from '../warps/stress.js'
 
 const p5 = p5Versions['2.x']
 const scripts = ['/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']

@@ -9,10 +9,10 @@ import { bytesOf, launchBrowser, openPage } from '../support/browser/browser.js'
 import {
   ball,
   canvasPixels,
-  openPlayground,
   downloadFromMenu,
-  waitUntilSettled,
+  openPlayground,
   stillSketch,
+  waitUntilSettled,
   write,
 } from '../support/browser/playground.js'
 import { project, tarball } from './support/project.js'

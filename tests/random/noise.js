@@ -3,7 +3,7 @@
 import { evaluate } from './ast.js'
 import { choicesAt } from './choices.js'
 import { randomOf } from './generate.js'
-import { plainOperations, structural, rotationFrom } from './plain.js'
+import { plainOperations, rotationFrom, structural } from './plain.js'
 
 /** A few units in the last place. */
 const relative = 2 ** -22

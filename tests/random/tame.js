@@ -1,7 +1,7 @@
 // Keeps random expressions within domains: computes their values at the points, and wraps them if necessary.
 import { seededRandom } from '../warps/random.js'
+import { number, node as plainNode } from './ast.js'
 import { apply } from './plain.js'
-import { node as plainNode, number } from './ast.js'
 import { isCondition } from './shapes.js'
 
 /** Ranges within each domain, with a distance to its edge. */

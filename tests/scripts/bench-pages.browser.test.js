@@ -7,11 +7,11 @@ import {
   choose,
   desktop,
   difference,
-  waitUntilMeasured,
   patience,
   phone,
   pixels,
   readOuts,
+  waitUntilMeasured,
 } from '../support/browser/bench.js'
 import { launchBrowser, openPage } from '../support/browser/browser.js'
 import { serveSite, serveSources } from '../support/browser/site.js'

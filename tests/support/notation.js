@@ -2,7 +2,7 @@
 // a matrix an array of its rows. All kinds of products, also by juxtaposition, have the same precedence and associate to the left; Σ
 // applies to the juxtaposed factors after it, over the index ᵢ or ₖ. Written for the tests of the docs, independently of warpjet.
 
-import { add, cross, dot, scale, invert, subtract, times, transpose } from './linear.js'
+import { add, cross, dot, invert, scale, subtract, times, transpose } from './linear.js'
 
 const functions = {
   det: (m) => invert(m).det,

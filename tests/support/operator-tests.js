@@ -1,8 +1,8 @@
 // Helpers that the tests of operators share: functions of p5, and translation in a page and by the plugin.
 import assert from 'node:assert/strict'
-import { operators } from '../../dist/operators.js'
 import { translateModule } from '../../dist/operators-plugin.js'
 import * as runtime from '../../dist/operators-runtime.js'
+import { operators } from '../../dist/operators.js'
 import { compileWarp } from '../../dist/warpjet.js'
 
 /** p5's functions in global mode, which work only on numbers. */

@@ -3,19 +3,19 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
-import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { compileWarp, WarpError } from 'warpjet'
+import { MeshBVH, acceleratedRaycast, computeBatchedBoundsTree } from 'three-mesh-bvh'
+import { WarpError, compileWarp } from 'warpjet'
+import { bend, bulge, shear, spherify, stretch, taper, twist } from 'warpjet/deformers'
+import { glslOffset } from 'warpjet/glsl'
+import { bakeWarp } from 'warpjet/mesh'
 import {
+  addSurfaceVariation,
   fromBufferGeometry,
   toBufferGeometry,
   warp,
   warpMaterial,
-  addSurfaceVariation,
 } from 'warpjet/three'
-import { glslOffset } from 'warpjet/glsl'
-import { bakeWarp } from 'warpjet/mesh'
-import { MeshBVH, acceleratedRaycast, computeBatchedBoundsTree } from 'three-mesh-bvh'
-import { bend, bulge, shear, spherify, stretch, taper, twist } from 'warpjet/deformers'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 
 const wave = ({ glsl, position, uniforms, millis }) =>
   glsl.vec3(0, 0, position.x().mult(3).add(millis.div(500)).sin().mult(uniforms.height))

@@ -3,8 +3,8 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
 import * as TSL from 'three/tsl'
-import { compileWarp } from '../../dist/warpjet.js'
 import { exactNormals, tslOffset, warp } from '../../dist/three.webgpu.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { noise } from '../support/browser/three/exact-normals/materialx.js'
 
 const { Fn, Loop, float, mx_noise_float, normalLocal, sin, time, uniform, uniformArray, uv, vec3 } =

@@ -6,8 +6,8 @@ import {
   bulge,
   chain,
   genie,
-  inflate,
   inSpace,
+  inflate,
   mask,
   melt,
   noiseDisplace,
@@ -21,8 +21,8 @@ import {
   type NumberOption,
   type VectorOption,
 } from '../../js-bindings/deformers.js'
-import { compileWarp, type OffsetFunction, type WarpInputs } from '../../js-bindings/warpjet.js'
 import { createWarp } from '../../js-bindings/p5.js'
+import { compileWarp, type OffsetFunction, type WarpInputs } from '../../js-bindings/warpjet.js'
 
 const all: OffsetFunction[] = [
   twist({ axis: [1, 1, 0], center: [0, 0, 0], angle: Math.PI, length: 100 }),

@@ -1,28 +1,28 @@
 // Checks which uses the types of 'warpjet/glsl' allow and reject. Compiled only, never run.
+import { Mesh } from 'three'
+import { chain, twist } from '../../js-bindings/deformers.js'
 import {
-  type DifferentiateOptions,
-  type GlslOffset,
-  type GlslOffsetOptions,
-  type GlslOptions,
   WarpError,
   differentiate,
   exactNormals,
   glslOffset,
   wgslOffset,
+  type DifferentiateOptions,
+  type GlslOffset,
+  type GlslOffsetOptions,
+  type GlslOptions,
   type WgslOffset,
   type WgslOffsetOptions,
 } from '../../js-bindings/glsl.js'
-import { chain, twist } from '../../js-bindings/deformers.js'
+import { warp as warpThree } from '../../js-bindings/three.js'
 import {
+  compileWarp,
   type Mat3,
   type OffsetFunction,
   type Scalar,
   type Target,
   type Vec3,
-  compileWarp,
 } from '../../js-bindings/warpjet.js'
-import { warp as warpThree } from '../../js-bindings/three.js'
-import { Mesh } from 'three'
 
 // Its offset functions are accepted wherever offset functions are.
 const offsetOptions: GlslOffsetOptions = {

@@ -1,18 +1,18 @@
 // Checks which uses the types of 'warpjet/mesh' allow and reject. Compiled only, never run.
 import { MeshoptDecoder } from 'meshoptimizer'
-import { compileWarp } from '../../js-bindings/warpjet.js'
 import {
-  type DracoDecoderModule,
-  type Mesh,
-  type Resolve,
-  type NormalMapOptions,
   bakeNormalMap,
   bakeWarp,
   exportGLB,
   loadMesh,
   subdivide,
   surfaceVariation,
+  type DracoDecoderModule,
+  type Mesh,
+  type NormalMapOptions,
+  type Resolve,
 } from '../../js-bindings/mesh.js'
+import { compileWarp } from '../../js-bindings/warpjet.js'
 
 const warp = compileWarp(({ position }) => position)
 const resolve: Resolve = (uri) => (uri ? new Uint8Array(1) : undefined)

@@ -1,4 +1,5 @@
 // Checks which uses the types of 'warpjet/three' and 'warpjet/react' allow and reject. Compiled only, never run.
+import { createElement } from 'react'
 import {
   Color,
   Group,
@@ -14,9 +15,8 @@ import {
   Vector4,
 } from 'three'
 import { MeshStandardNodeMaterial } from 'three/webgpu'
-import { createElement } from 'react'
 import { Warp } from '../../js-bindings/react.js'
-import { type WarpOptions, exactNormals, warp, warpMaterial } from '../../js-bindings/three.js'
+import { exactNormals, warp, warpMaterial, type WarpOptions } from '../../js-bindings/three.js'
 import {
   exactNormals as exactNodeNormals,
   tslOffset,

@@ -1,4 +1,5 @@
 // Checks which uses the shipped types allow and reject. Compiled only, never run.
+import { createWarp, type Loading, type WarpModel } from '../../js-bindings/p5.js'
 import {
   compile,
   compileWarp,
@@ -19,7 +20,6 @@ import {
   type Vec4,
   type Vector,
 } from '../../js-bindings/warpjet.js'
-import { createWarp, type Loading, type WarpModel } from '../../js-bindings/p5.js'
 
 compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
   const t: Scalar = millis.div(1000).add(mouseX, 2)

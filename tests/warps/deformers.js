@@ -1,7 +1,7 @@
 // The formulas of 'warpjet/deformers' in plain numbers, as documented: from constant options and a point to its offset. Formulas
 // about an axis are written in the frame of that axis.
-import { noise } from '../support/noise.js'
 import { add, cross, dot, normalize, subtract } from '../support/browser/matrix.js'
+import { noise } from '../support/noise.js'
 
 const { abs, cos, exp, hypot, max, min, PI, sin, sqrt } = Math
 

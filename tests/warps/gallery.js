@@ -1,7 +1,7 @@
 // The warps of the gallery as plain functions of numbers, by their names in sketches.js, which has the offset functions. See
 // stress.js.
-import { deformerSketches } from './deformer-sketches.js'
 import { fbm } from '../support/noise.js'
+import { deformerSketches } from './deformer-sketches.js'
 import { clamp } from './plain.js'
 
 const { sin, cos, exp, sqrt, hypot, fround } = Math

@@ -1,15 +1,15 @@
 // The wasm modules hold as much memory after a call as before it, whatever happens in the call.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compile, compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
-import { subdivide } from '../../dist/mesh.js'
 import {
   evaluationMemoryInUse,
   glslMemoryInUse,
-  meshMemoryInUse,
   memoryInUse,
+  meshMemoryInUse,
 } from '../../dist/memory.js'
+import { subdivide } from '../../dist/mesh.js'
+import { compile, compileWarp } from '../../dist/warpjet.js'
 
 const inUse = () => ({
   core: memoryInUse(),

@@ -1,6 +1,6 @@
 /** Measures the angles between a method's normals and those of the double-precision oracle, which shares no code with our compiler. */
-import { angleBetween, warpVertex } from '../../tests/support/browser/oracle.js'
 import { dot } from '../../tests/support/browser/matrix.js'
+import { angleBetween, warpVertex } from '../../tests/support/browser/oracle.js'
 import { methods } from './methods.js'
 import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe.js'
 

@@ -1,8 +1,8 @@
 /** The panel of the interactive benchmark: the row, the method, and the speed of time. */
 import GUI from 'lil-gui'
+import { plain } from './figures.js'
 import { methods } from './methods.js'
 import { workloads } from './workloads.js'
-import { plain } from './figures.js'
 
 /**
  * @param settings { row, method, exponent, moves, speed }, which the panel updates: names of row and method, the decimal

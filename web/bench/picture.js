@@ -5,7 +5,7 @@ import { frameMesh } from './framing.js'
 import { orbit } from './orbit.js'
 import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe.js'
 import { Scene } from './scene.js'
-import { fragmentShader, vertexShader, newNumber } from './shaders.js'
+import { fragmentShader, newNumber, vertexShader } from './shaders.js'
 
 /** The number of vertices or pixels whose normals are compared: few enough to do so while the picture moves. */
 const SAMPLES = 300

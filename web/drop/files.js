@@ -1,7 +1,7 @@
 /** Loads models from the visitor's files or from the gallery. */
-import { loadMesh } from '../../dist/mesh.js'
-import { MeshoptDecoder } from 'meshoptimizer'
 import dracoWasm from 'draco3dgltf/draco_decoder_gltf.wasm?url'
+import { MeshoptDecoder } from 'meshoptimizer'
+import { loadMesh } from '../../dist/mesh.js'
 import { airplane } from '../models/airplane.js'
 import { bunny } from '../models/bunny.js'
 import { toScreen } from '../models/mesh.js'

@@ -1,7 +1,7 @@
 /** The page for the visitor's own model: loads it, warps it, and exports it. */
 import './style.css'
-import { compileWarp } from '../../dist/warpjet.js'
 import { bakeWarp, exportGLB, subdivide } from '../../dist/mesh.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { make } from '../bench/dom.js'
 import { keepForOffline } from '../offline.js'
 import { makeCamera } from './camera.js'

@@ -3,7 +3,7 @@ import { make } from '../bench/dom.js'
 import { converted } from './convert.js'
 import { exampleSketch, sections, starters } from './examples.js'
 import { hosts, isThree, scripts } from './hosts.js'
-import { builtIn, starter, completeSketch } from './offset.js'
+import { builtIn, completeSketch, starter } from './offset.js'
 
 const first = { text: starters.p5, host: 'p5', chosen: [] }
 const isOffset = (host) => host === 'offset'

@@ -6,8 +6,8 @@ import types from 'virtual:own-types'
 import deformersPage from '../docs/deformers.md?raw'
 import noisePage from '../docs/noise.md?raw'
 import operationsPage from '../docs/operations.md?raw'
-import plotsPage from '../docs/plots.md?raw'
 import vectorsPage from '../docs/plots-vectors.md?raw'
+import plotsPage from '../docs/plots.md?raw'
 
 /** Converts a Markdown table cell to plain text. */
 const plain = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()

@@ -4,17 +4,17 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { walk } from '../../.scripts/lib/files.mjs'
-import { blocksOf } from '../site/markdown.js'
-import { linkTo } from '../site/runnable.js'
 import { desktop, path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
-import { coarse, keepFrames, disableAntialiasing } from '../../tests/support/browser/frames.js'
+import { coarse, disableAntialiasing, keepFrames } from '../../tests/support/browser/frames.js'
 import {
   canvasPixels,
-  waitUntilSettled,
   editorText,
+  waitUntilSettled,
 } from '../../tests/support/browser/playground.js'
 import { serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+import { blocksOf } from '../site/markdown.js'
+import { linkTo } from '../site/runnable.js'
 
 const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
   const text = readFileSync(path(file), 'utf8')

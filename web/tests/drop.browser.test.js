@@ -7,8 +7,8 @@ import { desktop, difference, path, patience, pixels } from '../../tests/support
 import { bytesOf, launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { disableAntialiasing } from '../../tests/support/browser/frames.js'
 import { sphereMesh } from '../../tests/support/browser/mesh.js'
-import { png } from '../../tests/support/png.js'
 import { serveSite, serveSources } from '../../tests/support/browser/site.js'
+import { png } from '../../tests/support/png.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
 /** Starts with the time paused, so that only the test moves anything, and with a quarter of the pixels. */

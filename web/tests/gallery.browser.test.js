@@ -3,19 +3,19 @@ import assert from 'node:assert/strict'
 import { mkdirSync, readdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { sections } from '../catalogue.js'
 import { path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   assertPicture,
-  reduceSketches,
   plain,
+  reduceSketches,
   sketchesForTests,
   statistics,
   still,
 } from '../../tests/support/browser/examples.js'
 import { drawLittle, fewFrames, keepFrames } from '../../tests/support/browser/frames.js'
 import { serveSite, serveSources } from '../../tests/support/browser/site.js'
+import { sections } from '../catalogue.js'
 
 const screenshots = path('.build/screenshots')
 const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))

@@ -3,10 +3,10 @@
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
 import { after, before, describe, test } from 'node:test'
-import { fragmentOf } from '../playground/link.js'
 import { attacks, hostileSketch, leave } from '../../tests/support/browser/hostile-sketch.js'
 import { serveSite } from '../../tests/support/browser/site.js'
 import { browsers } from '../../tests/support/browser/two-browsers.js'
+import { fragmentOf } from '../playground/link.js'
 
 const patience = { timeout: 60_000 }
 const base = '/some/folder/'

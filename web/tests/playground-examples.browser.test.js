@@ -1,7 +1,6 @@
 // Opens every example of the gallery in the playground by its link: it draws the same as in the gallery, without errors.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { sections } from '../catalogue.js'
 import { desktop } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
@@ -12,8 +11,9 @@ import {
   still,
 } from '../../tests/support/browser/examples.js'
 import { keepFrames } from '../../tests/support/browser/frames.js'
-import { waitUntilSettled, visibleFrame } from '../../tests/support/browser/playground.js'
+import { visibleFrame, waitUntilSettled } from '../../tests/support/browser/playground.js'
 import { serveSources } from '../../tests/support/browser/site.js'
+import { sections } from '../catalogue.js'
 
 let browser, server, page, messages
 before(async () => {

@@ -7,12 +7,12 @@ import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   canvasPixels,
   cursorLine,
+  editorText,
   openFromDisk,
   openPlayground,
-  waitUntilSettled,
-  visibleFrame,
   stillSketch,
-  editorText,
+  visibleFrame,
+  waitUntilSettled,
   write,
 } from '../../tests/support/browser/playground.js'
 

@@ -4,10 +4,10 @@ import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import {
-  openPlayground,
-  waitUntilSettled,
-  stillSketch,
   editorText,
+  openPlayground,
+  stillSketch,
+  waitUntilSettled,
   write,
 } from '../../tests/support/browser/playground.js'
 

@@ -2,21 +2,21 @@
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
-import { compileWarp } from '../../dist/warpjet.js'
 import { loadMesh } from '../../dist/mesh.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { difference, path } from '../../tests/support/browser/bench.js'
 import { launchBrowserWithWebGPU } from '../../tests/support/browser/browser.js'
 import { keepFrames } from '../../tests/support/browser/frames.js'
 import {
   ball,
   canvasPixels,
+  downloadFromMenu,
+  editorText,
   openFromDisk,
   openPlayground,
-  downloadFromMenu,
-  waitUntilSettled,
-  visibleFrame,
   stillSketch,
-  editorText,
+  visibleFrame,
+  waitUntilSettled,
   write,
 } from '../../tests/support/browser/playground.js'
 

@@ -2,20 +2,20 @@
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { desktop, difference, path, phone } from '../../tests/support/browser/bench.js'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
+import { desktop, difference, path, phone } from '../../tests/support/browser/bench.js'
 import { bytesOf, launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { drawLittle, framesInPlayground } from '../../tests/support/browser/frames.js'
 import {
   canvasPixels,
-  dragNumber,
   cursorLine,
-  openFromDisk,
   downloadFromMenu,
-  waitUntilSettled,
-  visibleFrame,
-  stillSketch,
+  dragNumber,
   editorText,
+  openFromDisk,
+  stillSketch,
+  visibleFrame,
+  waitUntilSettled,
   write,
 } from '../../tests/support/browser/playground.js'
 import { serveSources } from '../../tests/support/browser/site.js'

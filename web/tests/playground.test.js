@@ -1,18 +1,18 @@
 // Tests the parts of the playground that need no browser.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
 import { converted } from '../playground/convert.js'
-import { guardLoops } from '../playground/guard.js'
 import { insideScript } from '../playground/document.js'
+import { guardLoops } from '../playground/guard.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
+import { evaluatedOf, maskOf, readMessage, shapesOf } from '../playground/messages.js'
 import { modulesAsData } from '../playground/modules.js'
 import { completeSketch } from '../playground/offset.js'
-import { evaluatedOf, maskOf, readMessage, shapesOf } from '../playground/messages.js'
 import { plain, withOrigins } from '../playground/origins.js'
 import { across, down, normalErrors, spherePoints } from '../playground/sphere.js'
 import { namesOfFiles, quote, stringsIn, withFiles } from '../playground/strings.js'
 import { zip } from '../playground/zip.js'
-import { compileWarp } from '../../dist/warpjet.js'
 
 describe('a sketch converted for another p5', () => {
   const sketch = `let hand, warp

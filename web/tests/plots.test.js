@@ -4,9 +4,9 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
-import { blocksOf } from '../site/markdown.js'
 import { add, dot, subtract, times } from '../../tests/support/linear.js'
 import { builder, wrap } from '../../tests/support/plain-builder.js'
+import { blocksOf } from '../site/markdown.js'
 
 const page = (file) => readFileSync(new URL(`../docs/${file}`, import.meta.url), 'utf8')
 const sections = ['plots.md', 'plots-vectors.md'].flatMap((file) =>

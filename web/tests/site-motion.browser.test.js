@@ -4,9 +4,9 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop, phone } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
-import { drawLittle, keepFrames, disableAntialiasing } from '../../tests/support/browser/frames.js'
+import { disableAntialiasing, drawLittle, keepFrames } from '../../tests/support/browser/frames.js'
 import { waitUntilSettled } from '../../tests/support/browser/playground.js'
-import { withReducedMotion, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+import { serveSite, withReducedMotion, withoutWorker } from '../../tests/support/browser/site.js'
 
 const patience = { timeout: 120_000 }
 

@@ -7,7 +7,7 @@ import { desktop, path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { serveCleanly } from '../../tests/support/browser/clean-urls.js'
 import { drawLittle } from '../../tests/support/browser/frames.js'
-import { waitUntilSettled, visibleFrame } from '../../tests/support/browser/playground.js'
+import { visibleFrame, waitUntilSettled } from '../../tests/support/browser/playground.js'
 import { withReducedMotion, withoutWorker } from '../../tests/support/browser/site.js'
 
 const patience = { timeout: 120_000 }

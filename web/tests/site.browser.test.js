@@ -11,7 +11,7 @@ import { desktop, path, phone } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { drawLittle } from '../../tests/support/browser/frames.js'
 import { waitUntilSettled } from '../../tests/support/browser/playground.js'
-import { withReducedMotion, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+import { serveSite, withReducedMotion, withoutWorker } from '../../tests/support/browser/site.js'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 const screenshots = path('.build/screenshots')

@@ -10,8 +10,8 @@ import { sketchOf } from '../playground/link.js'
 import { blocksOf, makeMarkdown } from '../site/markdown.js'
 import { pages as listed } from '../site/navigation.js'
 import { sitePages } from '../site/pages.js'
-import { makeSearch } from '../site/search.js'
 import { linkTo, runnable } from '../site/runnable.js'
+import { makeSearch } from '../site/search.js'
 import { sliders } from '../sliders.js'
 
 const root = new URL('../../', import.meta.url)

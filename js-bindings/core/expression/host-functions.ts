@@ -4,7 +4,7 @@ import { kind, optional, text, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { rejectUnknownOptions } from '../../options/schema.js'
 import { languages } from '../../wasm/tables.js'
-import { type Expression, expressionAsText, toExpression } from './expression.js'
+import { expressionAsText, toExpression, type Expression } from './expression.js'
 import type { Session } from './session.js'
 
 const families = [...new Set(Object.values(languages))]

@@ -7,7 +7,7 @@ import { aliases, compositions, meantByMethods, methodsOf, operationLists } from
 import { gatherNumbers } from './by-component.js'
 import { Expression, toExpression } from './expression.js'
 import { callNoise, noiseKinds } from './noise.js'
-import { type Operation, getOperations, operationNamed } from './operations.js'
+import { getOperations, operationNamed, type Operation } from './operations.js'
 import type { Session } from './session.js'
 import { componentsOf, isVec2, rotateVec2 } from './vector-methods.js'
 

@@ -2,7 +2,7 @@
 import { describe, describeShape } from '../../errors/describe.js'
 import { kind, oneOf, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
-import { type KindsOf, type ValuesOf, object } from '../../options/schema.js'
+import { object, type KindsOf, type ValuesOf } from '../../options/schema.js'
 import { maxOctaves, maxSeed, noises } from '../../wasm/tables.js'
 import type { BaseNoise, CurlOptions, FractalOptions, NoiseOptions } from '../types/noise.js'
 import type { Operand } from '../types/types.js'

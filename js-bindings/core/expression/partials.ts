@@ -3,7 +3,7 @@ import { WarpError } from '../../errors/errors.js'
 import { isCallable } from '../../options/guards.js'
 import { Place } from '../../options/place.js'
 import type { Session as CoreSession } from '../../wasm/core.js'
-import { Expression, type Origin, toExpression } from './expression.js'
+import { Expression, toExpression, type Origin } from './expression.js'
 
 /** A declared function of the host, from numbers to a number. */
 export interface HostFunction {

@@ -2,7 +2,7 @@
 import { describe, describeShape, isExpression } from '../../errors/describe.js'
 import { callable, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
-import { type Expression, toExpression } from './expression.js'
+import { toExpression, type Expression } from './expression.js'
 import type { Session } from './session.js'
 
 /** A state: an operand, or a record of operands. */

@@ -7,10 +7,10 @@ import { failed, needsPartials } from '../../wasm/tables.js'
 import type { SerializedModule, Target } from '../module/serialized-module.js'
 import { Expression } from './expression.js'
 import type { Operation } from './operations.js'
-import { type HostFunction, HostFunctions } from './partials.js'
+import { HostFunctions, type HostFunction } from './partials.js'
 import type { HostSampling } from './sampling.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
-import { type Recording, WasmSession } from './wasm-session.js'
+import { WasmSession, type Recording } from './wasm-session.js'
 
 /** A function of GLSL source, recorded in its own session, from numbers to numbers. */
 export interface RecordedFunction {

@@ -2,10 +2,10 @@
 import { describe, describeShape } from '../../errors/describe.js'
 import { boolean, oneOf, optional, text } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
-import { type KindsOf, object } from '../../options/schema.js'
-import type { TextureOptions } from '../types/types.js'
+import { object, type KindsOf } from '../../options/schema.js'
 import { filters, wraps } from '../../wasm/tables.js'
-import { type Expression, toExpression } from './expression.js'
+import type { TextureOptions } from '../types/types.js'
+import { toExpression, type Expression } from './expression.js'
 import { samplingUniforms } from './sampling.js'
 import type { Session } from './session.js'
 

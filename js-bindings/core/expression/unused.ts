@@ -1,7 +1,7 @@
 // Warnings about unused expressions: conditions, since JavaScript's `if` and `?:` silently treat each as true, and vectors that the
 // user meant to modify in place, as methods of p5.Vector do.
-import { Expression } from './expression.js'
 import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
+import { Expression } from './expression.js'
 
 const noted = new Set<string>()
 

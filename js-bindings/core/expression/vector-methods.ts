@@ -1,7 +1,7 @@
 // Methods of p5.Vector that are composed of operations. Expressions never change, so each method returns a new one.
 import { describeShape } from '../../errors/describe.js'
 import { Place } from '../../options/place.js'
-import { type Expression, toExpression } from './expression.js'
+import { toExpression, type Expression } from './expression.js'
 import type { Session } from './session.js'
 
 type Methods = Record<string, (...operands: unknown[]) => Expression>

@@ -2,7 +2,7 @@
 import { WarpError } from '../../errors/errors.js'
 import { callerOutside } from '../../errors/source-lines.js'
 import type { Place } from '../../options/place.js'
-import { type Core, type Session as CoreSession, core as instance } from '../../wasm/core.js'
+import { core as instance, type Core, type Session as CoreSession } from '../../wasm/core.js'
 import { failed } from '../../wasm/tables.js'
 import { Expression } from './expression.js'
 import type { Shape } from './shapes.js'

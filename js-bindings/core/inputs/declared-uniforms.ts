@@ -1,11 +1,11 @@
 // The option `uniforms`: named values, whose types follow from the values given where the warp is made.
-import { type WarpError, describe } from '../../errors/errors.js'
+import { describe, type WarpError } from '../../errors/errors.js'
 import { isCallable, own } from '../../options/guards.js'
-import { type Kind, record } from '../../options/kinds.js'
+import { record, type Kind } from '../../options/kinds.js'
 import { finiteDouble, readNumbers } from '../../options/numbers.js'
 import type { Place } from '../../options/place.js'
 import type { HostSampling } from '../expression/sampling.js'
-import { type Shape, imageShape } from '../expression/shapes.js'
+import { imageShape, type Shape } from '../expression/shapes.js'
 import type { ImageLike } from '../types/types.js'
 import { inputSizes } from './inputs.js'
 import {

@@ -1,7 +1,7 @@
 // The numbers of a program's input, from a value of the host.
-import { type NumberTest, readNumbers } from '../../options/numbers.js'
+import { readNumbers, type NumberTest } from '../../options/numbers.js'
 import type { Place } from '../../options/place.js'
-import { type ReadAsFloats, type Variable, asFloat } from '../expression/shapes.js'
+import { asFloat, type ReadAsFloats, type Variable } from '../expression/shapes.js'
 
 /** Reads a value as numbers. Conditions are 1 and 0. */
 export function inputNumbers(

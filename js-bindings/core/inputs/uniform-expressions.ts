@@ -6,7 +6,7 @@ import type { Session } from '../expression/session.js'
 import { imageShape } from '../expression/shapes.js'
 import { lazyObject } from '../lazy-object.js'
 import type { OffsetFunction, WarpInputs } from '../types/types.js'
-import { type DeclaredUniforms, listNames } from './declared-uniforms.js'
+import { listNames, type DeclaredUniforms } from './declared-uniforms.js'
 import { markWhole } from './inputs.js'
 import { checkWhole, markAsWhole } from './uniform-values.js'
 

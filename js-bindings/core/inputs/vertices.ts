@@ -5,7 +5,7 @@ import { describeNumber, finiteFloat, firstWrong, readNumbers } from '../../opti
 import type { Place } from '../../options/place.js'
 import { rejectUnknownOptions } from '../../options/schema.js'
 import { unknownUniform } from './declared-uniforms.js'
-import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
+import { drawInputs, vertexInputs, type VertexInput } from './inputs.js'
 
 /** Flat arrays of vertices. */
 export interface Vertices {

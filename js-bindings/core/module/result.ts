@@ -1,6 +1,6 @@
 // The options and results of all compilers.
 import { Session } from '../expression/session.js'
-import { type TypeName, type Variable, typeOf } from '../expression/shapes.js'
+import { typeOf, type TypeName, type Variable } from '../expression/shapes.js'
 import type { Recording } from '../expression/wasm-session.js'
 import type { Target } from './serialized-module.js'
 

@@ -2,7 +2,7 @@
 // made from it any number of times.
 import { WarpError } from '../../errors/errors.js'
 import { oneOf } from '../../options/kinds.js'
-import { type Module, core } from '../../wasm/core.js'
+import { core, type Module } from '../../wasm/core.js'
 import { languages } from '../../wasm/tables.js'
 import type { ReadAsFloats, Variable } from '../expression/shapes.js'
 

@@ -4,6 +4,7 @@
 // Every method throws a `WarpError` for an argument that is neither a finite number nor an expression of the same warp, for vectors
 // of different sizes, and if the result of constants is not finite.
 // The top of src/ops/table.hpp and, for artists, web/docs/operations.md define the derivatives at kinks.
+import type { AliasesOf, MadeMethods, MadeVectorMethods, Vec2Methods } from './aliases.js'
 import type {
   MatrixMethods,
   ScalarMethods,
@@ -11,7 +12,6 @@ import type {
   Vec3Methods,
   VectorMethods,
 } from './methods.js'
-import type { AliasesOf, MadeMethods, MadeVectorMethods, Vec2Methods } from './aliases.js'
 import type { CurlMethod, FieldMethods, NoiseMethods } from './noise.js'
 import type { MatrixOf, Shape, Size, VectorOf } from './signatures.js'
 

@@ -1,4 +1,5 @@
 // The types of `glsl`, the builder.
+import type { AliasesOf, MadeFunctions } from './aliases.js'
 import type {
   AnyMatrix,
   Expression,
@@ -12,11 +13,10 @@ import type {
   Vec4,
   Vector,
 } from './expressions.js'
-import type { AliasesOf, MadeFunctions } from './aliases.js'
 import type { Functions } from './methods.js'
 import type { NoiseFunctions } from './noise.js'
-import type { ByComponent, Shape, Size, VectorOf } from './signatures.js'
 import type { ImageName } from './offset.js'
+import type { ByComponent, Shape, Size, VectorOf } from './signatures.js'
 
 type Parts = (Scalar | Vector | number)[]
 

@@ -1,5 +1,5 @@
 // Assigns the texels of a normal map to triangles.
-import { type UvTriangles, barycentric } from './uv-triangles.js'
+import { barycentric, type UvTriangles } from './uv-triangles.js'
 
 export interface Cover {
   /** The triangle of each texel, row by row; -1 for none. */

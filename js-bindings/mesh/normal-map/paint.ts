@@ -1,10 +1,10 @@
 // Computes the texels of a normal map.
-import { type Uniforms, type Vertices, arrayNames } from '../../core/inputs/vertices.js'
+import { arrayNames, type Uniforms, type Vertices } from '../../core/inputs/vertices.js'
 import type { Place } from '../../options/place.js'
-import { type Evaluates, evaluateFor } from '../bake.js'
-import { type FrameKind, TangentFrames, normalizeVectors } from './frames.js'
+import { evaluateFor, type Evaluates } from '../bake.js'
+import { TangentFrames, normalizeVectors, type FrameKind } from './frames.js'
 import type { Surface } from './surface.js'
-import { type UvTriangles, barycentric } from './uv-triangles.js'
+import { barycentric, type UvTriangles } from './uv-triangles.js'
 
 interface Painting {
   place: Place

@@ -1,7 +1,7 @@
 // The tangents of a warped mesh, and its vertices as a file will have them.
 import { generateTangents } from '../../wasm/mikktspace.js'
-import type { Mesh } from '../mesh-arrays.js'
 import type { WarpedMesh } from '../bake.js'
+import type { Mesh } from '../mesh-arrays.js'
 
 type Rest = WarpedMesh['rest']
 

@@ -1,13 +1,13 @@
 /** Replaces a sketch's hook that moves positions by one that calls it and transforms the normal by its exact derivative. */
 import { compileWarp } from '#text-compiler'
-import { type OffsetFunction, type Target, drawInputs } from '../../compile/hosts.js'
+import { drawInputs, type OffsetFunction, type Target } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import { asOwn } from '../../errors/operators.js'
 import { glslOffset, wgslOffset } from '../../glsl-source/offset.js'
-import { wgslOfHook } from './strands-wgsl.js'
-import { type ModifiedShader, isWgsl } from './modified-shader.js'
-import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
+import { isWgsl, type ModifiedShader } from './modified-shader.js'
+import { wgslOfHook } from './strands-wgsl.js'
+import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
 
 type CompiledText = ReturnType<typeof compileWarp>
 

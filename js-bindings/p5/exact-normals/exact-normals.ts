@@ -4,16 +4,14 @@
  * transform the normal by that exact derivative.
  */
 import { WarpError } from '../../errors/errors.js'
-import type { Shader } from '../host.js'
 import { normalMatrices } from '../hooks/struct-hooks.js'
-import { type ModifiedShader, isWgsl } from './modified-shader.js'
-import { type Hooks, type ExactHooks, makeExactHooks } from './exact-hooks.js'
-import { describeShader } from './unreadable-hooks.js'
+import type { Shader } from '../host.js'
+import type { WarpSpace } from '../settings.js'
 import { forgetLastShape, prepareWhereBound } from '../variation/variation-buffers.js'
 import {
   readsVariation,
-  variationInGlsl,
   variationDeclarations,
+  variationInGlsl,
 } from '../variation/variation-text.js'
 import {
   addAttributes,
@@ -21,7 +19,9 @@ import {
   privatesFor,
   variationInWgsl,
 } from '../variation/variation-wgsl.js'
-import type { WarpSpace } from '../settings.js'
+import { makeExactHooks, type ExactHooks, type Hooks } from './exact-hooks.js'
+import { isWgsl, type ModifiedShader } from './modified-shader.js'
+import { describeShader } from './unreadable-hooks.js'
 
 /** Each of these hooks moves positions in its own space; its normals are transformed in the same space. */
 const structHooks = ['Vertex getObjectInputs', 'Vertex getWorldInputs', 'Vertex getCameraInputs']

@@ -2,20 +2,20 @@
  * Bakes warps that are called inside `buildGeometry()` or after `beginGeometry()`: p5 collects vertices there and draws nothing, so the
  * CPU moves them, with the uniforms of that call.
  */
-import { type Vertices, arrayNames, lazily, variationNames } from '../../compile/hosts.js'
+import { arrayNames, lazily, variationNames, type Vertices } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import {
+  rendererOf,
+  stateOf,
   type BuiltShape,
   type GeometryBuilder,
   type Renderer,
   type Shader,
   type Vector,
-  rendererOf,
-  stateOf,
 } from '../host.js'
 import type { MadeWarp } from '../made-warps.js'
-import { variationOf } from '../variation/shape-variation.js'
 import type { CallValues, WarpUniforms } from '../sketch-uniforms.js'
+import { variationOf } from '../variation/shape-variation.js'
 import { nameOf } from '../variation/variation-buffers.js'
 
 /** Moves the vertices of a shape; `name` is the name that p5 gave it. */

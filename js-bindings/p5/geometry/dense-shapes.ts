@@ -1,8 +1,8 @@
 /** `warpBox`: p5's own box has no vertices besides its corners. */
 import { WarpError, describe } from '../../errors/errors.js'
 import type { Canvas } from '../host.js'
-import type { P5Constructors, WarpModel } from './model.js'
 import { emptyModel } from './load-model.js'
+import type { P5Constructors, WarpModel } from './model.js'
 import type { Triple } from './triple.js'
 
 /** The faces, in the order of p5's box: the first corner, and the edges from it to the second and third. */

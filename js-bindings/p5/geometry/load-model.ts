@@ -1,7 +1,7 @@
 /** `loadWarpModel`: loads a file as a p5.Geometry. */
-import type { LoadModelOptions, P5Constructors, WarpModel } from './model.js'
 import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
+import type { LoadModelOptions, P5Constructors, WarpModel } from './model.js'
 
 export type { LoadModelOptions, WarpModel } from './model.js'
 

@@ -1,12 +1,12 @@
 // Converts model files to a p5.Geometry for p5's `model()`, upright and of visible size. Files have y upwards and linear colours, p5 has
 // y downwards and sRGB. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { describe } from '../../errors/errors.js'
+import { decodersKind, type Decoders } from '../../mesh/decoders.js'
+import { readModel } from '../../mesh/load.js'
+import type { Mesh, Picture } from '../../mesh/mesh-arrays.js'
 import { boolean } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { object } from '../../options/schema.js'
-import { type Decoders, decodersKind } from '../../mesh/decoders.js'
-import { readModel } from '../../mesh/load.js'
-import type { Mesh, Picture } from '../../mesh/mesh-arrays.js'
 
 export interface LoadModelOptions {
   /**

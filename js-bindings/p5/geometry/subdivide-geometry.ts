@@ -1,9 +1,9 @@
 // Subdivides a p5.Geometry. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { describe } from '../../errors/errors.js'
 import { warpKind } from '../../mesh/bake.js'
+import { subdivide, type AdaptiveOptions, type LevelsOptions } from '../../mesh/subdivide.js'
 import { Place } from '../../options/place.js'
 import type { P5Constructors, Vector, WarpModel } from './model.js'
-import { type AdaptiveOptions, type LevelsOptions, subdivide } from '../../mesh/subdivide.js'
 
 const place = new Place('subdivide')
 const warpOfP5 = warpKind('createWarp or compileWarp')

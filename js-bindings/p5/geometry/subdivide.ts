@@ -1,12 +1,12 @@
 /** `subdivide` of a p5.Geometry, by a number or by a warp of `compileWarp` or `createWarp`. */
-import type { Evaluates } from '../../mesh/bake.js'
-import type { P5Constructors, WarpModel } from './model.js'
-import type { AdaptiveOptions, LevelsOptions } from '../../mesh/subdivide.js'
-import { emptyModel } from './load-model.js'
-import { madeWarpOf } from '../made-warps.js'
 import { importMesh } from '#mesh'
+import type { Evaluates } from '../../mesh/bake.js'
+import type { AdaptiveOptions, LevelsOptions } from '../../mesh/subdivide.js'
+import { madeWarpOf } from '../made-warps.js'
 import { withOwnErrors } from '../page/own-errors.js'
 import { inputsNow } from '../sketch-uniforms.js'
+import { emptyModel } from './load-model.js'
+import type { P5Constructors, WarpModel } from './model.js'
 
 /** The function that createWarp returns. */
 type Distort = (uniforms?: never) => void

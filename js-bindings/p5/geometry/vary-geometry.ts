@@ -2,7 +2,7 @@
 // attributes. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { arrayNames, variationAttribute, variationNames } from '../../compile/hosts.js'
 import { describe } from '../../errors/errors.js'
-import { type SurfaceVariation, findVariation } from '../../mesh/surface-variation.js'
+import { findVariation, type SurfaceVariation } from '../../mesh/surface-variation.js'
 import { Place } from '../../options/place.js'
 
 /** The members of a p5.Geometry that we use. */

@@ -1,12 +1,12 @@
 /** Finds the style of hooks that a canvas's shaders have, and adds a warp to p5's shaders. */
-import { mergeHooks } from './merge-hooks.js'
 import type { HostText, Target } from '../../compile/hosts.js'
-import { forgetLastShape } from '../variation/variation-buffers.js'
-import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import type { Shader } from '../host.js'
 import { inputUniforms } from '../sketch-uniforms.js'
+import { forgetLastShape } from '../variation/variation-buffers.js'
+import { readsVariation, variationVariables } from '../variation/variation-text.js'
+import { mergeHooks } from './merge-hooks.js'
 import { structHooks } from './struct-hooks.js'
-import type { HookStyle, WarpCode, MaterialKind } from './styles.js'
+import type { HookStyle, MaterialKind, WarpCode } from './styles.js'
 import { valueHooks } from './value-hooks.js'
 import { wgslHooks } from './wgsl-hooks.js'
 

@@ -2,7 +2,7 @@
  * The code that computes a warp's normal at each pixel. The vertex stage passes the inputs of the warp, in the space of the offset, as
  * varyings; the fragment stage runs the same warp on their interpolated values, but computes only the normal.
  */
-import { type HostWarp, type Target, variationNames } from '../../compile/hosts.js'
+import { variationNames, type HostWarp, type Target } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import { inputUniforms } from '../sketch-uniforms.js'
 import type { PixelCode, Varying } from './styles.js'

@@ -2,7 +2,7 @@
 import type { Modifications, Shader } from '../host.js'
 import { facingInGlsl } from './facing.js'
 import { nameOfPixel, normalVarying, normalWithLength } from './pixel-code.js'
-import { type PixelCode, type WarpCode, glslDeclarations } from './styles.js'
+import { glslDeclarations, type PixelCode, type WarpCode } from './styles.js'
 
 /** Transforms normals from the space of the offset to view space, by a matrix of p5 unless both are the same. */
 export interface ToView {

@@ -1,22 +1,22 @@
 /** p5 2.x on WebGL: in each space, a hook takes and returns a vertex as one struct. */
-import { type HookStyle, type WarpCode, glslDeclarations } from './styles.js'
-import type { HookOrder } from './merge-hooks.js'
-import { passInputs } from './pixel-code.js'
-import {
-  type ToView,
-  passViewPosition,
-  pixelDeclarations,
-  pixelHooks,
-  readsNormals,
-} from './pixel-normals.js'
-import { zeroNormalHooks } from './zero-normals.js'
+import type { WarpSpace } from '../settings.js'
 import {
   readsVariation,
   variationDeclarations,
   variationInGlsl,
   variationVariables,
 } from '../variation/variation-text.js'
-import type { WarpSpace } from '../settings.js'
+import type { HookOrder } from './merge-hooks.js'
+import { passInputs } from './pixel-code.js'
+import {
+  passViewPosition,
+  pixelDeclarations,
+  pixelHooks,
+  readsNormals,
+  type ToView,
+} from './pixel-normals.js'
+import { glslDeclarations, type HookStyle, type WarpCode } from './styles.js'
+import { zeroNormalHooks } from './zero-normals.js'
 
 export const hookIn: Record<WarpSpace, string> = {
   local: 'getObjectInputs',

@@ -4,9 +4,9 @@
  * start with warpjet, so that they cannot clash with names of the sketch.
  */
 import type { Declared, HostText, Target } from '../../compile/hosts.js'
-import type { HookOrder } from './merge-hooks.js'
 import type { Modifications, Shader } from '../host.js'
 import type { WarpSpace, WarpType } from '../settings.js'
+import type { HookOrder } from './merge-hooks.js'
 
 /** A warp's code, and what a shader needs to contain it. */
 export interface WarpCode {

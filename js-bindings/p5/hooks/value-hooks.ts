@@ -5,24 +5,24 @@
  * to return to view space, they are multiplied by V's rotation, because V is rigid. GLSL 1.00 has neither `transpose` (hence `v * V`) nor
  * `mat3(V)` (hence `vec4(n, 0.0)`).
  */
-import { sketchHook } from './merge-hooks.js'
-import { passInputs } from './pixel-code.js'
-import {
-  type ToView,
-  passViewPosition,
-  pixelDeclarations,
-  pixelHooks,
-  readsNormals,
-} from './pixel-normals.js'
-import { zeroNormalHooks } from './zero-normals.js'
+import type { WarpSpace } from '../settings.js'
 import {
   readsVariation,
   variationDeclarations,
   variationInGlsl,
   variationVariables,
 } from '../variation/variation-text.js'
-import type { WarpSpace } from '../settings.js'
-import { type HookStyle, glslDeclarations } from './styles.js'
+import { sketchHook } from './merge-hooks.js'
+import { passInputs } from './pixel-code.js'
+import {
+  passViewPosition,
+  pixelDeclarations,
+  pixelHooks,
+  readsNormals,
+  type ToView,
+} from './pixel-normals.js'
+import { glslDeclarations, type HookStyle } from './styles.js'
+import { zeroNormalHooks } from './zero-normals.js'
 
 export const valueHooks: HookStyle = {
   isOrdered: false,

@@ -3,6 +3,7 @@
  * writes. So the last hook stores the normal in a varying of ours, from which the fragment hooks compute colours.
  */
 import type { Declared, HostText } from '../../compile/hosts.js'
+import type { Modifications, Shader } from '../host.js'
 import { variationVariables } from '../variation/variation-text.js'
 import {
   addAttributes,
@@ -10,12 +11,11 @@ import {
   privatesFor,
   variationInWgsl,
 } from '../variation/variation-wgsl.js'
-import type { Modifications, Shader } from '../host.js'
 import { facingInWgsl } from './facing.js'
 import { passInputs } from './pixel-code.js'
 import { pixelVaryings, readInputs, toView, wgslTypes } from './pixel-normals-wgsl.js'
 import { hookIn, isAfterWarpInStruct, orderInStruct } from './struct-hooks.js'
-import { type HookStyle, type MaterialKind, type WarpCode, readsInstance } from './styles.js'
+import { readsInstance, type HookStyle, type MaterialKind, type WarpCode } from './styles.js'
 
 export const wgslHooks: HookStyle = {
   isOrdered: true,

@@ -6,7 +6,7 @@ import type { OffsetFunction } from '../../compile/hosts.js'
 import { isExpression } from '../../errors/describe.js'
 import { WarpError } from '../../errors/errors.js'
 import { guardedKey } from '../../errors/operators.js'
-import { type Canvas, sketchOf } from '../host.js'
+import { sketchOf, type Canvas } from '../host.js'
 
 const alike =
   'sin cos tan asin acos atan sinh cosh tanh abs floor ceil round sign trunc sqrt exp log log2 fract degrees radians'

@@ -1,6 +1,6 @@
 /** Adds the file and line of the sketch to the message of a WarpError. */
-import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
 import { WarpError } from '../../errors/errors.js'
+import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
 
 /** Recognizes p5's own files under the names of common servers. */
 const isOfP5 = (file: string) =>

@@ -1,7 +1,7 @@
 /** Gradients of normal and uv on the shapes that p5 computes from angles, by formulas. */
 import { variationNames } from '../../compile/hosts.js'
+import { add, cross, times, type Triple } from '../geometry/triple.js'
 import type { Shape, Vector } from '../host.js'
-import { type Triple, add, cross, times } from '../geometry/triple.js'
 
 /** Returns the gradients of the normal's three components, of u and of v, at a vertex. */
 type Gradients = (p: Triple, n: Triple, u: number) => readonly Triple[]

@@ -2,9 +2,9 @@
  * Per-vertex gradients of normal and uv on a shape, which the normals of an offset that depends on these need. p5's own shapes have
  * formulas; on others we compute gradients per triangle, which is exact where they are flat.
  */
-import { type VariationInput, variationNames } from '../../compile/hosts.js'
-import { gradientsByFormula, formulaOf } from './formula-variation.js'
+import { variationNames, type VariationInput } from '../../compile/hosts.js'
 import type { Shape } from '../host.js'
+import { formulaOf, gradientsByFormula } from './formula-variation.js'
 import { gradientsByTriangles } from './triangle-variation.js'
 
 /** For each of `variationNames`, 3 floats per vertex. */

@@ -2,8 +2,8 @@
  * Gradients of normal and uv on a shape of which we know only the triangles. A shape built by a sketch may have a hundred thousand
  * vertices, and its first frame waits for this computation: hence typed arrays.
  */
+import { cross, dot, sub, times, type Triple } from '../geometry/triple.js'
 import type { Shape } from '../host.js'
-import { type Triple, cross, dot, sub, times } from '../geometry/triple.js'
 
 /** Numbers per vertex: 3 of its position, then the varying values, 3 of its normal, u and v. */
 const width = 8

@@ -2,9 +2,9 @@
  * Passes the gradients of shapes to p5 as vertex attributes. A p5.Geometry has them as arrays next to its vertices, computed on first
  * use, and each renderer that draws with a warp that reads them has buffers for them.
  */
-import { type VariationInput, variationAttribute, variationNames } from '../../compile/hosts.js'
+import { variationAttribute, variationNames, type VariationInput } from '../../compile/hosts.js'
 import type { Renderer, Shader, Shape } from '../host.js'
-import { type Variation, variationOf } from './shape-variation.js'
+import { variationOf, type Variation } from './shape-variation.js'
 
 type Drawn = Shape & { dirtyFlags: Record<string, boolean | undefined> }
 

@@ -1,5 +1,5 @@
 /** GLSL that reads the gradients of normal and uv from attributes. */
-import { type HostText, variationAttribute, variationNames } from '../../compile/hosts.js'
+import { variationAttribute, variationNames, type HostText } from '../../compile/hosts.js'
 
 /** Code with a list of the attributes that it reads. */
 export type TextOfVertex = Pick<HostText, 'attributes'>

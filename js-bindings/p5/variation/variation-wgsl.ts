@@ -1,9 +1,9 @@
 /** WGSL that reads the gradients of normal and uv from attributes, which p5 on WebGPU cannot add to a shader itself. */
-import { type VariationInput, variationAttribute, variationNames } from '../../compile/hosts.js'
+import { variationAttribute, variationNames, type VariationInput } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import type { Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { type TextOfVertex, variationIn, variationVariables } from './variation-text.js'
+import { variationIn, variationVariables, type TextOfVertex } from './variation-text.js'
 
 /** A WebGPU vertex shader may have 8 buffers, of which p5 uses 4. */
 const maxBuffers = 4

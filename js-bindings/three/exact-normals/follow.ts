@@ -3,17 +3,17 @@
  * material's `onBeforeCompile`, which is called with a shader of its own for that.
  */
 import {
-  type Box3,
-  type Mesh,
   MeshDepthMaterial,
   MeshDistanceMaterial,
   RGBADepthPacking,
+  type Box3,
+  type Mesh,
   type Sphere,
 } from 'three'
 import { nameOf } from '../describe.js'
 import { extentOf } from '../extent.js'
 import { replaceProperties, wrapMethod } from '../properties.js'
-import { type Raycast, raycastOf } from '../rays.js'
+import { raycastOf, type Raycast } from '../rays.js'
 import type { ThreeWarp } from '../three-warp.js'
 import { MeshReading } from './mesh-reading.js'
 import { putShadow } from './shadow.js'

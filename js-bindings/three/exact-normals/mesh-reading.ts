@@ -1,7 +1,7 @@
 // The displacement of a mesh, read from the shader that was compiled last or, before that, from one that is made for it.
 import type { IUniform, Material, Mesh } from 'three'
 import { definesFor } from './defines.js'
-import { type ExactMaterial, exactMaterialOf, messageOf } from './exact-material.js'
+import { exactMaterialOf, messageOf, type ExactMaterial } from './exact-material.js'
 import { parametersOf, plainShader } from './plain-shader.js'
 import type { Reading } from './reading.js'
 import type { ExactShader } from './shader.js'

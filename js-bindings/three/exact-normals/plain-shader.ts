@@ -1,5 +1,5 @@
 // The shader of a material as three.js will compile it, for what must be known before that.
-import { type Material, type Mesh, ShaderLib, type ShaderMaterial, UniformsUtils } from 'three'
+import { ShaderLib, UniformsUtils, type Material, type Mesh, type ShaderMaterial } from 'three'
 import type { ExactShader } from './shader.js'
 
 /** Maps the type of a material → its shader in ShaderLib. */

@@ -1,7 +1,7 @@
 // Finds out whether a displacement is before or after morph targets and bones.
 import type { Place } from '../../options/place.js'
-import { chunkSource, resolveIncludes } from '../shader-source.js'
 import type { WarpSpace } from '../settings.js'
+import { chunkSource, resolveIncludes } from '../shader-source.js'
 import { anchor, splitAtAnchor } from '../weave.js'
 import { withoutProjection } from './moved-body.js'
 import type { ExactShader } from './shader.js'

@@ -1,15 +1,15 @@
 // Reads where a vertex shader moves vertices, as a warp.
 import type { IUniform } from 'three'
-import { readOffset } from '../../glsl-source/offset.js'
-import type { External } from '../../glsl-source/listing.js'
 import { asOwn } from '../../errors/operators.js'
+import type { External } from '../../glsl-source/listing.js'
+import { readOffset } from '../../glsl-source/offset.js'
 import { Place } from '../../options/place.js'
 import type { Settings, WarpSpace } from '../settings.js'
 import { ThreeWarp } from '../three-warp.js'
 import { three } from '../values.js'
-import type { ExactShader } from './shader.js'
 import { movedFunction } from './moved-body.js'
 import { withNamesOfShader } from './own-names.js'
+import type { ExactShader } from './shader.js'
 import { vertexSource } from './vertex-source.js'
 
 /** A variable of the shader that the displacement reads there, and that the CPU has no value of. */

@@ -4,11 +4,11 @@
  */
 import { splitAtMain } from '../shader-source.js'
 import { definesFor } from './defines.js'
+import { movedBody, type MovedBody } from './moved-body.js'
 import { numberedIncludes } from './numbered-includes.js'
 import { isInputName, ownPrefix } from './own-names.js'
-import { type MovedBody, movedBody } from './moved-body.js'
-import type { ExactShader } from './shader.js'
 import { withoutComments } from './plain-source.js'
+import type { ExactShader } from './shader.js'
 
 /** Maps a variable that three.js declares → type. */
 export const uniforms: Record<string, string> = {

@@ -2,10 +2,11 @@
  * Puts exact normals into vertex shaders that make normals by three's own chunks. The shader goes on to move the vertex by itself; in
  * front of `mvPosition`, where all displacement is done, three's lines for normals run once more, from the transformed normal.
  */
-import { type PixelNormals, markViewPosition } from '../pixel-normals.js'
+import { markViewPosition, type PixelNormals } from '../pixel-normals.js'
 import { chunkSource, resolveIncludes } from '../shader-source.js'
 import { atObject, toView } from '../warp-block.js'
 import { WarpCode } from '../warp-code.js'
+import type { WeaveOptions } from '../weave-options.js'
 import {
   anchor,
   markNormals,
@@ -14,7 +15,6 @@ import {
   projection,
   splitAtAnchor,
 } from '../weave.js'
-import type { WeaveOptions } from '../weave-options.js'
 import type { Reading } from './reading.js'
 
 /** Tests whether three's own lines make the normal of a shader. */

@@ -8,14 +8,14 @@
  * `renderObject` already, so that a renderer replaced there would draw its first frame without.
  */
 import type { Material, Object3D } from 'three'
-import { NodeMaterial, Renderer } from 'three/webgpu'
 import * as TSL from 'three/tsl'
-import type { AnyNode } from './tsl.js'
+import { NodeMaterial, Renderer } from 'three/webgpu'
+import type { ThreeWarp } from '../three-warp.js'
 import type { Builder } from './builder.js'
 import { exactOf } from './exact-normals/exact-materials.js'
 import { setupExact } from './exact-normals/setup-exact.js'
+import type { AnyNode } from './tsl.js'
 import { setupWarped } from './vertex.js'
-import type { ThreeWarp } from '../three-warp.js'
 
 /** Maps what is warped, an object or a material on all objects, → its warp. */
 const warps = new WeakMap<object, ThreeWarp>()

@@ -1,7 +1,7 @@
 // Vectors at pixels that replace those that are zero.
 import { BackSide, DoubleSide } from 'three'
 import type { Builder } from './builder.js'
-import { type AnyNode, tsl } from './tsl.js'
+import { tsl, type AnyNode } from './tsl.js'
 
 /** Returns the vector with length 1, or `other` for one that is zero or not finite. */
 export const normalizeOr = (vector: AnyNode, other: AnyNode) =>

@@ -10,7 +10,7 @@
 import { shaderNames, variationNames } from '../../compile/hosts.js'
 import { wgslType } from '../../glsl-source/options.js'
 import type { Stage, ThreeWarp } from '../three-warp.js'
-import { type Call, tsl } from './tsl.js'
+import { tsl, type Call } from './tsl.js'
 
 /** Maps an input of the warp → the name of its parameter. */
 export const parameterNames: Record<string, string> = {

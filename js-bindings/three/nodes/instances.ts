@@ -1,7 +1,7 @@
 // Instances and bones: which objects have matrices of their own, and when three.js applies them.
 import type { BufferGeometry, Texture } from 'three'
 import type { Builder } from './builder.js'
-import { type AnyNode, tsl } from './tsl.js'
+import { tsl, type AnyNode } from './tsl.js'
 
 /** Sets up all that comes before the matrices of instances, which three.js applies in its own `setup`. */
 export function withoutInstances(

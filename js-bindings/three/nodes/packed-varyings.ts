@@ -2,7 +2,7 @@
  * Vectors that pass from the vertex stage to pixels, packed into varyings of four numbers: WebGPU guarantees 16 varyings, of which
  * three.js needs up to 9.
  */
-import { type AnyNode, tsl } from './tsl.js'
+import { tsl, type AnyNode } from './tsl.js'
 
 const axes = ['x', 'y', 'z', 'w'] as const
 const makers = { 2: 'vec2', 3: 'vec3', 4: 'vec4' } as const

@@ -13,7 +13,7 @@ import { normalizeOr, onBack } from './facing.js'
 import { inputsOfStage, parameterNames, parametersOf } from './function.js'
 import { instanceMatrixOf, instancesAfter, isSkinned } from './instances.js'
 import { PackedVaryings, type VectorSize } from './packed-varyings.js'
-import { type AnyNode, tsl } from './tsl.js'
+import { tsl, type AnyNode } from './tsl.js'
 import type { NodesByName } from './uniforms.js'
 import { nodesOf } from './warp-nodes.js'
 

@@ -1,5 +1,5 @@
 // The spaces in which a warp moves the vertex of WebGPURenderer.
-import { type AnyNode, tsl } from './tsl.js'
+import { tsl, type AnyNode } from './tsl.js'
 
 /** Converts the vertex into the space of the warp and back. */
 export interface Space {

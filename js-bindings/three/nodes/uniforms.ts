@@ -1,10 +1,10 @@
 // The uniforms of a warp as nodes of three.js: their values of this frame, and those of the frame before for velocities.
-import { Matrix3, Matrix4, type Texture, Vector2, Vector3, Vector4 } from 'three'
+import { Matrix3, Matrix4, Vector2, Vector3, Vector4, type Texture } from 'three'
 import { shaderNames } from '../../compile/hosts.js'
 import { fillOf } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
-import { type AnyNode, type Frame, tsl } from './tsl.js'
 import { valueNow } from '../uniforms.js'
+import { tsl, type AnyNode, type Frame } from './tsl.js'
 
 /** Maps the name of a parameter → its node. */
 export type NodesByName = Readonly<Record<string, AnyNode>>

@@ -5,7 +5,7 @@
  */
 import type { Builder } from './builder.js'
 import { normalizeOr, onBack } from './facing.js'
-import { type AnyNode, tsl } from './tsl.js'
+import { tsl, type AnyNode } from './tsl.js'
 
 /** The part of a NodeMaterial that we use. */
 interface NormalMaterial {

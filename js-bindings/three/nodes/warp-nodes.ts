@@ -2,7 +2,7 @@
 import type { Stage, ThreeWarp } from '../three-warp.js'
 import { functionFor } from './function.js'
 import type { Call } from './tsl.js'
-import { type NodesByName, previousUniformsOf, uniformsOf } from './uniforms.js'
+import { previousUniformsOf, uniformsOf, type NodesByName } from './uniforms.js'
 
 /** The nodes of a warp, shared by all shaders that it is in. */
 export class WarpNodes {

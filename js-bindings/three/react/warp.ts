@@ -1,20 +1,20 @@
 // `<Warp>` for @react-three/fiber: warps the object around it, or the objects in it.
 import { useFrame } from '@react-three/fiber'
 import {
-  type ForwardedRef,
-  type PropsWithChildren,
-  type ReactElement,
-  type Ref,
   createElement,
   forwardRef,
   useImperativeHandle,
   useLayoutEffect,
   useRef,
+  type ForwardedRef,
+  type PropsWithChildren,
+  type ReactElement,
+  type Ref,
 } from 'react'
 import type { Group } from 'three'
 import type { ThreeOffset, WarpOptions } from '../settings.js'
 import type { ThreeUniforms, ValuesOf } from '../uniforms.js'
-import { type WarpedObject, warp } from '../warp.js'
+import { warp, type WarpedObject } from '../warp.js'
 
 export interface WarpProps<Uniforms extends ThreeUniforms = {}> extends WarpOptions<Uniforms> {
   /** Maps a vertex to the offset that moves it. Another function is another warp: define it outside of the component, or

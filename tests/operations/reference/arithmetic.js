@@ -4,11 +4,11 @@ import {
   binary,
   byComponent,
   close,
+  integersUpTo,
   makeOperandsMeet,
   pick,
   span,
   ternary,
-  integersUpTo,
 } from './row.js'
 import { power } from './tolerances.js'
 

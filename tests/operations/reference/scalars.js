@@ -11,7 +11,7 @@
 // - `tolerance` and `sensitivity`: see tolerances.js;
 // - `build({ glsl, call }, ...operands)`, if calling the operation with the operands is not enough;
 //   `call` calls it, as a method or as a function of the builder; `note` describes the result.
-import { awayFromZero, byComponent, halves, span, unary, integersUpTo } from './row.js'
+import { awayFromZero, byComponent, halves, integersUpTo, span, unary } from './row.js'
 import { arcCosine, exponential, sine } from './tolerances.js'
 
 const scalar = (name, f, domain, more) => ({

@@ -1,6 +1,6 @@
 // The same as worker.js, without an import map.
-import { compileWarp } from './node_modules/warpjet/dist/warpjet.js'
 import { loadMesh } from './node_modules/warpjet/dist/mesh.js'
+import { compileWarp } from './node_modules/warpjet/dist/warpjet.js'
 
 const mesh = await loadMesh(new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'))
 const { positions } = compileWarp(({ position }) => position.mult(0)).evaluate(mesh)

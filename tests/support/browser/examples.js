@@ -1,6 +1,6 @@
 // Runs the examples without a GPU: with fewer pixels and frames, and checks their pictures.
 import assert from 'node:assert/strict'
-import { coarsenShapes, fewSamples, disableAntialiasing } from './frames.js'
+import { coarsenShapes, disableAntialiasing, fewSamples } from './frames.js'
 
 /**
  * Vite plugin for a test server: it serves each context the sketches that `lower` requested, and libraries that a browser may

@@ -1,10 +1,10 @@
 // Invalid model files, each with the reason that loadMesh must report.
+import { readGlb, writeGlb } from '../glb.js'
+import { extensionVariants } from './extension-variants.js'
 import { plain, plainVariants } from './gltf-variants.js'
 import { packedVariants } from './packed-variants.js'
 import { shapes } from './shapes.js'
 import { textVariants } from './text-variants.js'
-import { extensionVariants } from './extension-variants.js'
-import { readGlb, writeGlb } from '../glb.js'
 
 const { cube } = shapes
 const encode = (text) => new TextEncoder().encode(text)

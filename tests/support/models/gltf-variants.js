@@ -1,6 +1,6 @@
 // glTF files in many forms, each with the triangles that its shape must have: { file, files?, triangles, tolerance? }.
-import { GltfWriter, extent } from './writer.js'
 import { reverseTriangles, trianglesOf } from './shapes.js'
+import { GltfWriter, extent } from './writer.js'
 
 /** Makes the accessors of a shape's attributes; `own` replaces some of them. */
 const attributesOf = (writer, shape, own = {}) => ({

@@ -1,6 +1,6 @@
 // glTF files compressed by meshopt and Draco, each with the triangles that it must have. The encoders are those of the packages.
-import { MeshoptEncoder } from 'meshoptimizer'
 import draco from 'draco3dgltf'
+import { MeshoptEncoder } from 'meshoptimizer'
 import { plain } from './gltf-variants.js'
 import { trianglesOf } from './shapes.js'
 import { GltfWriter, bytesOf, componentTypes, extent, widths } from './writer.js'

@@ -1,9 +1,9 @@
 // Loads model files with three.js' own loaders, and returns the triangles of the scene.
+import { MeshoptDecoder } from 'meshoptimizer'
 import { LoadingManager, Matrix4, Vector3 } from 'three'
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js'
 import { OBJLoader } from 'three/examples/jsm/loaders/OBJLoader.js'
 import { STLLoader } from 'three/examples/jsm/loaders/STLLoader.js'
-import { MeshoptDecoder } from 'meshoptimizer'
 
 // The loader detects Safari.
 globalThis.navigator ??= { userAgent: '' }

@@ -1,11 +1,12 @@
 // Checks which uses the shipped types allow and reject under every TypeScript from 5.4 on, without p5. Compiled only, never run.
-import { type OffsetFunction, type Vec3, WarpError, compile, compileWarp, version } from 'warpjet'
-import { type Op, gen } from 'warpjet/autodiff'
-import { type TwistOptions, chain, twist } from 'warpjet/deformers'
-import { type GlslOffset, differentiate, glslOffset } from 'warpjet/glsl'
-import { type Mesh, bakeWarp, loadMesh, subdivide } from 'warpjet/mesh'
+import { WarpError, compile, compileWarp, version, type OffsetFunction, type Vec3 } from 'warpjet'
+import { gen, type Op } from 'warpjet/autodiff'
+import { chain, twist, type TwistOptions } from 'warpjet/deformers'
+import { differentiate, glslOffset, type GlslOffset } from 'warpjet/glsl'
+// @ts-expect-error functions for the addon are not shipped
+import { bakeWarp, loadMesh, subdivide, varyGeometry, type Mesh } from 'warpjet/mesh'
+import warpjet, { createWarp, type Loading, type WarpModel } from 'warpjet/p5'
 import { compileWarp as compileText } from 'warpjet/text'
-import warpjet, { type Loading, type WarpModel, createWarp } from 'warpjet/p5'
 
 const turn: TwistOptions = { axis: 'x', angle: ({ millis }) => millis.div(1000) }
 const offset: OffsetFunction = chain(twist(turn), ({ position }): Vec3 => position.mult(2))
@@ -45,6 +46,4 @@ compileText(twist())
 warpjet(class {})
 export const model = (sketch: Loading): Promise<WarpModel> => sketch.loadWarpModel('bunny.glb')
 
-// @ts-expect-error functions for the addon are not shipped
-import { varyGeometry } from 'warpjet/mesh'
 void varyGeometry

@@ -1,9 +1,9 @@
 // `exactNormals` for materials of nodes.
 import type { Material } from 'three'
 import type { NodeMaterial } from 'three/webgpu'
-import { type NormalsOption, normalsKinds } from '../../../compile/hosts.js'
+import { normalsKinds, type NormalsOption } from '../../../compile/hosts.js'
 import { Place } from '../../../options/place.js'
-import { type KindsOf, object } from '../../../options/schema.js'
+import { object, type KindsOf } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
 import { addExact } from './exact-materials.js'
 

@@ -4,10 +4,10 @@ import { type HostText, type OffsetFunction, type Target } from '../../../compil
 import { asOwn } from '../../../errors/operators.js'
 import { glslOffset, wgslOffset } from '../../../glsl-source/offset.js'
 import type { Settings } from '../../settings.js'
-import { type Stage, ThreeWarp } from '../../three-warp.js'
-import { type AnyNode, tsl } from '../tsl.js'
+import { ThreeWarp, type Stage } from '../../three-warp.js'
+import { tsl, type AnyNode } from '../tsl.js'
 import type { NodesByName } from '../uniforms.js'
-import { type PositionSource, functionName, maxIterations } from './read-position.js'
+import { functionName, maxIterations, type PositionSource } from './read-position.js'
 
 /** Returns the offset function of a positionNode. */
 export function offsetOf({ language, text }: PositionSource): OffsetFunction {

@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, Mesh } from 'three'
 import { GLSLNodeBuilder, MeshBasicNodeMaterial, PerspectiveCamera, Scene } from 'three/webgpu'
 import { WarpError } from '../../../errors/errors.js'
-import { type ReadingBuilder, knownAttributes } from './reading-builder.js'
+import { knownAttributes, type ReadingBuilder } from './reading-builder.js'
 
 /** The part of a renderer that a builder reads while it writes the code of a node. */
 const renderer = {

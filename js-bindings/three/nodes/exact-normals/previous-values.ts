@@ -1,6 +1,6 @@
 // The values of uniform nodes in the frame before, for velocities.
 import type { Object3D } from 'three'
-import { type AnyNode, type Frame, tsl } from '../tsl.js'
+import { tsl, type AnyNode, type Frame } from '../tsl.js'
 import type { NodesByName } from '../uniforms.js'
 
 type Value = number | { clone(): Value; copy(value: Value): Value }

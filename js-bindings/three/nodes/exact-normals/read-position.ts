@@ -3,7 +3,7 @@ import type { Texture } from 'three'
 import { WarpError } from '../../../errors/errors.js'
 import type { SourceLanguage } from '../../../glsl-source/options.js'
 import type { Builder } from '../builder.js'
-import { type AnyNode, tsl } from '../tsl.js'
+import { tsl, type AnyNode } from '../tsl.js'
 import {
   NodeReading,
   type OuterValue,

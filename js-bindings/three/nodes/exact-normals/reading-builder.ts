@@ -6,7 +6,7 @@
 import type { Texture } from 'three'
 import { WarpError } from '../../../errors/errors.js'
 import type { Builder } from '../builder.js'
-import { type AnyNode, tsl } from '../tsl.js'
+import { tsl, type AnyNode } from '../tsl.js'
 
 /** A value from outside that the code of a node reads by a name. */
 export interface OuterValue {

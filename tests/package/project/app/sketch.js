@@ -1,8 +1,9 @@
 'use client'
+
 // Rendered on the server too, where p5 cannot load.
 import 'warpjet/p5'
-import { compileWarp } from 'warpjet'
 import { useEffect } from 'react'
+import { compileWarp } from 'warpjet'
 
 export function Sketch() {
   useEffect(() => void import('../sketch.js'), [])

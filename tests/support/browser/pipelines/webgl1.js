@@ -2,9 +2,9 @@
 // four floats of each point. An infinite float is returned as NaN, since the rasterizer multiplies it by zero. Runs in the page.
 import { totalSize } from './text.js'
 import {
-  declareImages,
   bindPoints,
   collectResults,
+  declareImages,
   link,
   showImages,
   vertexParts,

@@ -1,9 +1,9 @@
 // The vertex shader of WebGL 2, read by transform feedback. Runs in the page.
 import { totalSize } from './text.js'
 import {
-  declareImages,
   bindPoints,
   collectResults,
+  declareImages,
   link,
   showImages,
   vertexParts,

@@ -4,9 +4,9 @@ import { warp } from 'warpjet/three'
 import { addSurfaceVariation, warpMaterial, warpNode } from 'warpjet/three/webgpu'
 import { differing } from './pixels.js'
 import * as scenes from './scenes.js'
-import { draw, rendererFor } from './webgpu-renderer.js'
 import * as velocities from './velocities.js'
 import * as torus from './wavy-torus.js'
+import { draw, rendererFor } from './webgpu-renderer.js'
 
 const { TSL } = THREE
 const { motion } = scenes

@@ -1,13 +1,13 @@
 // A page with WebGPURenderer, on both its backends, and 'warpjet/three/webgpu': the functions that tests call in it.
-import * as THREE from 'three/webgpu'
 import { WebGLRenderer } from 'three'
+import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { warpNode } from 'warpjet/three/webgpu'
-import * as scenes from './scenes.js'
-import { samplings, scenesOf } from './sampling.js'
-import * as wave from './wave.js'
 import { settledHeap } from './heap.js'
 import { differing } from './pixels.js'
+import { samplings, scenesOf } from './sampling.js'
+import * as scenes from './scenes.js'
+import * as wave from './wave.js'
 import { draw, rendererFor } from './webgpu-renderer.js'
 
 const { size } = scenes

@@ -3,8 +3,8 @@ import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { settledHeap } from './heap.js'
 import { differing } from './pixels.js'
-import * as scenes from './scenes.js'
 import { samplings, scenesOf } from './sampling.js'
+import * as scenes from './scenes.js'
 import * as wave from './wave.js'
 
 const { size } = scenes

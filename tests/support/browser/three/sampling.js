@@ -1,8 +1,8 @@
 // A sphere displaced by the heights in an image: once with a warp, and once vertex by vertex with an interpolation in double precision, at
 // the coordinates that the matrix of three's texture gives.
 import * as THREE from 'three'
-import { warp } from 'warpjet/three'
 import { glslOffset } from 'warpjet/glsl'
+import { warp } from 'warpjet/three'
 import { randomImage, sample } from '../../../operations/textures.js'
 
 const image = randomImage(7, 5, 3)

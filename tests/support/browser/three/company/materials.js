@@ -1,7 +1,6 @@
 // Rows for changes that users make to materials and their shaders.
 import * as THREE from 'three'
 import {
-  withOnBeforeCompile,
   checker,
   mesh,
   one,
@@ -10,6 +9,7 @@ import {
   torus,
   userMotion,
   withMotion,
+  withOnBeforeCompile,
 } from './lib.js'
 import { straightCamera, twistByHand } from './twisted.js'
 

@@ -2,6 +2,7 @@
 import * as THREE from 'three'
 import * as SkeletonUtils from 'three/addons/utils/SkeletonUtils.js'
 import {
+  camera,
   checker,
   litScene,
   mesh,
@@ -11,7 +12,6 @@ import {
   size,
   standard,
   torus,
-  camera,
 } from './lib.js'
 
 const makeSmallMesh = (x = -0.7) => {

@@ -1,10 +1,10 @@
 // Rows for passes that draw the scene with their own materials.
 import * as THREE from 'three'
+import { BokehPass } from 'three/addons/postprocessing/BokehPass.js'
 import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js'
+import { OutlinePass } from 'three/addons/postprocessing/OutlinePass.js'
 import { OutputPass } from 'three/addons/postprocessing/OutputPass.js'
 import { RenderPass } from 'three/addons/postprocessing/RenderPass.js'
-import { BokehPass } from 'three/addons/postprocessing/BokehPass.js'
-import { OutlinePass } from 'three/addons/postprocessing/OutlinePass.js'
 import { RenderPixelatedPass } from 'three/addons/postprocessing/RenderPixelatedPass.js'
 import { SAOPass } from 'three/addons/postprocessing/SAOPass.js'
 import { SSAOPass } from 'three/addons/postprocessing/SSAOPass.js'

@@ -1,6 +1,6 @@
 // Materials that React components create.
-import { createElement as e, act } from 'react'
 import { createRoot, extend } from '@react-three/fiber'
+import { act, createElement as e } from 'react'
 import * as THREE from 'three'
 
 globalThis.IS_REACT_ACT_ENVIRONMENT = true

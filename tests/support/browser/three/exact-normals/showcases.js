@@ -1,8 +1,8 @@
 // Two of three's showcases, reconstructed in TSL from their formulas: a raging sea and a procedural terrain. Each has its normals by hand,
 // from heights at two shifted places, and without these; and its height in double precision,
 // `heightNear(x, z)(dx, dz)`, at the places of octaves that float32 has for x and z.
-import * as THREE from 'three/webgpu'
 import * as TSL from 'three/tsl'
+import * as THREE from 'three/webgpu'
 import { noise } from './materialx.js'
 
 const {

@@ -6,10 +6,10 @@ import {
   bumps,
   collapse,
   countDifferences,
+  drawWithMap,
   facets,
   litScene,
   mapNames,
-  drawWithMap,
   summarize,
 } from './pictures.js'
 import { camera, size } from './scenes.js'
