@@ -3,6 +3,7 @@
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  runs programs for many vertices
 #   mesh        mesh files and operations on meshes
+#   detail      divides triangles as finely as a warped surface needs it on the screen
 #   glsl        converts shader source to a listing of the core's operations
 
 # Everything is compiled with CMake's -O3 (Release), except code that runs once per glTF file: checks of its JSON, which take no
@@ -89,6 +90,9 @@ target_link_options(warpjet_core_wasm PRIVATE ${without_simd})
 # The parser limits the nesting of a source, and each level takes less than 1 KB.
 warpjet_module_without_exceptions(glsl 1048576 warpjet_source)
 target_link_options(warpjet_glsl_wasm PRIVATE ${without_simd} -Wl,--stack-first)
+
+warpjet_module_without_exceptions(detail 262144 warpjet_detail)
+target_link_options(warpjet_detail_wasm PRIVATE ${without_simd})
 
 # A malicious file may request any amount of memory and nest arbitrarily deep. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.

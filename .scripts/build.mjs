@@ -22,7 +22,7 @@ const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
 // The modules of .cmake/wasm.cmake.
-const wasm = ['core', 'evaluation', 'mesh', 'glsl']
+const wasm = ['core', 'evaluation', 'mesh', 'glsl', 'detail']
 // The wasm of a package, for which js-bindings/wasm/mikktspace.ts is the binding: the package's own loads it by `import` or from a file.
 const mikktspace = 'node_modules/mikktspace/dist/module/mikktspace_module_bg.wasm'
 const compiled = wasm.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`])

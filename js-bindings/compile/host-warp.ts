@@ -1,15 +1,30 @@
 // `HostWarp`: everything that an adapter needs from a warp, so that it contains only what is particular to its host.
-import { allowNonFinite, type Vertices } from '../core/inputs/vertices.js'
+import { allowNonFinite, countVertices, type Vertices } from '../core/inputs/vertices.js'
 import { lazily } from '../core/module/lazily.js'
-import { makeProgram, type Program } from '../core/module/serialized-module.js'
+import { vertexInputs, type InputName } from '../core/inputs/inputs.js'
+import { ResultSet } from '../core/module/result-set.js'
+import { makePhases, makeProgram, type Program } from '../core/module/serialized-module.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
+import type { Sink } from '../cpu/machine-code.js'
 import { createCpuWarp } from '../cpu/create-cpu-warp.js'
+import { positionsAlone } from '../cpu/results.js'
+import { runOnVertices } from '../cpu/vertex-run.js'
 import { warpProgram, type WarpProgram } from '../cpu/warp-program.js'
 import { warpResults } from '../wasm/tables.js'
 import { OffsetWarp, type DrawValues } from './offset-warp.js'
 import { onSurface } from './recorded-warp.js'
 
 type CpuResult = 'position' | 'offset'
+
+/** What a host needs to sample a surface finely enough: see `makePhases`. */
+export interface SurfacePhases {
+  /** For each phase, its numbers per vertex, and how far it may move between samples. */
+  readonly phases: readonly { readonly size: number; readonly step: number }[]
+  /** The numbers per vertex of all phases. */
+  readonly size: number
+  /** Writes the phases of all vertices. */
+  evaluate(vertices: Vertices, given: DrawValues, into: Float32Array): void
+}
 
 export class HostWarp extends OffsetWarp {
   private readonly onCpu = {
@@ -40,6 +55,45 @@ export class HostWarp extends OffsetWarp {
   /** Like `evaluate` of `cpu()`, but accepts vertices that are not finite, since hosts draw those too. */
   evaluate(vertices: Vertices, given: DrawValues) {
     return this.cpu().evaluate(allowNonFinite(vertices), { uniforms: given as never })
+  }
+
+  /** Writes warped positions into an array, and computes nothing else. */
+  evaluatePositions(vertices: Vertices, given: DrawValues, into: Float32Array) {
+    const sinks = [{ values: into, results: positionsAlone.numbers }]
+    this.runOn(this.running(), vertices, given, positionsAlone, sinks)
+  }
+
+  /** What makes the surface wavy; `undefined` if nothing does that can be told. */
+  readonly surfacePhases = lazily((): SurfacePhases | undefined => {
+    const { module, inputs } = this.recorded
+    const varying = Object.keys(vertexInputs).map((name) => inputs[name as InputName])
+    const made = this.runs ? makePhases(module, [warpResults.position], varying) : undefined
+    if (!made) return undefined
+    const { phases } = made
+    const size = phases.reduce((sum, each) => sum + each.size, 0)
+    const results = new ResultSet(Array.from({ length: size }, (_, i) => i))
+    const program = this.withUserNames(made.program)
+    const running: WarpProgram = {
+      ...this.programs('position'),
+      // Frame constants are those of the shader code, which phases are not part of.
+      frameConstants: undefined,
+      program: () => program,
+    }
+    const evaluate: SurfacePhases['evaluate'] = (vertices, given, into) =>
+      this.runOn(running, vertices, given, results, [{ values: into, results: results.numbers }])
+    return { phases, size, evaluate }
+  })
+
+  private runOn(
+    program: WarpProgram,
+    vertices: Vertices,
+    given: DrawValues,
+    results: ResultSet,
+    sinks: readonly Sink[],
+  ) {
+    const mesh = allowNonFinite(vertices)
+    const count = countVertices(this.place, mesh)
+    runOnVertices(program, this.place, mesh, count, given as never, results, sinks)
   }
 
   private running() {

@@ -15,6 +15,7 @@
 #include "embind.hpp"
 #include "emit/text.hpp"
 #include "eval/cost.hpp"
+#include "eval/phases.hpp"
 #include "eval/program.hpp"
 #include "frame/frame.hpp"
 #include "noise/noise.hpp"
@@ -227,6 +228,10 @@ CpuProgram makeProgram(const Module& module, const Words& wanted) {
 
 Cost cost(const Module& module, const Words& results) { return costOf(module, results); }
 
+std::vector<Phase> phases(Module& module, const Words& results, const Words& varying) {
+  return addPhases(module, results, varying);
+}
+
 // Returns for each input whether the program reads it. `sizes` are the counts of their numbers.
 std::vector<std::uint8_t> inputsOfProgramRead(const Words& words, std::uint32_t instructions,
                                               const Words& sizes) {
@@ -266,6 +271,7 @@ EMSCRIPTEN_BINDINGS(core) {
   registerArray<std::string>();
   registerArray<HostText>();
   registerArray<Variable>();
+  registerArray<Phase>();
 
   bindEnum<Filter>("Filter", filterNames);
   bindEnum<Wrap>("Wrap", wrapNames);
@@ -292,6 +298,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("words", &CpuProgram::words)
       .field("instructions", &CpuProgram::instructions)
       .field("inputs", &CpuProgram::inputs);
+  value_object<Phase>("Phase").field("size", &Phase::size).field("step", &Phase::step);
   value_object<Cost>("Cost")
       .field("operations", &Cost::operations)
       .field("hasNoise", &Cost::hasNoise)
@@ -326,7 +333,8 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("separate", &separate)
       .function("write", &writeText)
       .function("program", &makeProgram)
-      .function("cost", &cost);
+      .function("cost", &cost)
+      .function("phases", &phases);
 
   function("operationNames", &operationNames);
   function("operationFlags", &operationFlags);

@@ -125,6 +125,15 @@ double noisePeriod(const Definition& definition, std::optional<double> lacunarit
   return dimensions == 3 ? 3 * ops::hashPrime : 0;
 }
 
+double wavelengthOf(const Definition& definition, int octave) {
+  const Noise noise = unpack(definition.settings).noise;
+  const NoiseRow& kind = row(noise.kind);
+  const bool hasBase = kind.use == NoiseUse::Fractal || kind.use == NoiseUse::Composed;
+  if (!hasBase) return kind.wavelength;
+  const double share = kind.use == NoiseUse::Fractal ? kind.wavelength : 1;
+  return share * row(noise.base).wavelength / (1 << std::min(octave, noise.octaves - 1));
+}
+
 Expression callBase(Library& library, NoiseKind base, const Point& p, Expression seed) {
   Numbers arguments = p;
   if (p.pixel) arguments.push_back(*p.pixel);

@@ -145,6 +145,26 @@ export const makeProgram = (
     return programOf(serialized, module, results)
   })
 
+/** The points at which waves and noises of results are evaluated (src/eval/phases.hpp), and the program that computes them. */
+export interface Phases {
+  program: Program
+  /** For each point, its dimensions, and how far it may move between samples. */
+  phases: readonly { size: number; step: number }[]
+}
+
+/** Finds the phases of results, given by number; `varying` are the inputs that differ by vertex. `undefined` if there are none. */
+export const makePhases = (
+  serialized: SerializedModule,
+  results: readonly number[],
+  varying: readonly number[],
+): Phases | undefined =>
+  withModule(serialized, (module) => {
+    const phases = module.phases(results, varying)
+    const program =
+      phases.length && programOf(serialized, module, [module.results().length - 1])
+    return program ? { program, phases } : undefined
+  })
+
 function programOf(
   serialized: SerializedModule,
   module: Module,

@@ -1,0 +1,185 @@
+// A mesh that is divided as finely as its warped surface needs it on the screen (src/detail).
+import type { HostWarp } from '../compile/host-warp.js'
+import type { DrawValues } from '../compile/offset-warp.js'
+import type { Vertices } from '../core/inputs/vertices.js'
+import { details, type Detail, type DetailModule } from '../wasm/detail.js'
+
+export interface DetailAttribute {
+  /** The array that it is for the warp; missing if the warp doesn't read it. */
+  readonly input?: Exclude<keyof Vertices, 'positions'> | undefined
+  /** Numbers per vertex. */
+  readonly size: number
+  readonly values: ArrayLike<number>
+  /** `true` for unit vectors, which keep their length between vertices. */
+  readonly isUnit?: boolean
+}
+
+export interface DetailBase {
+  /** 3 numbers per vertex. */
+  readonly positions: ArrayLike<number>
+  readonly attributes: readonly DetailAttribute[]
+  /** 3 per triangle. */
+  readonly indices: ArrayLike<number>
+  /** The numbers of triangles at which groups begin, in ascending order. */
+  readonly groups?: readonly number[]
+}
+
+/** How a mesh is seen: see `numbersPerView`. */
+export type DetailViews = number[]
+
+/**
+ * Numbers per view: a matrix by columns from warped positions to clip space, half of the width and height of the viewport in pixels, and
+ * 1 if triangles that face away are not drawn, -1 if those that face the eye are not drawn, 0 if all are.
+ */
+export const numbersPerView = 19
+
+/** Brings samples into the space of the offset. It writes into `positions` and returns the other arrays. */
+export type ToSpace = (samples: Vertices, positions: Float32Array) => Vertices
+
+/** A mesh in the wasm, which is freed with the `DetailedMesh` that owns it. */
+interface Held {
+  readonly bound: DetailModule
+  readonly detail: Detail
+}
+
+const registry = new FinalizationRegistry<Held>(free)
+
+function free({ bound, detail }: Held) {
+  if (!bound.isBroken) detail.delete()
+}
+
+/** At least this many pieces across the mesh, so that samples see how smooth warps bend it. */
+const minPiecesAcross = 8
+
+/** Cutting ends after this many passes: each can split an edge into 32. */
+const maxPasses = 4
+
+export class DetailedMesh {
+  private held: Held | undefined
+  private samples: Vertices = { positions: new Float32Array() }
+  private inSpace = new Float32Array()
+  private warped = new Float32Array()
+  /** The inputs of the warp for which the samples are warped now. */
+  private state: readonly number[] = []
+  private views: readonly number[] = []
+  private readonly maxLength: number
+
+  constructor(
+    private readonly warp: HostWarp,
+    private readonly base: DetailBase,
+  ) {
+    this.maxLength = diagonalOf(base.positions) / minPiecesAcross || 1
+  }
+
+  /**
+   * Divides the mesh for a frame. `given` are the values of the draw call. `place` is what the space of the offset depends on besides.
+   * Returns `true` if the arrays changed.
+   */
+  update(
+    given: DrawValues,
+    views: DetailViews,
+    tolerance: number,
+    toSpace?: ToSpace,
+    place: readonly number[] = [],
+  ): boolean {
+    const isNew = !this.held || this.held.bound.isBroken
+    if (isNew) this.start()
+    const { detail } = this.held!
+    const state = [...this.warp.state(given), ...place]
+    const seen = [...views, tolerance]
+    if (isNew || !areEqual(state, this.state)) {
+      this.cut(given, toSpace)
+      this.warp.evaluatePositions(this.inOffsetSpace(toSpace), given, this.warped)
+      detail.warped().set(this.warped)
+      this.state = state
+    } else if (areEqual(seen, this.views)) return false
+    this.views = seen
+    return detail.update(views, tolerance)
+  }
+
+  /** The numbers of an attribute, by its place in the base; -1 is positions. A view, which is valid until the next call of any mesh. */
+  values(attribute: number): Float32Array {
+    return this.held!.detail.attribute(attribute + 1)
+  }
+
+  /** A view like `values`. */
+  indices(): Uint32Array {
+    return this.held!.detail.indices()
+  }
+
+  /** The numbers of triangles at which the groups begin now. */
+  groups(): Uint32Array {
+    return this.held!.detail.groups()
+  }
+
+  dispose() {
+    if (!this.held) return
+    registry.unregister(this)
+    free(this.held)
+    this.held = undefined
+  }
+
+  private start() {
+    const bound = details.get()
+    const { positions, attributes, indices, groups = [] } = this.base
+    const all = [{ size: 3, values: positions, isUnit: false }, ...attributes]
+    const sizes = all.map(({ size }) => size)
+    const areUnit = all.map(({ isUnit }) => (isUnit ? 1 : 0))
+    const [vertices, triangles] = [positions.length / 3, indices.length / 3]
+    const detail = new bound.Detail(sizes, areUnit, vertices, triangles, groups)
+    this.dispose()
+    this.held = { bound, detail }
+    registry.register(this, this.held, this)
+    all.forEach(({ values }, i) => detail.given(i).set(values))
+    detail.givenIndices().set(indices)
+    this.begin()
+  }
+
+  private begin() {
+    this.held!.detail.begin()
+    this.readSamples()
+  }
+
+  /** Cuts the mesh until no edge is longer than samples allow, which changes with the inputs of the warp. */
+  private cut(given: DrawValues, toSpace: ToSpace | undefined) {
+    const { detail } = this.held!
+    const { phases = [], size = 0, evaluate } = this.warp.surfacePhases() ?? {}
+    const sizes = phases.map((each) => each.size)
+    const steps = phases.map(({ step }) => step)
+    for (let pass = 0; pass < maxPasses; pass++) {
+      const into = new Float32Array(size * detail.sampleCount())
+      evaluate?.(this.inOffsetSpace(toSpace), given, into)
+      detail.phases(size).set(into)
+      if (!detail.cut(this.maxLength, sizes, steps)) return
+      this.readSamples()
+    }
+  }
+
+  private readSamples() {
+    const { detail } = this.held!
+    const samples: Vertices = { positions: detail.sample(0).slice() }
+    this.base.attributes.forEach(({ input }, i) => {
+      if (input) samples[input] = detail.sample(i + 1).slice()
+    })
+    this.samples = samples
+    this.inSpace = new Float32Array(samples.positions.length)
+    this.warped = new Float32Array(samples.positions.length)
+  }
+
+  private inOffsetSpace(toSpace: ToSpace | undefined): Vertices {
+    return toSpace ? toSpace(this.samples, this.inSpace) : this.samples
+  }
+}
+
+function diagonalOf(positions: ArrayLike<number>): number {
+  const min = [Infinity, Infinity, Infinity]
+  const max = [-Infinity, -Infinity, -Infinity]
+  for (let i = 0; i < positions.length; i++) {
+    min[i % 3] = Math.min(min[i % 3]!, positions[i]!)
+    max[i % 3] = Math.max(max[i % 3]!, positions[i]!)
+  }
+  return Math.hypot(...max.map((high, i) => high - min[i]!))
+}
+
+const areEqual = (a: readonly number[], b: readonly number[]) =>
+  a.length === b.length && a.every((x, i) => x === b[i])

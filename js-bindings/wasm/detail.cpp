@@ -1,0 +1,78 @@
+// The bindings of detail: a mesh that is divided as finely as its warped surface needs it on the
+// screen. JavaScript fills the arrays of a mesh, evaluates the warp at its samples, and reads the
+// arrays of the divided mesh. Its objects live as long as the mesh.
+#include <malloc.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "detail/detail.hpp"
+#include "embind.hpp"
+
+using namespace warpjet;
+
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+// Makes a mesh with arrays to fill. `sizes` are the numbers per vertex of its attributes, of which
+// the first one is its positions.
+Detail* makeDetail(const Words& sizes, const Words& areUnit, std::uint32_t vertices,
+                   std::uint32_t triangles, const Words& groups) {
+  std::vector<Attribute> attributes;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    attributes.push_back(
+        {sizes[i], areUnit[i] != 0, std::vector<float>(std::size_t{sizes[i]} * vertices)});
+  return new Detail(std::move(attributes), triangles, groups);
+}
+
+View<float> given(Detail& detail, std::uint32_t attribute) {
+  return View(detail.given(attribute));
+}
+View<std::uint32_t> givenIndices(Detail& detail) { return View(detail.givenIndices()); }
+View<float> sample(const Detail& detail, std::uint32_t attribute) {
+  return View(detail.samples()[attribute].values);
+}
+View<float> warped(Detail& detail) { return View(detail.warped()); }
+View<float> phases(Detail& detail, std::uint32_t size) { return View(detail.phases(size)); }
+View<float> attribute(const Detail& detail, std::uint32_t attribute) {
+  return View(detail.division().attributes[attribute].values);
+}
+View<std::uint32_t> indices(const Detail& detail) { return View(detail.indices()); }
+View<std::uint32_t> groups(const Detail& detail) { return View(detail.groups()); }
+
+// `numbers` has 19 numbers for each view: a matrix by columns, half of the size of the viewport in
+// pixels, and `ScreenView::facing`.
+bool update(Detail& detail, const std::vector<float>& numbers, float tolerance) {
+  return detail.update(numbers, tolerance);
+}
+
+std::uint32_t memoryInUse() { return mallinfo().uordblks; }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(detail) {
+  using namespace emscripten;
+
+  registerArray<std::uint32_t>();
+  registerArray<float>();
+  registerView<float>();
+  registerView<std::uint32_t>();
+
+  class_<Detail>("Detail")
+      .constructor(&makeDetail, allow_raw_pointers())
+      .function("given", &given)
+      .function("givenIndices", &givenIndices)
+      .function("begin", &Detail::begin)
+      .function("cut", &Detail::cut)
+      .function("sampleCount", &Detail::sampleCount)
+      .function("sample", &sample)
+      .function("phases", &phases)
+      .function("warped", &warped)
+      .function("update", &update)
+      .function("attribute", &attribute)
+      .function("indices", &indices)
+      .function("groups", &groups);
+
+  function("memoryInUse", &memoryInUse);
+}

@@ -1,0 +1,24 @@
+// Loads the wasm module that divides meshes for the screen (detail.cpp). It starts with the first mesh that is drawn with detail.
+import type { Bound, Detail } from '../generated/detail-bindings.js'
+import inlined from '../generated/detail-wasm.js'
+import factory from '../generated/detail.js'
+import { WasmInstance, outOfMemory, type Emscripten } from './instance.js'
+
+export type { Detail }
+
+export type DetailModule = Bound & Emscripten
+
+export const details = new WasmInstance<DetailModule>({
+  factory,
+  inlined,
+  fail: outOfMemory(
+    (megabytes) =>
+      `There is not enough memory to draw so large a mesh with detail: meshes already take ${megabytes} MB.`,
+  ),
+})
+
+/**
+ * Returns the number of bytes held in the wasm: none after all meshes were disposed.
+ * @internal
+ */
+export const detailMemoryInUse = (): number => details.get().memoryInUse()

@@ -1,0 +1,79 @@
+// A mesh whose sides can be split without cracks: sides between the same two places, on both sides
+// of a seam as well, share an edge, and so its number of pieces.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "detail/triangulate.hpp"
+
+namespace warpjet {
+
+// Numbers of vertices. Attribute 0 of a mesh is its positions, with three numbers each.
+struct Attribute {
+  std::uint32_t size;   // numbers per vertex
+  bool isUnit = false;  // true for normals, which keep their length when they are interpolated
+  std::vector<float> values = {};
+};
+
+class BaseMesh {
+ public:
+  // Two vertices. The one at the place with the lower number is first, so that both sides of a seam
+  // interpolate from the same end, and get the same bits.
+  struct Side {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t edge;
+  };
+
+  BaseMesh(std::vector<Attribute> attributes, std::vector<Corners> triangles);
+
+  std::size_t vertexCount() const { return attributes_[0].values.size() / 3; }
+  std::uint32_t edgeCount() const { return edgeCount_; }
+  std::span<const Attribute> attributes() const { return attributes_; }
+  std::span<const Corners> triangles() const { return triangles_; }
+  std::span<const Side> sides() const { return sides_; }
+  // The sides of a triangle: side i goes from corner i to the next one, or back.
+  const std::array<std::uint32_t, 3>& sidesOf(std::size_t triangle) const {
+    return sidesOf_[triangle];
+  }
+  std::uint32_t edgeOf(std::size_t triangle, int side) const {
+    return sides_[sidesOf_[triangle][side]].edge;
+  }
+  bool startsAt(std::uint32_t side, std::uint32_t vertex) const {
+    return sides_[side].ends[0] == vertex;
+  }
+
+  // The attributes of samples, which divide each side into four. First those of all vertices, then
+  // three for each side, from its first end to its second, then three for each triangle, of which
+  // sample i is the one nearest to corner i.
+  std::vector<Attribute> samples() const;
+  std::uint32_t sampleOfSide(std::uint32_t side, int i) const {
+    return static_cast<std::uint32_t>(vertexCount()) + 3 * side + i;
+  }
+  std::uint32_t sampleOfTriangle(std::size_t triangle, int i) const {
+    return static_cast<std::uint32_t>(vertexCount() + 3 * (sides_.size() + triangle)) + i;
+  }
+
+ private:
+  void findSides();
+
+  std::vector<Attribute> attributes_;
+  std::vector<Corners> triangles_;
+  std::vector<std::array<std::uint32_t, 3>> sidesOf_;
+  std::vector<Side> sides_;
+  std::uint32_t edgeCount_ = 0;
+};
+
+// Appends a vertex between others of `from`. The weights add up to 1.
+template <std::size_t count>
+void blend(Attribute& to, const Attribute& from, const std::array<std::uint32_t, count>& vertices,
+           const std::array<float, count>& weights);
+extern template void blend<2>(Attribute&, const Attribute&, const std::array<std::uint32_t, 2>&,
+                              const std::array<float, 2>&);
+extern template void blend<3>(Attribute&, const Attribute&, const std::array<std::uint32_t, 3>&,
+                              const std::array<float, 3>&);
+
+}  // namespace warpjet

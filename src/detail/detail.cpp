@@ -1,0 +1,128 @@
+#include "detail/detail.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace warpjet {
+
+namespace {
+
+// A cut mesh has at most about this number of triangles: what four evaluations of a warp per
+// triangle can take in each frame.
+constexpr double maxCutTriangles = 1 << 16;
+
+constexpr std::size_t numbersPerView = 19;
+
+std::vector<ScreenView> readViews(std::span<const float> numbers) {
+  std::vector<ScreenView> views(numbers.size() / numbersPerView);
+  for (ScreenView& view : views) {
+    for (int i = 0; i < 16; ++i) view.clip[i / 4][i % 4] = numbers[i];
+    view.halfSize = {numbers[16], numbers[17]};
+    view.facing = numbers[18];
+    numbers = numbers.subspan(numbersPerView);
+  }
+  return views;
+}
+
+// The distance of two samples in `size` of their numbers.
+float distanceOf(const float* a, const float* b, std::uint32_t size) {
+  float sum = 0;
+  for (std::uint32_t i = 0; i < size; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+Detail::Detail(std::vector<Attribute> attributes, std::uint32_t triangles,
+               std::vector<std::uint32_t> groups)
+    : given_(std::move(attributes)),
+      givenIndices_(3 * std::size_t{triangles}),
+      givenGroups_(std::move(groups)) {}
+
+void Detail::begin() {
+  std::vector<Corners> triangles;
+  for (std::size_t i = 0; i < givenIndices_.size(); i += 3)
+    triangles.push_back({givenIndices_[i], givenIndices_[i + 1], givenIndices_[i + 2]});
+  baseGroups_ = givenGroups_;
+  use(BaseMesh(given_, std::move(triangles)));
+}
+
+void Detail::use(BaseMesh base) {
+  base_.emplace(std::move(base));
+  samples_ = base_->samples();
+  warped_.resize(samples_[0].values.size());
+  needs_ = {};
+  indices_.clear();
+}
+
+std::uint32_t Detail::sampleCount() const {
+  return static_cast<std::uint32_t>(samples_[0].values.size() / 3);
+}
+
+std::vector<float>& Detail::phases(std::uint32_t size) {
+  phases_.resize(std::size_t{size} * sampleCount());
+  return phases_;
+}
+
+bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
+                 const std::vector<float>& steps) {
+  std::vector<float> lengths(base_->edgeCount());  // in pieces
+  std::uint32_t stride = 0;
+  for (const std::uint32_t size : sizes) stride += size;
+  const float* positions = samples_[0].values.data();
+  for (std::size_t i = 0; i < base_->sides().size(); ++i) {
+    const auto& [ends, edge] = base_->sides()[i];
+    float& length = lengths[edge];
+    length = std::max(length,
+                      distanceOf(positions + 3 * ends[0], positions + 3 * ends[1], 3) / maxLength);
+    const std::uint32_t first = base_->sampleOfSide(static_cast<std::uint32_t>(i), 0);
+    const std::array samples{ends[0], first, first + 1, first + 2, ends[1]};
+    std::uint32_t offset = 0;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      float change = 0;
+      for (std::size_t j = 0; j + 1 < samples.size(); ++j)
+        change += distanceOf(phases_.data() + stride * samples[j] + offset,
+                             phases_.data() + stride * samples[j + 1] + offset, sizes[k]);
+      if (std::isfinite(change)) length = std::max(length, change / steps[k]);
+      offset += sizes[k];
+    }
+  }
+  // The number of triangles grows with the square of the numbers of pieces.
+  double triangles = 0;
+  for (std::size_t t = 0; t < base_->triangles().size(); ++t) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += std::max(1.0f, lengths[base_->edgeOf(t, i)]);
+    triangles += sum * sum / 9;
+  }
+  const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));
+  constexpr float tolerance = 1.1f;
+  bool isCut = false;
+  std::vector<std::uint32_t> pieces;
+  for (const float length : lengths) {
+    const bool isLong = length * scale > tolerance;
+    pieces.push_back(isLong ? roundUp(length * scale) : 1);
+    isCut |= isLong;
+  }
+  if (!isCut) return false;
+  division_.write(*base_, pieces, patterns_);
+  for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
+  use(BaseMesh(division_.attributes, division_.triangles));
+  return true;
+}
+
+bool Detail::update(std::span<const float> numbers, float tolerance) {
+  const std::vector<ScreenView> views = readViews(numbers);
+  const bool isChanged = needs_.update(*base_, warped_, views, tolerance);
+  if (!isChanged && !indices_.empty()) return false;
+  division_.write(*base_, needs_.pieces(), patterns_);
+  indices_.clear();
+  for (const Corners& corners : division_.triangles)
+    indices_.insert(indices_.end(), corners.begin(), corners.end());
+  groups_.clear();
+  for (const std::uint32_t group : baseGroups_) groups_.push_back(division_.firstTriangles[group]);
+  return true;
+}
+
+}  // namespace warpjet

@@ -1,0 +1,69 @@
+// A mesh with as many triangles as its warped surface needs on the screen: cut once, so that the
+// samples see the surface, then divided anew when camera or surface change enough.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "detail/base_mesh.hpp"
+#include "detail/division.hpp"
+#include "detail/need.hpp"
+#include "detail/pattern.hpp"
+
+namespace warpjet {
+
+class Detail {
+ public:
+  // `groups` are the numbers of triangles at which groups begin, in ascending order.
+  Detail(std::vector<Attribute> attributes, std::uint32_t triangles,
+         std::vector<std::uint32_t> groups);
+
+  // The arrays of the mesh, to be filled before `begin`.
+  std::vector<float>& given(std::size_t attribute) { return given_[attribute].values; }
+  std::vector<std::uint32_t>& givenIndices() { return givenIndices_; }
+
+  // Starts from the given mesh, uncut.
+  void begin();
+
+  // Vertices of the cut mesh and middles of its sides.
+  std::uint32_t sampleCount() const;
+  std::span<const Attribute> samples() const { return samples_; }
+  // The array for `size` numbers at each sample.
+  std::vector<float>& phases(std::uint32_t size);
+  // The array for warped positions of the samples.
+  std::vector<float>& warped() { return warped_; }
+
+  // Cuts sides that are longer than `maxLength`, or along which a phase changes by more than its
+  // step. `sizes` and `steps` are those of the phases. Returns true if it cut any, so that phases
+  // at new samples are needed; false if none is too long, or if there would be too many triangles.
+  bool cut(float maxLength, const std::vector<std::uint32_t>& sizes,
+           const std::vector<float>& steps);
+
+  // Divides the mesh for the views, each with 19 numbers (see the bindings). Returns true if it
+  // changed.
+  bool update(std::span<const float> views, float tolerance);
+
+  // The divided mesh.
+  const Division& division() const { return division_; }
+  const std::vector<std::uint32_t>& indices() const { return indices_; }
+  // The numbers of triangles at which the groups begin now.
+  const std::vector<std::uint32_t>& groups() const { return groups_; }
+
+ private:
+  void use(BaseMesh base);
+
+  std::vector<Attribute> given_;
+  std::vector<std::uint32_t> givenIndices_, givenGroups_;
+  std::optional<BaseMesh> base_;
+  std::vector<std::uint32_t> baseGroups_;
+  std::vector<Attribute> samples_;
+  std::vector<float> phases_, warped_;
+  Needs needs_;
+  Patterns patterns_;
+  Division division_;
+  std::vector<std::uint32_t> indices_, groups_;
+};
+
+}  // namespace warpjet

@@ -1,0 +1,32 @@
+// The divided mesh: writes vertices and triangles for given numbers of pieces.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "detail/base_mesh.hpp"
+#include "detail/pattern.hpp"
+
+namespace warpjet {
+
+// Vertices: those of the base, then those of sides, in the order of the sides, then inner ones, in
+// the order of the triangles. Its arrays keep their memory when they are written again.
+struct Division {
+  std::vector<Attribute> attributes;
+  std::vector<Corners> triangles;
+  // By triangle of the base: its first triangle. Ends with the number of all.
+  std::vector<std::uint32_t> firstTriangles;
+
+  // `pieces` are by edge, from `pieceCounts`.
+  void write(const BaseMesh& base, std::span<const std::uint32_t> pieces, Patterns& patterns);
+
+ private:
+  void writeSides(const BaseMesh& base, std::span<const std::uint32_t> pieces);
+  void writeTriangles(const BaseMesh& base, std::span<const std::uint32_t> pieces,
+                      Patterns& patterns);
+
+  std::vector<std::uint32_t> firstOfSides_;  // by side: its first vertex
+};
+
+}  // namespace warpjet

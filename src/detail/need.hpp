@@ -1,0 +1,41 @@
+// Decides into how many pieces each edge is divided, such that the drawn triangles are within a
+// tolerance, in pixels, of the warped surface.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "detail/base_mesh.hpp"
+
+namespace warpjet {
+
+// A view of the mesh. If it is drawn several times in a frame, there are several.
+struct ScreenView {
+  glm::mat4 clip;      // from the space of warped positions to clip space
+  glm::vec2 halfSize;  // of the viewport, in pixels
+  // 1 if triangles that face away are not drawn, -1 if those are that face the eye; 0 if all are.
+  float facing = 0;
+};
+
+// The numbers of pieces that edges have. They keep more than the surface needs until it needs
+// much less, so that the mesh rarely changes.
+class Needs {
+ public:
+  // `warped` has three numbers for each sample of the mesh (BaseMesh::samples). Returns true if a
+  // number of pieces changed. Samples that are not finite need nothing.
+  bool update(const BaseMesh& base, std::span<const float> warped,
+              std::span<const ScreenView> views, float tolerance);
+
+  std::span<const std::uint32_t> pieces() const { return pieces_; }
+
+ private:
+  std::vector<float> needs_;           // by edge: the square of the number of pieces
+  std::vector<std::uint32_t> pieces_;  // by edge
+};
+
+// The smallest of `pieceCounts` that is not below `need`, or the largest one.
+std::uint32_t roundUp(float need);
+
+}  // namespace warpjet

@@ -1,0 +1,94 @@
+#include "detail/triangulate.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace warpjet {
+
+namespace {
+
+using glm::dvec2;
+
+// Twice the signed area, which is positive if the corners are counterclockwise.
+double areaOf(dvec2 a, dvec2 b, dvec2 c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Tests whether d is inside of the circle through a, b and c by more than rounding errors, so that
+// of four points on a circle neither diagonal is replaced.
+bool isInCircle(dvec2 a, dvec2 b, dvec2 c, dvec2 d) {
+  const dvec2 u = a - d, v = b - d, w = c - d;
+  const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+  const double inside =
+      uu * (v.x * w.y - v.y * w.x) - vv * (u.x * w.y - u.y * w.x) + ww * (u.x * v.y - u.y * v.x);
+  return inside > 1e-10 * (uu * vv + vv * ww + ww * uu);
+}
+
+class Triangulation {
+ public:
+  Triangulation(std::span<const dvec2> points, std::size_t hull) : points_(points) {
+    for (std::uint32_t i = 2; i < hull; ++i) triangles_.push_back({0, i - 1, i});
+    for (auto i = static_cast<std::uint32_t>(hull); i < points.size(); ++i) insert(i);
+    flipAll();
+  }
+
+  std::vector<Corners> take() && { return std::move(triangles_); }
+
+ private:
+  double area(const Corners& t) const {
+    return areaOf(points_[t[0]], points_[t[1]], points_[t[2]]);
+  }
+
+  // Splits the triangle that contains the point into three.
+  void insert(std::uint32_t point) {
+    const auto smallestArea = [&](const Corners& t) {
+      return std::min(
+          {area({t[0], t[1], point}), area({t[1], t[2], point}), area({t[2], t[0], point})});
+    };
+    Corners& found = *std::max_element(triangles_.begin(), triangles_.end(), [&](auto& a, auto& b) {
+      return smallestArea(a) < smallestArea(b);
+    });
+    const auto [a, b, c] = found;
+    found = {a, b, point};
+    triangles_.push_back({b, c, point});
+    triangles_.push_back({c, a, point});
+  }
+
+  // Replaces diagonals until no circle around a triangle contains the opposite corner of a neighbor
+  // (Lawson 1977), which ends because each replacement lowers the lifted surface.
+  void flipAll() {
+    for (bool isChanged = true; isChanged;) {
+      isChanged = false;
+      std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, int>> sides;
+      for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        for (int i = 0; i < 3; ++i) sides[{triangles_[t][i], triangles_[t][(i + 1) % 3]}] = {t, i};
+      }
+      std::vector<bool> isTouched(triangles_.size());
+      for (const auto& [ends, place] : sides) {
+        const auto opposite = sides.find({ends.second, ends.first});
+        if (ends.first > ends.second || opposite == sides.end()) continue;
+        const auto [s, i] = place;
+        const auto [t, j] = opposite->second;
+        if (isTouched[s] || isTouched[t]) continue;
+        const std::uint32_t a = ends.first, b = ends.second;
+        const std::uint32_t c = triangles_[s][(i + 2) % 3], d = triangles_[t][(j + 2) % 3];
+        if (!isInCircle(points_[a], points_[b], points_[c], points_[d])) continue;
+        triangles_[s] = {c, a, d};
+        triangles_[t] = {d, b, c};
+        isTouched[s] = isTouched[t] = isChanged = true;
+      }
+    }
+  }
+
+  std::span<const dvec2> points_;
+  std::vector<Corners> triangles_;
+};
+
+}  // namespace
+
+std::vector<Corners> triangulate(std::span<const dvec2> points, std::size_t hull) {
+  return Triangulation(points, hull).take();
+}
+
+}  // namespace warpjet
