@@ -40,19 +40,38 @@ class Triangulation {
     return areaOf(points_[t[0]], points_[t[1]], points_[t[2]]);
   }
 
-  // Splits the triangle that contains the point into three.
+  // Splits the triangle that contains the point into three, or the two triangles beside the side
+  // that contains it into four: no triangle may be empty.
   void insert(std::uint32_t point) {
     const auto smallestArea = [&](const Corners& t) {
       return std::min(
           {area({t[0], t[1], point}), area({t[1], t[2], point}), area({t[2], t[0], point})});
     };
-    Corners& found = *std::max_element(triangles_.begin(), triangles_.end(), [&](auto& a, auto& b) {
-      return smallestArea(a) < smallestArea(b);
-    });
-    const auto [a, b, c] = found;
-    found = {a, b, point};
-    triangles_.push_back({b, c, point});
-    triangles_.push_back({c, a, point});
+    const auto found =
+        std::max_element(triangles_.begin(), triangles_.end(),
+                         [&](auto& a, auto& b) { return smallestArea(a) < smallestArea(b); });
+    const Corners whole = *found;
+    triangles_.erase(found);
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = whole[i], b = whole[(i + 1) % 3];
+      if (area({a, b, point}) > 1e-6)
+        triangles_.push_back({a, b, point});
+      else
+        splitBeside(b, a, point);
+    }
+  }
+
+  // Splits the triangle with this side, which contains the point, into two.
+  void splitBeside(std::uint32_t a, std::uint32_t b, std::uint32_t point) {
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        if (triangles_[t][i] != a || triangles_[t][(i + 1) % 3] != b) continue;
+        const std::uint32_t c = triangles_[t][(i + 2) % 3];
+        triangles_[t] = {a, point, c};
+        triangles_.push_back({point, b, c});
+        return;
+      }
+    }
   }
 
   // Replaces diagonals until no circle around a triangle contains the opposite corner of a neighbor

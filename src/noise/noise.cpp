@@ -130,7 +130,8 @@ double wavelengthOf(const Definition& definition, int octave) {
   const NoiseRow& kind = row(noise.kind);
   const bool hasBase = kind.use == NoiseUse::Fractal || kind.use == NoiseUse::Composed;
   if (!hasBase) return kind.wavelength;
-  const double share = kind.use == NoiseUse::Fractal ? kind.wavelength : 1;
+  // Curl is made of derivatives, which are finer than their base.
+  const double share = kind.use == NoiseUse::Fractal ? kind.wavelength : 0.5;
   return share * row(noise.base).wavelength / (1 << std::min(octave, noise.octaves - 1));
 }
 
