@@ -33,8 +33,11 @@ export function exactMaterial(material: Material, settings: ExactSettings): Exac
 }
 
 export class ExactMaterial {
-  /** The shader that was compiled last, as it was before exact normals. */
-  last: ExactShader | undefined
+  /** The shader that was compiled last, as it was before exact normals, and the key of its source. */
+  private last: { shader: ExactShader; key: string } | undefined
+  private compilations = 0
+  private lastKey: { version: number; key: string } | undefined
+  private keyOfUser!: () => string
   /** The method without exact normals. */
   own!: Material['onBeforeCompile']
   private drawn: Object3D | undefined
@@ -57,6 +60,30 @@ export class ExactMaterial {
 
   get place() {
     return new Place(this.settings.method)
+  }
+
+  /** Returns the shader that was compiled last, unless the source has changed after that. */
+  get compiled(): ExactShader | undefined {
+    return this.last?.key === this.sourceKey ? this.last.shader : undefined
+  }
+
+  /** Differs after each change of the source and after each compilation. */
+  get state(): string {
+    return `${this.compilations} ${this.sourceKey}`
+  }
+
+  /** Everything on which the source of the vertex shader depends. It may change when `needsUpdate` is set. */
+  private get sourceKey(): string {
+    const { id, version, defines, vertexShader } = this.material as Material & {
+      defines?: object
+      vertexShader?: string
+    }
+    if (this.lastKey?.version !== version)
+      this.lastKey = {
+        version,
+        key: [id, JSON.stringify(defines), vertexShader, this.keyOfUser()].join('\n'),
+      }
+    return this.lastKey.key
   }
 
   /** Writes a message to the console, once. */
@@ -98,22 +125,22 @@ export class ExactMaterial {
 
   private wrapKey() {
     const { material } = this
-    const keyOf = (own: () => string) => {
-      // The default key is the text of the method onBeforeCompile.
-      const user = Object.create(material, { onBeforeCompile: { value: this.own } }) as Material
+    const key = () => {
       const { normals, surfaceVariation } = this.settings
-      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${own.call(user)}`
+      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${this.keyOfUser()}`
     }
-    wrapMethod<Material['customProgramCacheKey']>(
-      material,
-      'customProgramCacheKey',
-      (own) => () => keyOf(own),
-    )
+    wrapMethod<Material['customProgramCacheKey']>(material, 'customProgramCacheKey', (own) => {
+      // The default key is the text of the method onBeforeCompile.
+      this.keyOfUser = () =>
+        own.call(Object.create(material, { onBeforeCompile: { value: this.own } }) as Material)
+      return key
+    })
   }
 
   /** Adds exact normals to a shader. An error here would leave `render()`, so the shader stays as it is then, with a message. */
   private compile(shader: ExactShader, renderer: WebGLRenderer) {
-    this.last = { ...shader }
+    this.last = { shader: { ...shader }, key: this.sourceKey }
+    this.compilations++
     const { isShaderMaterial } = this.material as Partial<RawShaderMaterial>
     const isOfChunks = makesNormal(shader.vertexShader)
     // Materials without light have no normals.

@@ -7,7 +7,7 @@ import type { Reading } from './reading.js'
 import type { ExactShader } from './shader.js'
 
 export class MeshReading {
-  private plain: { material: Material; own: unknown; shader: ExactShader | undefined } | undefined
+  private plain: { state: string; own: unknown; shader: ExactShader | undefined } | undefined
   private readonly readings = new Map<string, { source: string; reading: Reading | undefined }>()
 
   constructor(readonly mesh: Mesh) {}
@@ -48,12 +48,12 @@ export class MeshReading {
   }
 
   private shaderOf(exact: ExactMaterial): ExactShader | undefined {
-    return exact.last ?? this.plainShader(exact)
+    return exact.compiled ?? this.plainShader(exact)
   }
 
-  /** Calls the material's own `onBeforeCompile` with a new shader, once. */
-  private plainShader({ material, own }: ExactMaterial): ExactShader | undefined {
-    if (this.plain?.material === material && this.plain.own === own) return this.plain.shader
+  /** Calls the material's own `onBeforeCompile` with a new shader, once for each state of the material. */
+  private plainShader({ material, own, state }: ExactMaterial): ExactShader | undefined {
+    if (this.plain?.state === state && this.plain.own === own) return this.plain.shader
     let shader = plainShader(material, this.mesh)
     try {
       if (shader) own.call(material, shader as never, undefined as never)
@@ -61,7 +61,7 @@ export class MeshReading {
       // It may need the renderer.
       shader = undefined
     }
-    this.plain = { material, own, shader }
+    this.plain = { state, own, shader }
     return shader
   }
 

@@ -41,16 +41,21 @@ function draw(renderer, object, view) {
 
 /** Draws a case with `exactNormals`, or without → the picture and everything that drew it. */
 async function draws(
-  { kind = 'plain', shape, position, prepare },
+  { kind = 'plain', shape, first, position, prepare },
   { backend, normals = 'pixel', isExact = true },
 ) {
   const renderer = await rendererFor(backend)
   const material = new THREE.MeshNormalNodeMaterial()
-  material.positionNode = position()
+  material.positionNode = (first ?? position)()
   if (isExact) exactNormals(material, { normals })
   const { object, geometry } = objectFor(kind, shape, material)
   prepare?.(object)
   const view = camera()
+  if (first) {
+    await draw(renderer, object, view)
+    material.positionNode = position()
+    material.needsUpdate = true
+  }
   const shown = await draw(renderer, object, view)
   return { renderer, material, object, geometry, view, shown }
 }
