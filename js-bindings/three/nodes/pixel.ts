@@ -33,20 +33,27 @@ interface Maps {
   isShadowPassMaterial?: boolean
 }
 
+interface PixelOptions {
+  /** The nodes of variables of the shader that the warp reads by name. */
+  outer?: NodesByName
+  /** The reason, for a message, why normals stay at vertices; `undefined` if there is none. */
+  obstacle?: string | false | undefined
+}
+
 /** Returns what a material needs for normals at each pixel; `undefined` if it gets those of vertices. */
 export function pixelNormalsFor(
   warp: ThreeWarp,
   builder: Builder,
   material: NormalMaterial,
-  outer: NodesByName = {},
+  options: PixelOptions = {},
 ): PixelNormals | undefined {
   const { geometry, object } = builder
   const hasNormals = geometry.hasAttribute('normal') && !builder.isFlatShading()
   // Facets stay facets, and shadows have no normals.
   if (warp.normals === 'vertex' || !hasNormals || (material as Maps).isShadowPassMaterial)
     return undefined
-  const pixel = new PixelNormals(warp, builder, material, outer)
-  const obstacle = obstacleFor(warp, builder, material, pixel)
+  const pixel = new PixelNormals(warp, builder, material, options.outer ?? {})
+  const obstacle = options.obstacle || obstacleFor(warp, builder, material, pixel)
   if (!obstacle) return pixel
   if (warp.settings.normals === 'pixel')
     beforeNormals(builder, () =>

@@ -4,6 +4,7 @@ import { variationAttribute } from '../../../compile/hosts.js'
 import { WarpError } from '../../../errors/errors.js'
 import { surfaceVariation } from '../../../mesh/surface-variation.js'
 import { nameOf, nameOfMaterial } from '../../describe.js'
+import type { ThreeWarp } from '../../three-warp.js'
 import { addVariation } from '../../variation.js'
 import type { Builder } from '../builder.js'
 import { isPosed } from '../instances.js'
@@ -21,20 +22,20 @@ const method = 'exactNormals'
 
 /**
  * Adds a material's `positionNode` to the vertex that is being built, as three.js does: after morph targets, bones, the displacement
- * map and the matrices of instances, which `setup` adds. A node that we cannot read moves the vertex without us, and the console says why.
+ * map and the matrices of instances. A node that we cannot read moves the vertex without us, and the console says why. Beside a `warp`,
+ * normals stay at vertices.
  */
-export function setupExact(
+export function displaceExactly(
   exact: ExactMaterial,
   builder: Builder,
   material: NormalMaterial,
   positionNode: AnyNode,
-  setup: () => void,
+  warp?: ThreeWarp,
 ) {
-  setup()
   // Shadows have no normals.
   if (!(material as { isShadowPassMaterial?: boolean }).isShadowPassMaterial) {
     try {
-      return moveExactly(exact, builder, material, positionNode)
+      return moveExactly(exact, builder, material, positionNode, warp)
     } catch (error) {
       if (!(error instanceof WarpError)) throw error
       warn(exact, builder, error.message)
@@ -48,19 +49,24 @@ function moveExactly(
   builder: Builder,
   material: NormalMaterial,
   positionNode: AnyNode,
+  other: ThreeWarp | undefined,
 ) {
   const source = readPosition(method, siblingOf(builder), positionNode)
   const warp = warpFor(exact, source)
-  checkBase(builder, source.base, warp)
+  checkBase(builder, source.base, warp, other)
   if (warp.varies) vary(builder)
   for (const node of source.updated) {
     builder.addNode(node)
     builder.addSequentialNode(node)
   }
   const now = warp.outerNodes(source)
-  const ofVertex = vertexNormalsFor(builder, material)
+  // The normals that a shader reads are those of the warp beside it.
+  const ofVertex = other ? undefined : vertexNormalsFor(builder, material)
   // Overwrites the normals that `vertexNormalsFor` has set.
-  const pixel = pixelNormalsFor(warp, builder, material, now)
+  const pixel = pixelNormalsFor(warp, builder, material, {
+    outer: now,
+    obstacle: other && 'the mesh has a warp, too',
+  })
   const vertex = pixel ? undefined : ofVertex
   const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
   // The original assigns variables that other nodes read.
@@ -105,16 +111,23 @@ function compile({ settings }: ExactMaterial, source: PositionSource): ExactWarp
 }
 
 /** Throws for a position that depends on two vertices between which bones, morph targets or instances are. */
-function checkBase({ object, geometry, material }: Builder, base: string, warp: ExactWarp) {
+function checkBase(
+  { object, geometry, material }: Builder,
+  base: string,
+  warp: ExactWarp,
+  other: ThreeWarp | undefined,
+) {
   const { displacementMap } = material as Material & { displacementMap?: unknown }
-  if (!isPosed(object) && !geometry.morphAttributes.position && !displacementMap) return
+  const isWarpedBefore = other?.settings.space === 'rest'
+  if (!isPosed(object) && !geometry.morphAttributes.position && !displacementMap && !isWarpedBefore)
+    return
   if (base === 'both')
     throw new WarpError(
-      `${method}: the positionNode reads both the vertex of the geometry and the one that bones, morph targets, a displacement map or instances have moved; expected one of them: positionLocal and normalLocal, or positionGeometry and normalGeometry.`,
+      `${method}: the positionNode reads both the vertex of the geometry and the one that bones, morph targets, a displacement map, instances or a warp have moved; expected one of them: positionLocal and normalLocal, or positionGeometry and normalGeometry.`,
     )
   if (warp.varies && base === 'posed')
     throw new WarpError(
-      `${method}: the positionNode depends on normal or uv where bones, morph targets, a displacement map or instances have moved the vertex, and how these vary there is unknown; expected a function of the position, or of positionGeometry, normalGeometry and uv.`,
+      `${method}: the positionNode depends on normal or uv where bones, morph targets, a displacement map, instances or a warp have moved the vertex, and how these vary there is unknown; expected a function of the position, or of positionGeometry, normalGeometry and uv.`,
     )
 }
 

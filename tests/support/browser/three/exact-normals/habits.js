@@ -73,6 +73,7 @@ void main() {
   vNormal = normalMatrix * normal;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0);
   if (isNear > 0.5) gl_Position.z -= 0.01;
+  else gl_Position.z += 0.01;
 }`,
       { isNear: given(0) },
     ),
