@@ -1,78 +1,92 @@
-// Meshes that have both: a material with `exactNormals`, and a warp. Each is compared with one of which a half was moved by hand.
+// Meshes that have both: a material with `exactNormals`, and a warp. Each is compared with one whose vertices were half moved by hand.
 import * as THREE from 'three/webgpu'
 import { exactNormals, tslOffset, warp } from 'warpjet/three/webgpu'
+import { noise } from './materialx.js'
 
-const { Fn, positionLocal, sin, vec3 } = THREE.TSL
+const { mx_noise_float, positionLocal, sin, vec3 } = THREE.TSL
 
-/** A function of TSL with a layout, which becomes a function of the shader. */
-const wave = Fn(([x]) => sin(x.mul(3)).mul(0.3)).setLayout({
-  name: 'wave',
-  type: 'float',
-  inputs: [{ name: 'x', type: 'float' }],
-})
+/** Heights by axis: as a node, and in double precision. The shader has noise that is called twice as a function. */
+const heights = {
+  wave: {
+    node: (p, axis) => sin(p[axis].mul(3)).mul(0.3),
+    at: (p, axis) => 0.3 * Math.sin(3 * p['xyz'.indexOf(axis)]),
+  },
+  noise: {
+    node: (p) =>
+      mx_noise_float(p.mul(2))
+        .mul(0.3)
+        .add(mx_noise_float(p.mul(4)).mul(0.1)),
+    at: (p) => 0.3 * noise(p.map((x) => 2 * x)) + 0.1 * noise(p.map((x) => 4 * x)),
+  },
+}
 
 const offsets = {
-  glsl: ({ glsl, position }) => glsl.vec3(0, 0, position.y().mult(3).sin().mult(0.3)),
-  /** The same, by the function that the positionNode calls. */
-  tsl: tslOffset((p) => vec3(0, 0, wave(p.y))),
+  wave: ({ glsl, position }) => glsl.vec3(0, 0, position.y().mult(3).sin().mult(0.3)),
+  noise: tslOffset((p) => vec3(0, 0, heights.noise.node(p))),
 }
 
 const sphere = () => new THREE.SphereGeometry(0.8, 128, 96)
 
-/** Moves the vertices of a sphere along one axis by a wave along another, and their normals by its derivative. */
-function movedByHand(geometry, along, by) {
+/** Moves the vertices of a sphere along an axis, and their normals by differences of the height. */
+function movedByHand(height, along, by) {
+  const geometry = sphere()
   const { position, normal } = geometry.attributes
+  const k = 'xyz'.indexOf(along)
   for (let i = 0; i < position.count; i++) {
-    const x = position.getComponent(i, by)
-    const slope = 0.9 * Math.cos(3 * x)
-    position.setComponent(i, along, position.getComponent(i, along) + 0.3 * Math.sin(3 * x))
+    const p = [0, 1, 2].map((axis) => position.getComponent(i, axis))
+    const slopes = p.map((_, axis) => {
+      const near = (e) => heights[height].at(p.with(axis, p[axis] + e), by)
+      return (near(1e-4) - near(-1e-4)) / 2e-4
+    })
     const n = new THREE.Vector3().fromBufferAttribute(normal, i)
-    n.setComponent(by, n.getComponent(by) - slope * n.getComponent(along)).normalize()
+    const slope = new THREE.Vector3(...slopes).multiplyScalar(n.getComponent(k))
+    n.multiplyScalar(1 + slopes[k])
+      .sub(slope)
+      .normalize()
+    position.setComponent(i, k, p[k] + heights[height].at(p, by))
     normal.setXYZ(i, ...n.toArray())
   }
   return geometry
 }
 
-function materialOf(isDisplaced, isExact = isDisplaced, normals = 'vertex') {
+function materialOf(height, isExact = true) {
   const material = new THREE.MeshNormalNodeMaterial()
-  if (isDisplaced) material.positionNode = positionLocal.add(vec3(0, wave(positionLocal.x), 0))
-  return isExact ? exactNormals(material, { normals }) : material
+  if (!height) return material
+  material.positionNode = positionLocal.add(vec3(0, heights[height].node(positionLocal, 'x'), 0))
+  return isExact ? exactNormals(material, { normals: 'vertex' }) : material
 }
 
 function meshOf(geometry, material, isInstanced) {
   const mesh = isInstanced
     ? new THREE.InstancedMesh(geometry, material, 2)
     : new THREE.Mesh(geometry, material)
-  for (let i = 0; isInstanced && i < 2; i++)
-    mesh.setMatrixAt(
-      i,
-      new THREE.Matrix4()
-        .makeRotationZ(i)
-        .setPosition(i - 0.5, 0, 0)
-        .scale(new THREE.Vector3(0.6, 0.6, 0.6)),
-    )
+  for (let i = 0; isInstanced && i < 2; i++) {
+    const matrix = new THREE.Matrix4().makeRotationZ(i).setPosition(i - 0.5, 0, 0)
+    mesh.setMatrixAt(i, matrix.scale(new THREE.Vector3(0.6, 0.6, 0.6)))
+  }
   mesh.rotation.set(0.3, 0.4, 0)
   mesh.frustumCulled = false
   return mesh
 }
 
-const warped = (mesh, options, offset = offsets.glsl) => {
-  warp(mesh, offset, { normals: 'vertex', ...options })
+function warped(mesh, height, options) {
+  warp(mesh, offsets[height], { normals: 'vertex', ...options })
   return mesh
 }
 
 /** The warp comes after the positionNode. */
-const after = (options, offset) => ({
-  both: () => warped(meshOf(sphere(), materialOf(true)), options, offset),
-  byHand: () => warped(meshOf(movedByHand(sphere(), 1, 0), materialOf(false)), options),
-  withoutExact: () => warped(meshOf(sphere(), materialOf(true, false)), options),
+const after = (options, height = 'wave') => ({
+  both: () => warped(meshOf(sphere(), materialOf(height)), height, options),
+  byHand: () => warped(meshOf(movedByHand(height, 'y', 'x'), materialOf()), height, options),
+  withoutExact: () => warped(meshOf(sphere(), materialOf(height, false)), height, options),
 })
 
 /** The warp comes before the positionNode. */
 const before = (options, isInstanced) => ({
-  both: () => warped(meshOf(sphere(), materialOf(true), isInstanced), options),
-  byHand: () => meshOf(movedByHand(sphere(), 2, 1), materialOf(true), isInstanced),
-  withoutExact: () => warped(meshOf(sphere(), materialOf(true, false), isInstanced), options),
+  both: () => warped(meshOf(sphere(), materialOf('wave'), isInstanced), 'wave', options),
+  byHand: () => meshOf(movedByHand('wave', 'z', 'y'), materialOf('wave'), isInstanced),
+  withoutExact: () =>
+    warped(meshOf(sphere(), materialOf('wave', false), isInstanced), 'wave', options),
 })
 
 export const warpBeside = {
@@ -80,6 +94,6 @@ export const warpBeside = {
   world: after({ space: 'world' }),
   rest: before({ space: 'rest' }),
   instances: before({}, true),
-  'a function that both call': after({}, offsets.tsl),
+  'a function of noise that both call': after({}, 'noise'),
   'normals of the warp at pixels': after({ normals: 'auto' }),
 }
