@@ -154,7 +154,7 @@ function makeWgslHooks(shader: ModifiedShader): NewHooks | undefined {
     hook: ({ code, own, normal, warp }) => ({
       [name]: `(warpjetInputs: Vertex) {
 ${variationInWgsl({ text: warp, space: spaceOf(name) }, ofCamera)}${code}
-  var warpjetResult = ${own}(warpjetInputs, instanceID);
+  var warpjetResult = ${own}(warpjetInputs, instanceID, _p5VertexId);
   if (any(${normal} != vec3<f32>())) { warpjetResult.normal = ${normal}; }
   return warpjetResult;
 }`,
@@ -170,7 +170,9 @@ ${variationInWgsl({ text: warp, space: spaceOf(name) }, ofCamera)}${code}
       shader.hooks.vertex.declarations ?? '',
       ...privatesFor(names),
       ...exact.declarations,
-      ...exact.texts.map((text) => text.replace(/\)\s*\{/, ', instanceID: u32) -> Vertex {')),
+      ...exact.texts.map((text) =>
+        text.replace(/\)\s*\{/, ', instanceID: u32, _p5VertexId: u32) -> Vertex {'),
+      ),
     ].join('\n'),
   })
   return {

@@ -1,5 +1,6 @@
 /** Completes the WGSL of a hook on a WEBGPU canvas, so that it can be read by itself. */
 import type { ModifiedShader } from './modified-shader.js'
+import type { StorageReads } from './storage-reads.js'
 
 /** Mirrors p5's struct of a vertex and the parameters that p5 adds to every hook, which are inputs here. */
 const aboveHooks = `struct Vertex { position: vec3f, normal: vec3f, texCoord: vec2f, color: vec4f }
@@ -12,22 +13,25 @@ export function wgslOfHook(
   own: string,
   hook: string,
   moved: string,
+  { replace, declarations }: StorageReads,
 ): string {
   const fields = Object.keys(hooks.uniforms).filter((uniform) => !uniform.endsWith('sampler2D'))
   const helpers = Object.entries(hooks.helpers).map(([head, text]) => {
     const [type, name] = head.split(' ') as [string, string]
     return `fn ${name}${type === 'void' ? text : text.replace(/\)\s*\{/, `) -> ${type} {`)}`
   })
+  const read = [hook, ...helpers].map(replace)
   return [
     aboveHooks,
+    declarations(),
     ...(fields.length
       ? [`struct HookUniforms { ${fields.join(', ')} }`, 'var<uniform> hooks: HookUniforms;']
       : []),
     ...(hooks.varyingVariables ?? []).map((varying) => `var<private> ${varying};`),
     hooks.vertex.declarations ?? '',
     hooks.declarations ?? '',
-    ...helpers,
-    `fn ${own}${hook.replace(/\)\s*\{/, ') -> Vertex {')}`,
+    ...read.slice(1),
+    `fn ${own}${read[0]!.replace(/\)\s*\{/, ') -> Vertex {')}`,
     `fn ${moved}(position: vec3f, normal: vec3f, uv: vec2f, color: vec4f) -> vec3f {
   return ${own}(Vertex(position, normal, uv, color)).position;
 }`,
