@@ -31,14 +31,14 @@ export interface HookTemplate {
   /** Maps inputs of an offset to expressions in the new hook. */
   names: Record<'position' | 'normal' | 'uv' | 'color', string>
   /** Returns statements that compute the new `position` by calling the sketch's hook. */
-  moveCode: (own: string) => string
+  moveCode: (original: string) => string
   /**
-   * Returns the new hook. `text` is the source of the sketch's hook as the function `own`; `code`, the code of `warp`, computes the
+   * Returns the new hook. `text` is the source of the sketch's hook as the function `original`; `code`, the code of `warp`, computes the
    * normal in the variable `normal`.
    */
   hook: (parts: {
     code: string
-    own: string
+    original: string
     text: string
     normal: string
     warp: CompiledText
@@ -81,26 +81,26 @@ function makeExactHook(
   isFirst: boolean,
 ) {
   const [type, word] = name.split(' ')
-  const own = `warpjetOriginal_${word}`
+  const original = `warpjetOriginal_${word}`
   const outputs = {
     offset: `warpjetOffset_${word}`,
     position: `warpjetPosition_${word}`,
     normal: `warpjetNormal_${word}`,
   }
   const hook = shader.hooks.vertex[name]!
-  const text = `${isWgsl(shader) ? 'fn' : type} ${own}${hook}`
+  const text = `${isWgsl(shader) ? 'fn' : type} ${original}${hook}`
   if (!isWgsl(shader)) rejectRandom(shader, word!, hook)
   const reads = storageReadsOf(shader)
   const template = templateOf(name)
   const isOfShape = /Object|Local/.test(word!)
   const moved = 'warpjetMovedPosition'
   const source = isWgsl(shader)
-    ? wgslOfHook(shader, own, hook, moved, reads)
+    ? wgslOfHook(shader, original, hook, moved, reads)
     : `${aboveHooks(shader, isOfShape)}
-${type} ${own}${hook}
+${type} ${original}${hook}
 vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   ${attributes.map((each) => each.isSet(isOfShape)).join('')}
-  ${template.moveCode(own)}
+  ${template.moveCode(original)}
 }`
   const options = {
     target: targetOf(shader, type!),
@@ -137,7 +137,7 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   const isKnown = isFirst || !readsVariation(exact)
   if (!isKnown) warnSecondHook(word!)
   const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
-  const parts = { code: reads.restore(warp.code), own, text, normal: outputs.normal, warp }
+  const parts = { code: reads.restore(warp.code), original, text, normal: outputs.normal, warp }
   return { name, declarations: warp.declarations, text, warp, hook: template.hook(parts) }
 }
 

@@ -7,10 +7,10 @@ const aboveHooks = `struct Vertex { position: vec3f, normal: vec3f, texCoord: ve
 var<uniform> instanceID: u32;
 var<uniform> _p5VertexId: u32;`
 
-/** Returns the hook as a function `own`, with the declarations above it and a function that returns the position it computes. */
+/** Returns the hook as a function `original`, with the declarations above it and a function that returns the position it computes. */
 export function wgslOfHook(
   { hooks }: ModifiedShader,
-  own: string,
+  original: string,
   hook: string,
   moved: string,
   { replace, declarations }: StorageReads,
@@ -31,9 +31,9 @@ export function wgslOfHook(
     hooks.vertex.declarations ?? '',
     hooks.declarations ?? '',
     ...read.slice(1),
-    `fn ${own}${read[0]!.replace(/\)\s*\{/, ') -> Vertex {')}`,
+    `fn ${original}${read[0]!.replace(/\)\s*\{/, ') -> Vertex {')}`,
     `fn ${moved}(position: vec3f, normal: vec3f, uv: vec2f, color: vec4f) -> vec3f {
-  return ${own}(Vertex(position, normal, uv, color)).position;
+  return ${original}(Vertex(position, normal, uv, color)).position;
 }`,
   ].join('\n')
 }

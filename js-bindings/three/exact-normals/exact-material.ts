@@ -11,7 +11,7 @@ import { weavePixelNormals, weaveVertexNormals } from '../weave-fragment.js'
 import type { WeaveOptions } from '../weave-options.js'
 import { areNormalsAtVertices } from './at-vertices.js'
 import { noteConstants } from './constants.js'
-import { withNamesOfShader, withOwnFunctions, withOwnNames } from './own-names.js'
+import { withExactFunctions, withExactNames, withNamesOfShader } from './exact-names.js'
 import { declareParameters, obstacleInParameters } from './parameters.js'
 import { spaceOf } from './pose-space.js'
 import { readDisplacement, type ExactSettings, type Reading } from './reading.js'
@@ -39,7 +39,7 @@ export class ExactMaterial {
   private lastKey: { version: number; key: string } | undefined
   private keyOfUser!: () => string
   /** The method without exact normals. */
-  own!: Material['onBeforeCompile']
+  userCompile!: Material['onBeforeCompile']
   private drawn: Object3D | undefined
   private readonly warned = new Set<string>()
 
@@ -50,10 +50,10 @@ export class ExactMaterial {
     this.wrapCompile()
     this.wrapKey()
     const note = (object: Object3D) => void (this.drawn = object)
-    wrapMethod<Material['onBeforeRender']>(material, 'onBeforeRender', (own) => {
+    wrapMethod<Material['onBeforeRender']>(material, 'onBeforeRender', (original) => {
       return function (this: Material, ...given) {
         note(given[4] as never)
-        own?.apply(this, given)
+        original?.apply(this, given)
       }
     })
   }
@@ -108,13 +108,13 @@ export class ExactMaterial {
   private wrapCompile() {
     const compile = this.compile.bind(this)
     let depth = 0
-    wrapMethod<Material['onBeforeCompile']>(this.material, 'onBeforeCompile', (own) => {
-      this.own = own
+    wrapMethod<Material['onBeforeCompile']>(this.material, 'onBeforeCompile', (original) => {
+      this.userCompile = original
       return function (this: Material, shader, renderer) {
         // A method that was assigned later may call this one.
         depth++
         try {
-          own.call(this, shader, renderer)
+          original.call(this, shader, renderer)
         } finally {
           depth--
         }
@@ -129,10 +129,12 @@ export class ExactMaterial {
       const { normals, surfaceVariation } = this.settings
       return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${this.keyOfUser()}`
     }
-    wrapMethod<Material['customProgramCacheKey']>(material, 'customProgramCacheKey', (own) => {
+    wrapMethod<Material['customProgramCacheKey']>(material, 'customProgramCacheKey', (original) => {
       // The default key is the text of the method onBeforeCompile.
       this.keyOfUser = () =>
-        own.call(Object.create(material, { onBeforeCompile: { value: this.own } }) as Material)
+        original.call(
+          Object.create(material, { onBeforeCompile: { value: this.userCompile } }) as Material,
+        )
       return key
     })
   }
@@ -226,15 +228,15 @@ export class ExactMaterial {
     // The uniforms of a ShaderMaterial are the user's object.
     if ((this.material as Partial<RawShaderMaterial>).isShaderMaterial)
       shader.uniforms = Object.create(shader.uniforms) as ExactShader['uniforms']
-    Object.assign(shader.uniforms, ownUniforms(uniformsFor(warp, this.material)))
-    shader.vertexShader = withOwnNames(withOwnFunctions(vertexShader))
-    shader.fragmentShader = withOwnNames(withOwnFunctions(fragmentShader))
+    Object.assign(shader.uniforms, renameUniforms(uniformsFor(warp, this.material)))
+    shader.vertexShader = withExactNames(withExactFunctions(vertexShader))
+    shader.fragmentShader = withExactNames(withExactFunctions(fragmentShader))
   }
 }
 
-export const ownUniforms = (uniforms: object) =>
+export const renameUniforms = (uniforms: object) =>
   Object.fromEntries(
-    Object.entries(uniforms).map(([name, uniform]) => [withOwnNames(name), uniform as never]),
+    Object.entries(uniforms).map(([name, uniform]) => [withExactNames(name), uniform as never]),
   )
 
 export const messageOf = (error: unknown) =>

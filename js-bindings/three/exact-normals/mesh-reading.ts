@@ -7,7 +7,8 @@ import type { Reading } from './reading.js'
 import type { ExactShader } from './shader.js'
 
 export class MeshReading {
-  private plain: { state: string; own: unknown; shader: ExactShader | undefined } | undefined
+  private plain:
+    { state: string; userCompile: unknown; shader: ExactShader | undefined } | undefined
   private readonly readings = new Map<string, { source: string; reading: Reading | undefined }>()
 
   constructor(readonly mesh: Mesh) {}
@@ -52,16 +53,17 @@ export class MeshReading {
   }
 
   /** Calls the material's own `onBeforeCompile` with a new shader, once for each state of the material. */
-  private plainShader({ material, own, state }: ExactMaterial): ExactShader | undefined {
-    if (this.plain?.state === state && this.plain.own === own) return this.plain.shader
+  private plainShader({ material, userCompile, state }: ExactMaterial): ExactShader | undefined {
+    if (this.plain?.state === state && this.plain.userCompile === userCompile)
+      return this.plain.shader
     let shader = plainShader(material, this.mesh)
     try {
-      if (shader) own.call(material, shader as never, undefined as never)
+      if (shader) userCompile.call(material, shader as never, undefined as never)
     } catch {
       // It may need the renderer.
       shader = undefined
     }
-    this.plain = { state, own, shader }
+    this.plain = { state, userCompile, shader }
     return shader
   }
 

@@ -3,9 +3,9 @@ import type { Material } from 'three'
 import { replaceProperties } from '../properties.js'
 import { uniformsFor } from '../shader-weaver.js'
 import { weave } from '../weave.js'
-import { messageOf, ownUniforms } from './exact-material.js'
+import { messageOf, renameUniforms } from './exact-material.js'
+import { withExactFunctions, withExactNames } from './exact-names.js'
 import type { MeshReading } from './mesh-reading.js'
-import { withOwnFunctions, withOwnNames } from './own-names.js'
 import type { Reading } from './reading.js'
 import type { ExactShader } from './shader.js'
 
@@ -78,6 +78,6 @@ function putDisplacement(shader: ExactShader, { warp, parameters }: Reading, mat
     isRaw: false,
     isGlsl100: false,
   })
-  Object.assign(shader.uniforms, ownUniforms(uniformsFor(warp, material)))
-  shader.vertexShader = withOwnNames(withOwnFunctions(woven))
+  Object.assign(shader.uniforms, renameUniforms(uniformsFor(warp, material)))
+  shader.vertexShader = withExactNames(withExactFunctions(woven))
 }

@@ -51,7 +51,7 @@ export class ExactWarp extends ThreeWarp {
   }
 
   override textFor(target: Target, stage: Stage, names: Record<string, string>): HostText {
-    const text = withExactNames(super.textFor(target, stage, names))
+    const text = renameDeclared(super.textFor(target, stage, names))
     if (this.elements.length === 0) return text
     return {
       ...text,
@@ -86,7 +86,7 @@ const declared =
   /(?:^|\n)(?:fn|const|(?:const )?(?:(?:high|medium|low)p )?(?:void|float|u?int|bool|[iub]?vec[234]|mat[234]))\s+(\w+)\s*[(:=[]/g
 
 /** Renames what a warp declares, since a warp beside it in the same shader may declare the same. */
-function withExactNames(text: HostText): HostText {
+function renameDeclared(text: HostText): HostText {
   const names = [...text.declarations.matchAll(declared)].map(([, name]) => name!)
   if (names.length === 0) return text
   const pattern = new RegExp(`\\b(?:${names.join('|')})\\b`, 'g')

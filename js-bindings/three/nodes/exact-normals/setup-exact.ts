@@ -13,7 +13,7 @@ import { local, ofGeometry } from '../spaces.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import { vertexNormalsFor } from '../vertex-normals.js'
 import { moveVertex } from '../vertex.js'
-import type { ExactMaterial } from './exact-materials.js'
+import type { ExactNodeMaterial } from './exact-node-materials.js'
 import { ExactWarp } from './exact-warp.js'
 import { previousValues } from './previous-values.js'
 import { readPosition, siblingOf, type PositionSource } from './read-position.js'
@@ -26,7 +26,7 @@ const method = 'exactNormals'
  * normals stay at vertices.
  */
 export function displaceExactly(
-  exact: ExactMaterial,
+  exact: ExactNodeMaterial,
   builder: Builder,
   material: NormalMaterial,
   positionNode: AnyNode,
@@ -45,7 +45,7 @@ export function displaceExactly(
 }
 
 function moveExactly(
-  exact: ExactMaterial,
+  exact: ExactNodeMaterial,
   builder: Builder,
   material: NormalMaterial,
   positionNode: AnyNode,
@@ -92,7 +92,7 @@ function numberOf(object: object): number {
   return numbers.get(object)!
 }
 
-function warpFor(exact: ExactMaterial, source: PositionSource): ExactWarp {
+function warpFor(exact: ExactNodeMaterial, source: PositionSource): ExactWarp {
   // The warp reads the nodes of its textures, which equal texts may not share.
   const key = [source.text, ...Array.from(source.textures.values(), numberOf)].join('\n')
   let warp = exact.warps.get(key)
@@ -101,7 +101,7 @@ function warpFor(exact: ExactMaterial, source: PositionSource): ExactWarp {
   return warp
 }
 
-function compile({ settings }: ExactMaterial, source: PositionSource): ExactWarp | string {
+function compile({ settings }: ExactNodeMaterial, source: PositionSource): ExactWarp | string {
   try {
     return new ExactWarp(source, settings)
   } catch (error) {
@@ -137,7 +137,7 @@ function vary({ geometry }: Builder) {
     addVariation(geometry, surfaceVariation)
 }
 
-function warn({ warned }: ExactMaterial, { object, material }: Builder, message: string) {
+function warn({ warned }: ExactNodeMaterial, { object, material }: Builder, message: string) {
   if (warned.has(message)) return
   warned.add(message)
   const reason = message.replace(
