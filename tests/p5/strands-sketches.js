@@ -1,79 +1,27 @@
+import {
+  add,
+  clamp,
+  dot,
+  fract,
+  heightAt,
+  lifts,
+  millis,
+  mix,
+  mod,
+  noise,
+  scale,
+  seconds,
+  smoothstep,
+} from './strands-oracle.js'
+
 /**
  * Sketches in p5.strands as people write them, for WEBGPU. `hooks` is the body of the callback that `modify` takes. `move(p, n, uv, i)`
  * returns the position of a vertex of instance i in double precision: in the units of the geometry or, with `space`, of the world or the
  * camera; `later` moves it on in the world. `refused` is the message about a sketch without exact normals.
  */
-const millis = 1700
-const seconds = millis / 1000
-const { abs, atan2, cos, exp, floor, fround, hypot, max, min, sin, sqrt } = Math
-const clamp = (x, from, to) => min(to, max(from, x))
-const mix = (a, b, t) => a + (b - a) * t
-const smoothstep = (from, to, x) => {
-  const t = clamp((x - from) / (to - from), 0, 1)
-  return t * t * (3 - 2 * t)
-}
-const mod = (x, y) => x - y * floor(x / y)
-const fract = (x) => x - floor(x)
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-const add = (a, b) => a.map((x, k) => x + b[k])
-const scale = (a, factor) => a.map((x) => x * factor)
-
-const gap = fround(2 * fround(0.142857142857))
-const start = fround(fround(0.5 * fround(0.142857142857)) - 1)
-
-/** One of 49 directions on an octahedron, of about length 1. Floats decide on which side of an edge it is. */
-function gradient(hash) {
-  const j = mod(hash, 49)
-  const [x, y] = [floor(j / 7), mod(j, 7)].map((k) => fround(fround(k * gap) + start))
-  const z = fround(fround(1 - abs(x)) - abs(y))
-  const sign = (k) => (k < 0 ? -1 : 1)
-  const folded = z > 0 ? [x, y, z] : [x - sign(x), y - sign(y), z]
-  return scale(folded, 1.79284291400159 - 0.85373472095314 * dot(folded, folded))
-}
-
-function simplex(p) {
-  const scramble = (x) => mod((x * 34 + 10) * x, 289)
-  const skew = (p[0] + p[1] + p[2]) / 3
-  const cell = p.map((x) => floor(x + skew))
-  const first = p.map((x, k) => x - cell[k] + (cell[0] + cell[1] + cell[2]) / 6)
-  // The path to the opposite corner takes the largest component first.
-  const order = [0, 1, 2].sort((a, b) => first[b] - first[a])
-  const corner = [0, 0, 0]
-  let sum = 0
-  for (let step = 0; step < 4; step++) {
-    const at = first.map((x, k) => x - corner[k] + step / 6)
-    const [i, j, k] = cell.map((x, axis) => mod(x, 289) + corner[axis])
-    const direction = gradient(scramble(scramble(scramble(k) + j) + i))
-    sum += max(0.5 - dot(at, at), 0) ** 4 * dot(direction, at)
-    if (step < 3) corner[order[step]] = 1
-  }
-  return 105 * sum
-}
-
-/** Mirrors what p5's reference says of noise(): four octaves, each with half the amplitude of the one before. */
-function noise(x, y = 0, z = 0) {
-  let sum = 0
-  for (let octave = 0; octave < 4; octave++)
-    sum += simplex([x, y, z].map((k) => k * 2 ** octave)) / 2 ** octave
-  return (sum + 1) / 2
-}
-
-/** The image `heights` of the page: red by column and row of 16 × 16 pixels, of 255. */
-export const redAt = (column, row) =>
-  Math.round(128 + 60 * sin(column * 0.4) * cos(row * 0.4) + 40 * cos(row * 0.4))
-function heightAt(u, v) {
-  const [x, y] = [u * 16 - 0.5, v * 16 - 0.5]
-  const [i, j] = [floor(x), floor(y)]
-  const texel = (i, j) => redAt(clamp(i, 0, 15), clamp(j, 0, 15)) / 255
-  const row = (j) => mix(texel(i, j), texel(i + 1, j), x - i)
-  return mix(row(j), row(j + 1), y - j)
-}
-
-/** The numbers in the storage `lifts` of the page. */
-export const lifts = [0.25, -0.125, 0.375, 0.0625]
-
-const lifted = (height) => (p, n, uv, i) => [p[0], p[1] + height(p, n, uv, i), p[2]]
-const alongNormal = (height) => (p, n, uv, i) => add(p, scale(n, height(p, n, uv, i)))
+const { abs, atan2, cos, exp, floor, hypot, max, min, sin, sqrt } = Math
+const liftBy = (height) => (p, n, uv, i) => [p[0], p[1] + height(p, n, uv, i), p[2]]
+const pushBy = (height) => (p, n, uv, i) => add(p, scale(n, height(p, n, uv, i)))
 
 const inObject = (statements, above = '') => `${above}
 getObjectInputs((inputs) => {
@@ -84,13 +32,13 @@ getObjectInputs((inputs) => {
 export const sketches = {
   'a sine': {
     hooks: inObject('inputs.position.y += 0.2 * sin(inputs.position.x * 5)'),
-    move: lifted(([x]) => 0.2 * sin(x * 5)),
+    move: liftBy(([x]) => 0.2 * sin(x * 5)),
   },
   'a travelling sine of millis()': {
     hooks: inObject(`
       const t = millis() * 0.001
       inputs.position.y += 0.2 * sin(inputs.position.x * 4 + t * 2)`),
-    move: lifted(([x]) => 0.2 * sin(x * 4 + seconds * 2)),
+    move: liftBy(([x]) => 0.2 * sin(x * 4 + seconds * 2)),
   },
   'a time that is a uniform': {
     hooks: `const time = uniformFloat(() => millis() / 1000)
@@ -106,7 +54,7 @@ objectInputs.end()`,
         sum += sin(inputs.position.x * 2 * i + inputs.position.z * i) / i
       }
       inputs.position.y += sum * 0.1`),
-    move: lifted(
+    move: liftBy(
       ([x, , z]) => [1, 2, 3, 4].reduce((s, i) => s + sin(x * 2 * i + z * i) / i, 0) * 0.1,
     ),
   },
@@ -114,7 +62,7 @@ objectInputs.end()`,
     hooks: inObject(`
       const d = length(inputs.position.xz)
       inputs.position.y += sin(d * 12 - millis() / 500) * exp(-2 * d) * 0.4`),
-    move: lifted(([x, , z]) => {
+    move: liftBy(([x, , z]) => {
       const d = hypot(x, z)
       return sin(d * 12 - millis / 500) * exp(-2 * d) * 0.4
     }),
@@ -145,32 +93,32 @@ ${inObject('inputs.position = turn(inputs.position, inputs.position.z * 1.25)')}
     hooks: inObject(
       'inputs.position += inputs.normal * 0.2 * pow(abs(sin(inputs.position.x * 4)) + 0.1, 2)',
     ),
-    move: alongNormal(([x]) => 0.2 * (abs(sin(x * 4)) + 0.1) ** 2),
+    move: pushBy(([x]) => 0.2 * (abs(sin(x * 4)) + 0.1) ** 2),
   },
   'a wave by texCoord': {
     hooks: inObject('inputs.position.y += 0.1 * sin(inputs.texCoord.x * 25.1327)'),
-    move: lifted((p, n, [u]) => 0.1 * sin(u * 25.1327)),
+    move: liftBy((p, n, [u]) => 0.1 * sin(u * 25.1327)),
   },
   'the normal and texCoord': {
     hooks: inObject('inputs.position += inputs.normal * sin(inputs.texCoord.y * 12.5) * 0.1'),
-    move: alongNormal((p, n, [, v]) => 0.1 * sin(v * 12.5)),
+    move: pushBy((p, n, [, v]) => 0.1 * sin(v * 12.5)),
   },
   'noise of one number': {
     hooks: inObject('inputs.position.y += noise(inputs.position.x * 1.5 + 4.3) * 0.5'),
-    move: lifted(([x]) => noise(x * 1.5 + 4.3) * 0.5),
+    move: liftBy(([x]) => noise(x * 1.5 + 4.3) * 0.5),
   },
   'noise of two numbers': {
     hooks: inObject(
       'inputs.position.y += 0.5 * noise(inputs.position.x * 0.75, inputs.position.z * 0.75)',
     ),
-    move: lifted(([x, , z]) => 0.5 * noise(x * 0.75, z * 0.75)),
+    move: liftBy(([x, , z]) => 0.5 * noise(x * 0.75, z * 0.75)),
   },
   'noise of the place and the time, along the normal': {
     hooks: inObject(`
       const t = millis() * 0.0005
       const p = inputs.position
       inputs.position += inputs.normal * (noise(p.x + t, p.y, p.z) - 0.5) * 0.4`),
-    move: alongNormal(([x, y, z]) => (noise(x + millis * 0.0005, y, z) - 0.5) * 0.4),
+    move: pushBy(([x, y, z]) => (noise(x + millis * 0.0005, y, z) - 0.5) * 0.4),
   },
   'noise of a vector': {
     hooks: inObject('inputs.position.x += noise(inputs.position * 0.75) * 0.5'),
@@ -216,13 +164,13 @@ ${inObject('inputs.position = turn(inputs.position, inputs.position.z * 1.25)')}
         if (i > 1) { s += sin(inputs.position.x * i) } else { s += inputs.position.x * inputs.position.x * 0.25 }
       }
       inputs.position.y += s * 0.15`),
-    move: lifted(([x]) => 0.15 * (sin(2 * x) + sin(3 * x) + 0.5 * x * x)),
+    move: liftBy(([x]) => 0.15 * (sin(2 * x) + sin(3 * x) + 0.5 * x * x)),
   },
   'a ternary': {
     hooks: inObject(
       'inputs.position.y += inputs.position.x > 0.1 ? sin(inputs.position.x * 3 - 0.3) * 0.3 : 0',
     ),
-    move: lifted(([x]) => (x > 0.1 ? 0.3 * sin(x * 3 - 0.3) : 0)),
+    move: liftBy(([x]) => (x > 0.1 ? 0.3 * sin(x * 3 - 0.3) : 0)),
   },
   'mix and smoothstep': {
     hooks: inObject(`
@@ -241,7 +189,7 @@ ${inObject('inputs.position = turn(inputs.position, inputs.position.z * 1.25)')}
       const p = inputs.position
       const angle = atan(p.z, p.x + 3)
       inputs.position.y += 0.2 * sqrt(1 + sin(angle * 9) * 0.5) * distance(p, [0, 2, 0])`),
-    move: lifted(
+    move: liftBy(
       ([x, y, z]) => 0.2 * sqrt(1 + 0.5 * sin(9 * atan2(z, x + 3))) * hypot(x, y - 2, z),
     ),
   },
@@ -270,27 +218,27 @@ ${inObject('inputs.position += way * sin(inputs.position.x * rate.x + inputs.pos
     hooks: inObject(
       'inputs.position.y += max(min(inputs.position.x * 2, 1.5), -1.5) * 0.2 + abs(inputs.position.z - 3) * 0.1',
     ),
-    move: lifted(([x, , z]) => clamp(x * 2, -1.5, 1.5) * 0.2 + abs(z - 3) * 0.1),
+    move: liftBy(([x, , z]) => clamp(x * 2, -1.5, 1.5) * 0.2 + abs(z - 3) * 0.1),
   },
   'an image': {
     hooks: inObject(
       'inputs.position.y += 0.4 * getTexture(heights, inputs.texCoord).r',
       'const heights = uniformTexture(() => warps.heights)',
     ),
-    move: lifted((p, n, [u, v]) => 0.4 * heightAt(u, v)),
+    move: liftBy((p, n, [u, v]) => 0.4 * heightAt(u, v)),
   },
   'an image in a helper, by the position': {
     hooks: `const heights = uniformTexture(() => warps.heights)
 const heightOf = (p) => getTexture(heights, p.xz * 0.4 + 0.5).r
 ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
-    move: lifted(([x, , z]) => 0.5 * heightAt(x * 0.4 + 0.5, z * 0.4 + 0.5)),
+    move: liftBy(([x, , z]) => 0.5 * heightAt(x * 0.4 + 0.5, z * 0.4 + 0.5)),
   },
   'a number of a storage': {
     hooks: inObject(
       'inputs.position.y += lifts[2] * sin(inputs.position.x * 4)',
       'const lifts = uniformStorage(warps.lifts)',
     ),
-    move: lifted(([x]) => lifts[2] * sin(x * 4)),
+    move: liftBy(([x]) => lifts[2] * sin(x * 4)),
   },
   'a storage by a loop': {
     hooks: inObject(
@@ -299,7 +247,7 @@ ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
       inputs.position.y += s`,
       "const lifts = uniformStorage('lifts', warps.lifts)",
     ),
-    move: lifted(([x]) => lifts.reduce((s, lift, i) => s + lift * sin(x * (i + 1)), 0)),
+    move: liftBy(([x]) => lifts.reduce((s, lift, i) => s + lift * sin(x * (i + 1)), 0)),
     refused: /uniformStorage\(\) "lifts" in getObjectInputs .* counts in a loop/,
   },
   'a storage by the instance': {
@@ -332,7 +280,7 @@ ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
       inputs.position.y += lifts[column] * inputs.position.x`,
       'const lifts = uniformStorage(() => warps.lifts)',
     ),
-    move: lifted(([x]) => lifts[floor((x + 1) * 2)] * x),
+    move: liftBy(([x]) => lifts[floor((x + 1) * 2)] * x),
     refused: /uniformStorage\(\) "lifts" in getObjectInputs .* differs over the surface/,
   },
   'random() for colours alone': {
@@ -341,7 +289,7 @@ ${inObject(`
       shade = random()
       inputs.color = [1, 1 - shade * 0.001, 1 - random() * 0.001, 1]
       inputs.position.y += 0.2 * sin(inputs.position.x * 5)`)}`,
-    move: lifted(([x]) => 0.2 * sin(x * 5)),
+    move: liftBy(([x]) => 0.2 * sin(x * 5)),
   },
   'random() of a vertex': {
     hooks: inObject('inputs.position += inputs.normal * random() * 0.1'),
@@ -361,7 +309,7 @@ ${inObject(`
     hooks: `worldInputs.begin()
 worldInputs.position.y += 12 * sin(worldInputs.position.x * 0.08 + millis() * 0.001)
 worldInputs.end()`,
-    move: lifted(([x]) => 12 * sin(x * 0.08 + seconds)),
+    move: liftBy(([x]) => 12 * sin(x * 0.08 + seconds)),
   },
   'noise in the world': {
     space: 'world',
@@ -388,7 +336,7 @@ getWorldInputs((inputs) => {
   inputs.position.x += 8 * sin(inputs.position.y * 0.08)
   return inputs
 })`,
-    move: lifted(([x]) => 0.2 * sin(x * 4)),
+    move: liftBy(([x]) => 0.2 * sin(x * 4)),
     later: ([x, y, z]) => [x + 8 * sin(y * 0.08), y, z],
   },
   'a height that colours, too': {
@@ -400,62 +348,6 @@ getPixelInputs((inputs) => {
   inputs.metalness = lift > 9 ? 100 : 0
   return inputs
 })`,
-    move: lifted(([x]) => 0.25 * sin(x * 5)),
+    move: liftBy(([x]) => 0.25 * sin(x * 5)),
   },
 }
-
-/** Numbers of a surface: a sphere without its poles. */
-const pointAt = (u, v) => {
-  const [a, b] = [2 * Math.PI * u, Math.PI * (0.08 + 0.84 * v)]
-  const n = [cos(a) * sin(b), -cos(b), sin(a) * sin(b)]
-  return { p: n, n, uv: [u, v] }
-}
-
-const [rows, columns] = [72, 96]
-const toWorld = ([x, y, z]) => {
-  const [c, s] = [cos(0.4), sin(0.4)]
-  return scale([x, c * y - s * z, s * y + c * z], 40)
-}
-
-/** Returns where a sketch moves a point of the surface, in the world. */
-function placeIn({ move, space, later = (p) => p }, u, v, instance, eye) {
-  const { p, n, uv } = pointAt(u, v)
-  if (!space) return later(toWorld(move(p, n, uv, instance)))
-  const [x, y, z] = toWorld(p)
-  if (space === 'world') return move([x, y, z])
-  return add(move([x, y, z - eye]), [0, 0, eye])
-}
-
-/** Makes a mesh as the data of a p5.Geometry. `place(u, v)` returns a vertex; normals are differences of it, or those of the sphere. */
-function mesh(place) {
-  const [vertices, normals, uvs, faces] = [[], [], [], []]
-  for (let j = 0; j <= rows; j++)
-    for (let i = 0; i <= columns; i++) {
-      const [u, v, e] = [i / columns, j / rows, 1e-6]
-      const side = (du, dv) => {
-        const [from, to] = [place(u - du, v - dv), place(u + du, v + dv)]
-        return add(to, scale(from, -1))
-      }
-      const [a, b] = [side(e, 0), side(0, e)]
-      const across = [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-      ]
-      vertices.push(place(u, v))
-      normals.push(scale(across, -1 / hypot(...across)))
-      uvs.push(u, v)
-      const at = j * (columns + 1) + i
-      if (i < columns && j < rows)
-        faces.push([at, at + 1, at + columns + 2], [at, at + columns + 2, at + columns + 1])
-    }
-  return { vertices, normals, uvs, faces }
-}
-
-export const sphere = () => mesh((u, v) => pointAt(u, v).p)
-
-/** Returns the meshes that a sketch should show, one for each instance. */
-export const meshesByHand = (sketch, eye) =>
-  Array.from({ length: sketch.instances ?? 1 }, (_, i) =>
-    mesh((u, v) => placeIn(sketch, u, v, i, eye)),
-  )

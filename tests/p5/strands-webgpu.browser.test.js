@@ -5,7 +5,8 @@ import { test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
 import { differingPixels, litPixels } from '../support/browser/pixels.js'
 import { drawScenes, openHost, p5HostsInThisRun, runSketch } from '../support/browser/sketch.js'
-import { lifts, meshesByHand, redAt, sketches, sphere } from './strands-sketches.js'
+import { lifts, meshesByHand, redAt, sphere } from './strands-oracle.js'
+import { sketches } from './strands-sketches.js'
 
 const [, , scripts] = p5HostsInThisRun.find(([, renderer]) => renderer === 'WEBGPU') ?? []
 const only = process.env.WARPJET_ONLY ?? ''

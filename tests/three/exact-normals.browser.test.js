@@ -132,7 +132,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       for (const kind of ['onBeforeCompile', 'defines']) {
         messages.length = 0
         const { differing, stale, ray, expected } = await page.evaluate(
-          (k) => exact.recompiled(k),
+          (k) => exact.recompile(k),
           kind,
         )
         t.diagnostic(`${kind}: ${differing} pixels differ, ${stale} from those before`)

@@ -90,8 +90,8 @@ function renameDeclared(text: HostText): HostText {
   const names = [...text.declarations.matchAll(declared)].map(([, name]) => name!)
   if (names.length === 0) return text
   const pattern = new RegExp(`\\b(?:${names.join('|')})\\b`, 'g')
-  const renamed = (source: string) => source.replace(pattern, '$&_exact')
-  return { ...text, code: renamed(text.code), declarations: renamed(text.declarations) }
+  const rename = (source: string) => source.replace(pattern, '$&_exact')
+  return { ...text, code: rename(text.code), declarations: rename(text.declarations) }
 }
 
 /** Uniform arrays pad their elements to four numbers. */

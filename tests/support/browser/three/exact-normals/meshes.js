@@ -150,7 +150,7 @@ export async function shadowOfMap() {
 }
 
 /** Changes a material that is drawn already → pixels of the floor that differ, and where a ray from above meets the mesh. */
-export function recompiled(kind) {
+export function recompile(kind) {
   const renderer = rendererFor(true)
   const create = (lift) => {
     const material = new THREE.MeshStandardMaterial()

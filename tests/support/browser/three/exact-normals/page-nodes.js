@@ -228,15 +228,15 @@ async function besideWarp(name, { backend }) {
     await draw(renderer, byHand(), view),
     await draw(renderer, withoutExact(), view),
   ]
-  const differing = (a, b) => {
+  const countDiffering = (a, b) => {
     let count = 0
     for (let i = 0; i < a.length; i += 4)
       count += Number([0, 1, 2, 3].some((k) => Math.abs(a[i + k] - b[i + k]) > 0.02))
     return count
   }
   return {
-    differing: differing(shown, expected),
-    plain: differing(plain, expected),
+    differing: countDiffering(shown, expected),
+    plain: countDiffering(plain, expected),
     covered: shown.filter((x, i) => i % 4 === 3 && x > 0).length,
   }
 }

@@ -69,24 +69,24 @@ function meshOf(geometry, material, isInstanced) {
   return mesh
 }
 
-function warped(mesh, height, options) {
+function warpMesh(mesh, height, options) {
   warp(mesh, offsets[height], { normals: 'vertex', ...options })
   return mesh
 }
 
 /** The warp comes after the positionNode. */
 const after = (options, height = 'wave') => ({
-  both: () => warped(meshOf(sphere(), materialOf(height)), height, options),
-  byHand: () => warped(meshOf(movedByHand(height, 'y', 'x'), materialOf()), height, options),
-  withoutExact: () => warped(meshOf(sphere(), materialOf(height, false)), height, options),
+  both: () => warpMesh(meshOf(sphere(), materialOf(height)), height, options),
+  byHand: () => warpMesh(meshOf(movedByHand(height, 'y', 'x'), materialOf()), height, options),
+  withoutExact: () => warpMesh(meshOf(sphere(), materialOf(height, false)), height, options),
 })
 
 /** The warp comes before the positionNode. */
 const before = (options, isInstanced) => ({
-  both: () => warped(meshOf(sphere(), materialOf('wave'), isInstanced), 'wave', options),
+  both: () => warpMesh(meshOf(sphere(), materialOf('wave'), isInstanced), 'wave', options),
   byHand: () => meshOf(movedByHand('wave', 'z', 'y'), materialOf('wave'), isInstanced),
   withoutExact: () =>
-    warped(meshOf(sphere(), materialOf('wave', false), isInstanced), 'wave', options),
+    warpMesh(meshOf(sphere(), materialOf('wave', false), isInstanced), 'wave', options),
 })
 
 export const warpBeside = {
