@@ -42,7 +42,7 @@ class Borders : public Rewriter {
     for (NodeId id{0}; index(id) < size; id = NodeId{index(id) + 1}) {
       isInLoop_[index(id)] = dependsOnStep(id);
       for (const auto& [op, low, high] : domains) {
-        if (graph.is(id, op)) find(graph.operand(id, 0), low, high);
+        if (graph.is(id, op)) findEnds(graph.operand(id, 0), low, high);
       }
     }
   }
@@ -57,24 +57,24 @@ class Borders : public Rewriter {
     return false;
   }
 
-  // Other operations, such as derivatives, may have been simplified to read the number from which
-  // this one differs by constants only.
-  void find(NodeId id, double low, double high) {
+  // Finds the number that has to be reflected for `id` to be between `low` and `high`. Constant
+  // terms and factors are skipped: derivatives may have been simplified to read what is below them.
+  void findEnds(NodeId id, double low, double high) {
     const Interval range = graph_.range(id);
     if (isInLoop_[index(id)] || (range.low >= low && range.high <= high)) return;
     const auto constantAt = [&](int i) { return graph_.isConstant(graph_.operand(id, i)); };
     const auto valueAt = [&](int i) { return graph_.value(graph_.operand(id, i)); };
-    if (graph_.is(id, ops::find("neg"))) return find(graph_.operand(id, 0), -high, -low);
+    if (graph_.is(id, ops::find("neg"))) return findEnds(graph_.operand(id, 0), -high, -low);
     if (graph_.is(id, ops::find("sub")) && constantAt(0))
-      return find(graph_.operand(id, 1), valueAt(0) - high, valueAt(0) - low);
+      return findEnds(graph_.operand(id, 1), valueAt(0) - high, valueAt(0) - low);
     if (graph_.is(id, ops::find("sub")) && constantAt(1))
-      return find(graph_.operand(id, 0), low + valueAt(1), high + valueAt(1));
+      return findEnds(graph_.operand(id, 0), low + valueAt(1), high + valueAt(1));
     for (const int i : {0, 1}) {
       if (graph_.is(id, ops::find("add")) && constantAt(i))
-        return find(graph_.operand(id, 1 - i), low - valueAt(i), high - valueAt(i));
+        return findEnds(graph_.operand(id, 1 - i), low - valueAt(i), high - valueAt(i));
       if (graph_.is(id, ops::find("mult")) && constantAt(i) && valueAt(i) != 0) {
         const auto [first, last] = std::minmax({low / valueAt(i), high / valueAt(i)});
-        return find(graph_.operand(id, 1 - i), first, last);
+        return findEnds(graph_.operand(id, 1 - i), first, last);
       }
     }
     auto& found = ends_[id];

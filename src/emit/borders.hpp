@@ -15,8 +15,9 @@ bool hasBorders(const Graph& graph);
 // Returns the roots with each number that is less than a pixel outside of the domain of an
 // operation reflected at the end of that domain. On an antialiased canvas the center of a pixel may
 // be outside of a triangle that covers a part of the pixel, and inputs are extrapolated to there.
-// To be applied after differentiation: derivatives are those at the reflected numbers. Numbers
-// inside of the domain, and those further outside, remain as they are; so do those in loops.
+// The roots have been differentiated before: derivatives are those at the reflected numbers.
+// Numbers inside of the domain, and those further outside, remain as they are; so do those in
+// loops.
 std::vector<NodeId> reflectAtBorders(Graph& graph, Library& library, std::span<const NodeId> roots,
                                      Comments& comments);
 

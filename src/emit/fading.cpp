@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// The width of a pixel in the space of a point: the larger of its extents across and down.
+// Returns the width of a pixel in the space of a point: the larger of its extents across and down.
 Expression widthOfPixel(Library& library, const Numbers& p) {
   const auto squaredExtent = [&](const char* name) {
     Numbers changes;

@@ -10,8 +10,8 @@
 namespace warpjet {
 
 // Returns the roots with each noise replaced by one that fades, which also takes the width of a
-// pixel at its point. Only a fragment shader can compute that width. To be applied after
-// differentiation: derivatives treat the width as a constant.
+// pixel at its point. Only a fragment shader can compute that width. The roots have been
+// differentiated before: derivatives treat the width as a constant.
 std::vector<NodeId> fadeNoise(Graph& graph, Library& library, std::span<const NodeId> roots,
                               Comments& comments);
 

@@ -1,4 +1,5 @@
-// Which shader code keeps fragments on the border of a mesh inside of the domain of the warp; the pictures are those of tests/p5/borders.
+// The shader code of fragments, which differs from that of vertices: numbers stay in the domain of operations on the border of a mesh, and
+// noise fades. Pictures of both are in tests/p5/borders and tests/p5/fading.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
@@ -55,4 +56,25 @@ test('numbers in loops remain as they are', () => {
   const { code } = compileWarp(offset, { target: 'glsl300', normals: 'pixel' }).emitFragment()
   assert.match(code, /\bfor\b/)
   assert.ok(!/for[^]*warpjetAcross/.test(code), code)
+})
+
+test('debug names the same lines of the user’s code where noise fades and numbers are reflected', () => {
+  const offset = ({ glsl, position }) => {
+    const height = position.x().sin()
+    const noise = glsl.fbm(position.mult(3))
+    const rough = noise.mult(height)
+    const root = rough.sqrt()
+    return glsl.vec3(0, 0, root.mult(noise.cos()))
+  }
+  const linesOf = ({ code }) => new Set(code.match(/\/\/ From .*:\d+:\d+/g))
+  const [vertex, fragment] = [true, false].map((isVertex) => {
+    const options = { debug: true, normals: isVertex ? 'vertex' : 'pixel' }
+    const warp = compileWarp(offset, options)
+    return isVertex ? warp : warp.emitFragment()
+  })
+  assert.match(fragment.code, /Fading\w*\(/)
+  assert.match(fragment.code, /\bwarpjetAcross\(/)
+  assert.ok(linesOf(fragment).size >= 5, fragment.code)
+  const known = linesOf(vertex)
+  for (const line of linesOf(fragment)) assert.ok(known.has(line), line)
 })
