@@ -1,5 +1,5 @@
-// Where a warp collapses a surface, its normal is the geometric one of the triangle, on the side of the eye: also of steep triangles far
-// from the middle of a parallel projection, where the direction from the position to the origin of view space leads elsewhere.
+// The normal of a surface that a warp collapses is the geometric normal of the triangle, on the side of the eye. In a parallel projection,
+// the direction from a position to the origin of view space may lead to the other side of a steep triangle.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { shaderOfNormals } from '../support/browser/p5-shown-normals.js'
