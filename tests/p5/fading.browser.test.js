@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
+import { lookFromAfar, shaderOfNormals } from '../support/browser/p5-shown-normals.js'
 import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
 
 const size = 120
@@ -9,28 +10,6 @@ const size = 120
 const edge = 80
 
 const offset = ({ glsl, position }) => glsl.vec3(0, 0, glsl.fbm(position.mult(30)).mult(0.02))
-
-/** Hooks that draw the normal as a color. */
-const hooks = {
-  WEBGL: {
-    fragmentDeclarations: 'vec3 shown;',
-    'Inputs getPixelInputs': '(Inputs inputs) { shown = inputs.normal; return inputs; }',
-    'vec4 getFinalColor': '(vec4 color) { return vec4(shown * 0.5 + 0.5, 1.0); }',
-  },
-  WEBGPU: {
-    fragmentDeclarations: 'var<private> shown: vec3<f32>;',
-    'Inputs getPixelInputs': '(inputs: Inputs) { shown = inputs.normal; return inputs; }',
-    'vec4f getFinalColor':
-      '(color: vec4<f32>, texCoord: vec2<f32>) { return vec4<f32>(shown * 0.5 + 0.5, 1.0); }',
-  },
-}
-
-/** Texture coordinates are a second parameter in p5 2.x. */
-function hooksFor(version, renderer) {
-  if (version === '1.11' || renderer === 'WEBGPU') return hooks[renderer]
-  const color = hooks.WEBGL['vec4 getFinalColor'].replace(')', ', vec2 texCoord)')
-  return { ...hooks.WEBGL, 'vec4 getFinalColor': color }
-}
 
 /** Pixels of the plane without those near its edges. */
 const pixels = Array.from({ length: size * size }, (_, i) => [
@@ -67,10 +46,9 @@ const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
   test(`p5 ${version} on ${renderer}: noise finer than a pixel fades to its mean`, async (t) => {
-    const shader = `baseMaterialShader().modify(${JSON.stringify(hooksFor(version, renderer))})`
+    const shader = shaderOfNormals(version, renderer)
     const draw = (name) => `background(0); warps.${name}(); noStroke()
-      perspective(2 * atan(${size / 2 / 1000}), 1, 100, 5000)
-      camera(0, 0, 1000, 0, 0, 0, 0, 1, 0)
+      ${lookFromAfar(size)}
       scale(${edge}); plane(1, 1)`
     const images = await drawScenes(
       browsers[renderer],

@@ -203,7 +203,7 @@ export class PixelNormals {
     const nodes = nodesOf(this.warp)
     const inputs: Record<string, unknown> = { ...nodes.uniforms, ...this.outer }
     for (const [input, value] of this.varyings.read())
-      inputs[parameterNames[input]!] = input === 'normal' ? withLength(value.toVar()) : value
+      inputs[parameterNames[input]!] = input === 'normal' ? restoreLength(value.toVar()) : value
     const names = parametersOf(this.warp, this.stage, this.isWebGPU).map(([name]) => name)
     const call = nodes.call(this.stage, this.isWebGPU)
     return call(Object.fromEntries(names.map((name) => [name, inputs[name]])))
@@ -241,5 +241,5 @@ const columnSizes = new Map<string, VectorSize>([
   ['z', 3],
 ])
 
-const withLength = (normal: AnyNode) =>
+const restoreLength = (normal: AnyNode) =>
   normal.xyz.mul(normal.w.div(tsl.max(tsl.length(normal.xyz), 1e-30)))
