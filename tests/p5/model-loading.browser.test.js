@@ -1,4 +1,4 @@
-// How loadWarpModel finds its companion scripts and its models: in preload, from other servers, as a module, and from a script that was
+// loadWarpModel finds its companion scripts and its models: in preload, from other servers, as a module, and from a script that was
 // copied alone.
 import assert from 'node:assert/strict'
 import { copyFileSync, mkdirSync, readFileSync } from 'node:fs'

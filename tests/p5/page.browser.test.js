@@ -1,4 +1,4 @@
-// How createWarp is loaded in a page, beside other sketches and other versions of p5, and adapts to changes of the canvas.
+// createWarp is loaded in a page, beside other sketches and other versions of p5, and adapts to changes of the canvas.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'

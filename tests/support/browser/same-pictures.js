@@ -7,9 +7,9 @@ import { beyondEdges, differingPixels, litPixels } from './pixels.js'
  * - `setup`, `size`, `files`: as for `drawScenes`.
  * - `pairs`: maps a name to the code of two scenes, and optionally of a third one that must look different.
  * - `lit`: the second picture has more lit pixels than this.
- * - `tolerance`: pixels may differ by as much in each channel.
- * - `differing`: as many pixels, or as large a share of the lit ones, may differ by more. A function of the pair's name, or a number.
- * - `different`: [number or share of pixels, tolerance]: so many differ from the third picture.
+ * - `tolerance`: the max difference of equal pixels, in each channel.
+ * - `differing`: the max number of other pixels, or their share of the lit ones. A function of the pair's name, or a number.
+ * - `different`: [number or share of pixels, tolerance]: more pixels differ from the third picture.
  * - `withinEdges`: 'first' or 'both', the pictures whose pixels may not lie outside the range of the other picture's neighbours.
  * - `view`: applied to each picture before it is compared.
  * - `check`: gets the pictures by pair, [first, second, third], for what the table tests beyond that.
