@@ -19,7 +19,7 @@ import {
  * returns the position of a vertex of instance i in double precision: in the units of the geometry or, with `space`, of the world or the
  * camera; `later` moves it on in the world. `refused` is the message about a sketch without exact normals.
  */
-const { abs, atan2, cos, exp, floor, hypot, max, min, sin, sqrt } = Math
+const { abs, atan2, cos, exp, floor, hypot, sin, sqrt } = Math
 const liftBy = (height) => (p, n, uv, i) => [p[0], p[1] + height(p, n, uv, i), p[2]]
 const pushBy = (height) => (p, n, uv, i) => add(p, scale(n, height(p, n, uv, i)))
 

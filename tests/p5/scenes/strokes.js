@@ -90,7 +90,7 @@ const bentStyles = {
 
 const spaces = ['world', 'camera', 'local']
 
-/** The same offset in each space; the camera's space is 700 pixels away from the world's. */
+/** Makes warps of the same offset in each space; the camera's space is 700 pixels away from the world's. */
 const inSpaces = (offset) => `
   const offset = ${offset}
   warps.world = createWarp(offset, { space: 'world' })
