@@ -314,6 +314,13 @@ export const sections = [
         text: 'Four waves that move the water in circles, as Gerstner found in 1804. It foams where foldover finds the water turned over, and the boat uses inverseAt to find the point of the calm sea below it.',
       },
       {
+        name: 'three-raging-sea',
+        background: '#150a24',
+        figure: 'TSL',
+        title: 'A raging sea, before and after',
+        text: 'The waves of an example of three.js, as nodes. Left: normals from two more heights, each at a shifted place. Right: exactNormals reads the height from the shader and differentiates it. Change the shift: only the left half has one.',
+      },
+      {
         name: 'three-grass',
         background: '#f3e3c8',
         figure: 'Instances',

@@ -68,6 +68,7 @@ const ranges = {
     Steepness: ['steepness: #', 0, 0.8],
     Haze: ['14, #)', 18, 60],
   },
+  'three-raging-sea': { Waves: ['place.x.mul(#)', 1, 8], Noise: ['.mul(#).mul(i)', 0.5, 4] },
   'three-grass': { Flutter: ['.mult(#)\n    const bend', 0, 0.2], Stiffness: ['.pow(#)', 1.2, 4] },
   'three-terrain': { Plain: ['.add(#)\n  const ridges', 0, 0.6] },
   'three-corridor': { Hills: ['position.z().mult(#).sin()', 0.1, 1] },

@@ -13,10 +13,18 @@
   /** Matches the statements of a warp, up to the new position, in a complete vertex shader of three.js. */
   const block =
     /\{\nvec3 warpjetStart = transformed;[\s\S]*?\btransformed = (?:warpjetPosition;|\( inverse[^;]*;)/
+  /** Matches the function of a warp in a complete shader of WebGPURenderer. */
+  const ofNodes = /^(?:mat3|vec3) warpjet_\w+\s*\([^)]*\)\s*\{\n[\s\S]*?\nreturn [^\n]*;\n\}/m
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
     const [code] = block.exec(text.slice(text.indexOf('void main'))) ?? []
-    if (code && !records.some((known) => known.code === code)) records.push({ maker: 'warp', code })
+    const [ofNode] = ofNodes.exec(text) ?? []
+    for (const [maker, found] of [
+      ['warp', code],
+      ['exactNormals', ofNode],
+    ])
+      if (found && !records.some((known) => known.code === found))
+        records.push({ maker, code: found })
     return shaderSource.call(this, shader, text)
   }
 

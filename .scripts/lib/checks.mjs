@@ -75,6 +75,7 @@ const browsersAtOnce = availableParallelism() + 1
 const longest = [
   ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
   'tests/p5/webgpu-examples',
+  'tests/p5/scenes',
   ...['playground-habits', 'playground-examples'].map((name) => `web/tests/${name}`),
   'tests/three/three',
   ...['playground-hosts', 'docs'].map((name) => `web/tests/${name}`),

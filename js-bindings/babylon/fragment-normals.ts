@@ -2,7 +2,7 @@
  * The normal in the fragment stage of a material: computed by the warp at pixels, or interpolated between vertices. Where it is zero, as
  * on a collapsed surface, the geometric normal takes its place.
  */
-import { shaderNames } from '../compile/hosts.js'
+import { restoreLength, shaderNames } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'
 import { names, normalDefines } from './names.js'
 import {
@@ -124,11 +124,7 @@ function pixelBlock(parts: ShaderParts, { text, varyings }: PixelText, isWGSL: b
   const readInput = ({ input: name, name: varying, type: size }: Varying) => {
     const value = input(varying)
     return name === 'normal'
-      ? local(
-          'vec3',
-          names[name]!,
-          `${value}.xyz * (${value}.w / max(length(${value}.xyz), 1e-30))`,
-        )
+      ? local('vec3', names[name]!, restoreLength(value))
       : local(size, names[name]!, value)
   }
   // The cofactors of cofactors are the matrix itself, but for a factor.

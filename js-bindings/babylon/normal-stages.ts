@@ -17,7 +17,7 @@ export class NormalStages {
     private readonly texts: PixelTexts | undefined,
   ) {}
 
-  /** `'vertex'` once a shader could not compute them at pixels. */
+  /** `'vertex'` once the shader of a mesh could not compute them at pixels, although those of other meshes may. */
   get stage(): NormalStage {
     return this.texts && !this.obstacle ? 'pixel' : 'vertex'
   }

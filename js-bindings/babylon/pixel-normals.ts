@@ -2,7 +2,7 @@
  * The vertex stage of normals at pixels. It passes the inputs of the warp as varyings. The fragment stage, in fragment-normals.ts, runs the
  * same warp on their interpolated values, but computes only the normal and, for normal maps, the tangent.
  */
-import type { HostText } from '../compile/hosts.js'
+import { withLength, type HostText } from '../compile/hosts.js'
 import { ifDefined, languageOf, type Language } from './language.js'
 import { names, normalDefines, textOf } from './names.js'
 import type { ShaderParts } from './uniforms.js'
@@ -76,7 +76,7 @@ export function passInputs(texts: PixelTexts | undefined, isWGSL: boolean) {
     varyings
       .map(({ input, name }) => {
         const value = names[input]!
-        return `${output(name)} = ${input === 'normal' ? `${type('vec4')}(${value}, length(${value}))` : value};`
+        return `${output(name)} = ${input === 'normal' ? withLength(value, type('vec4')) : value};`
       })
       .join('\n'),
   )

@@ -100,7 +100,10 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
       )
   }
 
-  /** The stage that computes normals. It changes to `'vertex'` if a shader of the material cannot compute them at pixels. */
+  /**
+   * The stage that computes normals. It changes to `'vertex'` if the shader of a mesh cannot compute them at pixels; other meshes of the
+   * material keep them.
+   */
   get normals(): NormalStage {
     return this.stages.stage
   }

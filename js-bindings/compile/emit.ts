@@ -21,7 +21,8 @@ export interface Emits {
    * `vec4 warpedTangent`. Their inputs are the position, normal, uv and color before the warp, and the gradients of
    * `surfaceVariation`, as the vertex shader passes them to pixels: in the space of the offset, interpolated, the normal with its
    * length restored. Only what the normal needs is among the statements. Noise fades where a wave covers less than four pixels, unless the
-   * option `fadeNoise` is `false` or the language is GLSL ES 1.00. Fading takes derivatives on the screen: insert the code outside of
+   * option `fadeNoise` is `false` or the language is GLSL ES 1.00. Where the center of a pixel is outside of the mesh, numbers stay in the
+   * domain of operations such as `sqrt`, except in that language. Both take derivatives on the screen: insert the code outside of
    * branches, and do not declare its varyings `centroid`. Use `highp` in GLSL ES 1.00. Default: the language and the
    * names of the options of `compileWarp`. Throws a `WarpError` for a warp with `normals: false`.
    */

@@ -12,7 +12,7 @@ export {
 } from './image-sampling.js'
 export { type NormalStage, type NormalsOption, normalsKinds } from './normals-option.js'
 export type { Result } from './recorded-warp.js'
-export { shaderNames } from './shader-names.js'
+export { restoreLength, shaderNames, withLength } from './shader-names.js'
 export { arraysOf, attributeNumbers, geometryAttributes } from '../core/inputs/geometry.js'
 export {
   type VariationInput,

@@ -109,14 +109,16 @@ export class OffsetWarp {
   }
 
   /**
-   * Writes the code of a fragment shader, in which noise that is finer than a pixel fades. In GLSL ES 1.00 it does not: derivatives on the
-   * screen need an extension there.
+   * Writes the code of a fragment shader, in which noise that is finer than a pixel fades, and a pixel on the border of a mesh stays in the
+   * domain of the warp. Neither is so in GLSL ES 1.00: derivatives on the screen need an extension there.
    */
   fragmentText(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
+    const hasScreenDerivatives = target !== 'glsl100'
     return writeWarp(this.recorded, target, results, {
       ...options,
       isFrameConstant: this.isFrameConstant,
-      fadesNoise: this.recorded.settings.fadeNoise && target !== 'glsl100',
+      fadesNoise: this.recorded.settings.fadeNoise && hasScreenDerivatives,
+      reflectsAtBorders: hasScreenDerivatives,
     })
   }
 

@@ -1,4 +1,5 @@
-// The names of a warp's variables in the shaders of a host. All begin with warpjet, so that they collide with no others.
+// The names of a warp's variables in the shaders of a host. All begin with warpjet, so that they collide with no others. Expressions that are
+// the same in all hosts.
 
 export const shaderNames = {
   offset: 'warpjetOffset',
@@ -10,3 +11,10 @@ export const shaderNames = {
   orientation: 'warpjetOrientation',
   millis: 'warpjetMillis',
 } as const
+
+/** Returns the vector that passes a normal to pixels: interpolation shortens the normal, but not its length. `vec4` is the type's name. */
+export const withLength = (normal: string, vec4: string) => `${vec4}(${normal}, length(${normal}))`
+
+/** Returns an expression, in GLSL and in WGSL, for the normal with the length that it has at vertices, from `withLength`, interpolated. */
+export const restoreLength = (passed: string) =>
+  `${passed}.xyz * (${passed}.w / max(length(${passed}.xyz), 1e-30))`

@@ -30,6 +30,7 @@ export function writeWarp(
   options: TextOptions & {
     isFrameConstant?: IsFrameConstant | undefined
     fadesNoise?: boolean
+    reflectsAtBorders?: boolean
   } = {},
 ): HostText {
   const { settings, module, inputs } = recorded
@@ -54,6 +55,7 @@ export function writeWarp(
     ]),
     isFrameConstant: options.isFrameConstant,
     fadesNoise: options.fadesNoise,
+    reflectsAtBorders: options.reflectsAtBorders,
   })
   const numbers = new Set<number>(Object.values(inputs))
   const others = read.filter(({ number }) => !numbers.has(number))

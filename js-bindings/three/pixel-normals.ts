@@ -3,7 +3,13 @@
  * The fragment shader runs the same warp on their interpolated values, but computes only the normal, and the tangent if the geometry
  * has any.
  */
-import { shaderNames, variationNames, type HostText } from '../compile/hosts.js'
+import {
+  restoreLength,
+  shaderNames,
+  variationNames,
+  withLength,
+  type HostText,
+} from '../compile/hosts.js'
 import { byTangent, uniformsInGlsl } from './glsl.js'
 import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
@@ -77,7 +83,7 @@ export class PixelNormals {
       ...[...this.inputs].map(([input]) => {
         const value = expressions[input]!
         return input === 'normal'
-          ? `${normalVarying} = vec4( ${value}, length( ${value} ) );`
+          ? `${normalVarying} = ${withLength(value, 'vec4')};`
           : `${varyingOf(input)} = ${value};`
       }),
       ...(this.options.mayHaveTangents
@@ -148,7 +154,7 @@ ${toViewVarying}[ warpjetAxis ] = transformedNormal;
     return `${mayHaveTangents ? '#ifdef USE_TANGENT\nvec3 warpjetTangentOfPixel;\nvec3 warpjetBitangentOfPixel;\n#endif\n' : ''}
 vec3 warpjetNormalOfPixel() {
 vec3 warpjetFacingNormal = warpjetFacing();
-${this.inputs.has('normal') ? `vec3 ${normal} = ${normalVarying}.xyz * ( ${normalVarying}.w / max( length( ${normalVarying}.xyz ), 1e-30 ) );` : ''}
+${this.inputs.has('normal') ? `vec3 ${normal} = ${restoreLength(normalVarying)};` : ''}
 ${byTangent(this.texts, ({ code }) => code)}
 #ifdef FLIP_SIDED
 float warpjetFlip = -1.0;

@@ -203,10 +203,11 @@ std::vector<Naming> namings(const Words& numbers, const std::vector<std::string>
 ShaderTextRecord writeText(const Module& module, std::string_view target, const Words& inputs,
                            const std::vector<std::string>& inputNames, const Words& results,
                            const std::vector<std::string>& resultNames, int maxDepth,
-                           bool fadesNoise) {
+                           bool fadesNoise, bool reflectsAtBorders) {
   ShaderTextOptions options{.results = namings(results, resultNames),
                             .inputs = namings(inputs, inputNames),
-                            .fadesNoise = fadesNoise};
+                            .fadesNoise = fadesNoise,
+                            .reflectsAtBorders = reflectsAtBorders};
   if (maxDepth > 0) options.emit = {maxDepth, EmitOptions::maxTrackedReads};
   ShaderTextResult written = write(module, *findDialect(target), options);
   if (!written.text) return {.problem = written.problem};

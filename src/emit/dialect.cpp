@@ -1,6 +1,6 @@
 #include "emit/dialect.hpp"
 
-#include "emit/fading.hpp"
+#include "emit/screen.hpp"
 #include "texture/texture.hpp"
 
 namespace warpjet {

@@ -57,7 +57,7 @@ struct Dialect {
   std::string_view texel;      // the function that reads a texel; see src/texture
   std::string_view
       sampledTexel;  // the same with coordinates beyond the edges, which the host's sampler wraps
-  std::string_view across, down;  // functions of a fragment shader; see fading.hpp
+  std::string_view across, down;  // functions of a fragment shader; see screen.hpp
 
   static bool holds(std::string_view list, std::string_view word) {
     return list.find(' ' + std::string(word) + ' ') != list.npos;

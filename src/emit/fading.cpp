@@ -1,6 +1,7 @@
 #include "emit/fading.hpp"
 
 #include "emit/rewriter.hpp"
+#include "emit/screen.hpp"
 #include "noise/noise.hpp"
 #include "noise/random.hpp"
 
@@ -8,12 +9,11 @@ namespace warpjet {
 
 namespace {
 
-// The width of a pixel in the space of a point: the larger of its extents across and down.
+// Returns the width of a pixel in the space of a point: the larger of its extents across and down.
 Expression widthOfPixel(Library& library, const Numbers& p) {
   const auto squaredExtent = [&](const char* name) {
-    const Definition change{.function = {name, 1, 1, 0}};
     Numbers changes;
-    for (const Expression x : p) changes.push_back(library.call(change, {x})[0]);
+    for (const Expression x : p) changes.push_back(changeOnScreen(library, name, x));
     return dot(changes, changes);
   };
   return sqrt(max(squaredExtent(acrossName), squaredExtent(downName)));

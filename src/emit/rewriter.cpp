@@ -13,7 +13,7 @@ std::vector<NodeId> Rewriter::rewrite(std::span<const NodeId> roots) {
 
 // Operands are visited before their users.
 void Rewriter::visit(NodeId id) {
-  if (graph_.isLeaf(id) || graph_.isList(id) || graph_.isStateOrList(id)) return;
+  if (isKept(id) || graph_.isList(id) || graph_.isStateOrList(id)) return;
   const NodeId first = end();
   replacements_[index(id)] = replace(id);
   const Comments::Range* comment = comments_.find(id);
@@ -21,6 +21,7 @@ void Rewriter::visit(NodeId id) {
 }
 
 NodeId Rewriter::replace(NodeId id) {
+  if (graph_.isInput(id)) return id;
   if (graph_.isCall(id)) return replaceCall(id);
   if (graph_.isResult(id))
     return graph_.result(replacementOf(graph_.operand(id, 0)), graph_.resultNumber(id));

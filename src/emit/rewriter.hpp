@@ -21,13 +21,12 @@ class Rewriter {
   std::vector<NodeId> rewrite(std::span<const NodeId> roots);
 
  protected:
-  // The operands and arguments of these nodes have been replaced.
+  // The operands and arguments of these nodes have been replaced. Inputs have none.
+  virtual NodeId replace(NodeId id);
   virtual NodeId replaceOperation(NodeId id);
   virtual NodeId replaceCall(NodeId id);
 
-  NodeId replacementOf(NodeId id) const {
-    return graph_.isLeaf(id) ? id : replacements_[index(id)];
-  }
+  NodeId replacementOf(NodeId id) const { return isKept(id) ? id : replacements_[index(id)]; }
   Operands<NodeId> newOperands(NodeId id) const;
   std::vector<NodeId> newArguments(NodeId call) const;
 
@@ -35,7 +34,7 @@ class Rewriter {
 
  private:
   void visit(NodeId id);
-  NodeId replace(NodeId id);
+  bool isKept(NodeId id) const { return graph_.isConstant(id) || graph_.isLocal(id); }
   NodeId replaceFold(NodeId id);
   NodeId end() const { return NodeId{static_cast<std::uint32_t>(graph_.size())}; }
 

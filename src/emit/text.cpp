@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "emit/borders.hpp"
 #include "emit/fading.hpp"
 #include "emit/functions.hpp"
 #include "emit/lower.hpp"
@@ -150,14 +151,15 @@ class ShaderTextWriter {
     return true;
   }
 
-  // Writes the module in operations of the language. Fading and lowering add nodes, so they work on
-  // a copy of the graph.
+  // Writes the module in operations of the language. Changes of the graph are made in a copy.
   ShaderText compose() {
     Library library = module_.library.withEmptyCaches();
     ShaderText text;
-    if (options_.fadesNoise || lacksAny(graph_, dialect_.language)) {
+    const bool hasReflections = options_.reflectsAtBorders && hasBorders(graph_);
+    if (hasReflections || options_.fadesNoise || lacksAny(graph_, dialect_.language)) {
       Graph graph = graph_.copy();
       Comments comments = module_.comments;
+      if (hasReflections) setOutputs(reflectAtBorders(graph, library, outputNodes(), comments));
       if (options_.fadesNoise) setOutputs(fadeNoise(graph, library, outputNodes(), comments));
       setOutputs(lower(graph, outputNodes(), dialect_.language, comments));
       text.emitted = emit(graph, dialect_, outputs_, options_.emit, comments, inputs_);

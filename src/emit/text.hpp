@@ -21,8 +21,10 @@ struct ShaderTextOptions {
   std::vector<Naming> results = {};  // the results to write, in this order; empty for all
   std::vector<Naming> inputs = {};   // inputs with other names than in the module
   EmitOptions emit = {};
-  // Fades noise that is finer than a pixel, which only a fragment shader can do.
+  // Only a fragment shader can do these: fade noise that is finer than a pixel, and reflect numbers
+  // that are outside of the domain of an operation by less than a pixel.
   bool fadesNoise = false;
+  bool reflectsAtBorders = false;
 };
 
 struct ShaderText {

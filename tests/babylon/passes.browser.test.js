@@ -2,13 +2,13 @@
 // without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { openBabylonPage } from '../support/browser/babylon/open.js'
+import { bundledPage } from '../support/browser/bundled-page.js'
 
 /** Pixels that may differ by more than 12 of 255 in a channel. */
 const allowed = 5
 
 let opened
-before(async () => (opened = await openBabylonPage('page-passes.js')))
+before(async () => (opened = await bundledPage('babylon/page-passes.js', { hasWebGPU: true })))
 after(() => opened.close())
 
 const takeMessages = () => opened.messages.splice(0).filter((text) => !text.startsWith('BJS - '))

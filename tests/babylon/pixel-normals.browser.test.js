@@ -1,7 +1,7 @@
 // Normals at pixels in Babylon.js: the normal that a material lights, in floats, against the exact one at the rest place of each pixel.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { openBabylonPage } from '../support/browser/babylon/open.js'
+import { bundledPage } from '../support/browser/bundled-page.js'
 import * as m from '../support/browser/matrix.js'
 import { jacobian } from '../support/browser/oracle.js'
 import { anglesOf, exactNormals, pixelWarps } from '../support/browser/pixel-normals.js'
@@ -11,7 +11,7 @@ const bound = 0.1
 
 let opened
 before(async () => {
-  opened = await openBabylonPage('page-pixel-normals.js')
+  opened = await bundledPage('babylon/page-pixel-normals.js', { hasWebGPU: true })
   const sources = Object.entries(pixelWarps).map(([name, { offset }]) => [name, offset])
   await opened.page.evaluate((all) => addOffsets(all), Object.fromEntries(sources))
 })

@@ -1,10 +1,10 @@
 // Checks `gen` against the API in glsl-autodiff's README: each documented call has the value and the derivatives that plain JavaScript
-// computes. support/run-glsl.js evaluates the generated statements.
+// computes. glsl/run.js evaluates the generated statements.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { gen } from '../../dist/autodiff.js'
-import { runGlsl } from '../support/run-glsl.js'
+import { runGlsl } from '../glsl/run.js'
 import { seededRandom } from '../warps/random.js'
 
 const { sin, cos, tan, sqrt, log, abs, sign, min, max, hypot } = Math
@@ -22,11 +22,11 @@ function assertClose(actual, expected, tolerance, message) {
   }
 }
 
-test('the interpreter in support/run-glsl.js rejects invalid GLSL', () => {
+test('the interpreter in glsl/run.js rejects invalid GLSL', () => {
   const code = 'float y; bool b = x > 1.0; { y = b ? -x : p.yx.x * 2.0; } // done'
   assert.deepEqual(runGlsl(code, { x: 3, p: [5, 7] }), { x: 3, p: [5, 7], b: true, y: -3 })
   for (const [text, message] of [
-    ['float y = 1;', /1 is an int/],
+    ['float y = 1;', /y is float, its value int/],
     ['y = 1.0;', /y is not declared/],
     ['float y = t;', /t is not declared/],
     ['float t; float y = t;', /t is not set/],
@@ -36,7 +36,7 @@ test('the interpreter in support/run-glsl.js rejects invalid GLSL', () => {
     ['float y = x ? 1.0 : 2.0;', /float where bool belongs/],
     ['float y = p.z;', /\.z of vec2/],
     ['float y = sine(x);', /sine is no function/],
-    ['float y = 1.0', /; is missing/],
+    ['float y = 1.0', /Expected .*";"/],
   ])
     assert.throws(() => runGlsl(text, { x: 3, p: [5, 7] }), message)
 })

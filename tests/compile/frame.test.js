@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
-import { runGlsl } from '../support/run-glsl.js'
+import { runGlsl } from '../glsl/run.js'
 
 const week = 6e8
 const perFrame = { perFrame: true, normals: false }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import { runGlsl } from '../support/run-glsl.js'
+import { runGlsl } from '../glsl/run.js'
 import { seededRandom } from '../warps/random.js'
 
 /** The rounding error in double precision, of numbers of about 1. */

@@ -4,6 +4,7 @@ const each =
   (f) =>
   (...lists) => {
     const size = Math.max(...lists.map((list) => list.length))
+    if (size === 1) return [f(...lists.map(([number]) => number))]
     return Array.from({ length: size }, (_, i) =>
       f(...lists.map((list) => list[list.length === 1 ? 0 : i])),
     )

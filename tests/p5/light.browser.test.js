@@ -4,21 +4,23 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { leavePage } from '../support/browser/browser.js'
 import * as m from '../support/browser/matrix.js'
+import { addon, font, openP5Hosts } from '../support/browser/p5-hosts.js'
+import {
+  distance,
+  isTorn,
+  seenCorners,
+  size,
+  trianglesOf,
+  unit,
+} from '../support/browser/p5-seen-corners.js'
 import { radius, surfaces } from '../support/browser/p5-surfaces.js'
 import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
-import {
-  drawScenes,
-  openHosts,
-  p5HostsInThisRun,
-  p5InThisRun,
-  p5Versions,
-  runSketch,
-} from '../support/browser/sketch.js'
+import { drawScenes, p5Versions, runSketch } from '../support/browser/sketch.js'
 
-const addon = '/dist/p5.warpjet.min.js'
-const size = 520
-
-const { browsers, server } = await openHosts(p5HostsInThisRun)
+const hosts = await openP5Hosts()
+const [{ webgl, server }] = hosts
+/** The hosts on WebGL. */
+const webglHosts = hosts.filter(({ isWebGPU }) => !isWebGPU)
 
 const { PI, sin } = Math
 
@@ -41,9 +43,6 @@ const offsets = {
   },
 }
 
-const unit = { height: 1, length: 1, normals: 1 }
-
-const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
 const word = {
   setup: `textSize(180)
     warps.word = (await loadFont('${font}')).textToModel('We', -130, 50, { extrude: 60, sampleFactor: 0.5 })
@@ -54,10 +53,10 @@ const word = {
 }
 
 /** p5 1.11 has no models of text, and on WebGPU p5 2.3.4 itself fails to draw them: "flat is not a function". */
-const shapesOn = (version, renderer) =>
+const shapesOn = ({ isV1, isWebGPU }) =>
   Object.entries({
     ...surfaces,
-    ...(version === '2.x' && renderer === 'WEBGL' && { 'a word': word }),
+    ...(!isV1 && !isWebGPU && { 'a word': word }),
   })
 
 /** The normal material shows only positive components: these rotations make all three positive in many places. */
@@ -67,14 +66,13 @@ const turns = [
   [0.6, 2.4],
   [0.6, 5.5],
 ]
-const distance = 1500
 const camera = `perspective(2 * atan(${size / 2 / distance}), 1, 100, 5000)
   camera(0, 0, ${distance}, 0, 0, 0, 0, 1, 0)`
 
 /** The shapes made by p5, by name → { vertices, normals, uvs, faces }. */
 async function geometriesOf(p5, shapes) {
   const { page, messages } = await runSketch(
-    browsers.WEBGL,
+    webgl,
     server,
     [p5, addon],
     `const shapes = {}, warps = {}
@@ -108,161 +106,13 @@ async function geometriesOf(p5, shapes) {
   return geometries
 }
 
-/** Parametrizes a triangle by two parameters, with normal and uv interpolated from its corners. */
-function flat([a, b, c], [n], [ta, tb, tc]) {
-  const mix = (s, t) => (x, k) => x[0][k] * (1 - s - t) + x[1][k] * s + x[2][k] * t
-  return {
-    at: (s, t) => ({
-      p: [0, 1, 2].map((k) => mix(s, t)([a, b, c], k)),
-      n,
-      uv: [0, 1].map((k) => mix(s, t)([ta, tb, tc], k)),
-    }),
-  }
-}
-
-/** Returns for each triangle its corners as { p, n, side, where }: the surface and the parameters of the corner. */
-function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
-  return faces.map((face) => {
-    const of = (list) => face.map((i) => list[i])
-    const pairs = face.map((i) => [uvs[2 * i] ?? 0, uvs[2 * i + 1] ?? 0])
-    const corner = (j) => ({ vertex: face[j], p: of(vertices)[j], n: of(normals)[j] })
-    if (!sides) {
-      const side = flat(of(vertices), of(normals), pairs)
-      return [0, 1, 2].map((j) => ({
-        ...corner(j),
-        side,
-        where: [
-          [0, 0],
-          [1, 0],
-          [0, 1],
-        ][j],
-      }))
-    }
-    return [0, 1, 2].map((j) => {
-      const { p, n } = corner(j)
-      for (const side of sides) {
-        const where = side.of(p, m.normalize(n), pairs[j])
-        if (where) return { ...corner(j), side, where }
-      }
-      throw new Error(`no side has the normal ${n}`)
-    })
-  })
-}
-
-/** Returns the true outward normal at a corner after `moved`; where the surface has none, the normal at a nearby point. */
-function trueNormal({ side, where: [u, v], n }, moved, turn) {
-  const near = side.edges ? 1e-6 : 0
-  v = Math.min(1 - near, Math.max(near, v))
-  const step = 1e-7
-  const slopes = (place) => [
-    m.subtract(place(u + step, v), place(u - step, v)),
-    m.subtract(place(u, v + step), place(u, v - step)),
-  ]
-  const across = m.cross(...slopes((s, t) => side.at(s, t).p))
-  const turned = m.cross(...slopes((s, t) => moved(side.at(s, t))))
-  return m.turnNormal(turn, m.normalize(m.dot(across, n) < 0 ? turned.map((x) => -x) : turned))
-}
-
-/** Returns where u has no derivative, so that an offset that depends on u tears the surface. */
-const isTorn = ({ side, where: [, v] }) => side.edges?.some((edge) => Math.abs(v - edge) < 1e-9)
-
-/** On p5's own cones the light is exact up to the apex; at a torn pole the normal depends on the direction of approach. */
-const isLost = (corner, { isBuilt, sides }) => isTorn(corner) && (isBuilt || sides.length === 1)
-
-const toScreen = ([x, y, z]) => [x, y].map((k) => size / 2 + (distance * k) / (distance - z))
-
-const interpolate = (weights, vectors) =>
-  vectors[0].map((_, k) => vectors.reduce((sum, vector, i) => sum + weights[i] * vector[k], 0))
-
-/** Returns for each pixel the index of the frontmost triangle, -1 if there is none. */
-function firstSeen(triangles) {
-  const first = new Int32Array(size * size).fill(-1)
-  const nearest = new Float64Array(size * size)
-  triangles.forEach((places, id) => {
-    const [[ax, ay], [bx, by], [cx, cy]] = places.map(toScreen)
-    const whole = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-    if (Math.abs(whole) < 1e-9) return
-    // These values are linear in screen space.
-    const [nearA, nearB, nearC] = places.map(([, , z]) => 1 / (distance - z))
-    const [left, right] = pixelsAcross(ax, bx, cx)
-    const [top, bottom] = pixelsAcross(ay, by, cy)
-    // Avoids arrays in the inner loop, which runs for 20 million pixels.
-    for (let y = top; y < bottom; y++)
-      for (let x = left; x < right; x++) {
-        const [px, py] = [x + 0.5, y + 0.5]
-        const a = ((cx - bx) * (py - by) - (cy - by) * (px - bx)) / whole
-        const b = ((ax - cx) * (py - cy) - (ay - cy) * (px - cx)) / whole
-        const c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / whole
-        if (a < 0 || b < 0 || c < 0) continue
-        const near = a * nearA + b * nearB + c * nearC
-        if (near <= nearest[y * size + x]) continue
-        nearest[y * size + x] = near
-        first[y * size + x] = id
-      }
-  })
-  return first
-}
-
-const pixelsAcross = (...ends) => [
-  Math.max(0, Math.floor(Math.min(...ends))),
-  Math.min(size, Math.ceil(Math.max(...ends))),
-]
-
-/**
- * Finds points near each corner of each visible triangle in the picture from `[x, y]` such that the neighbourhood is one smooth
- * surface, with the normal interpolated from true vertex normals.
- */
-function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
-  const { grain = unit, scale = [1, 1, 1] } = shape
-  const turn = m.product(m.rotation(aboutX, 1, 2), m.rotation(aboutY, 2, 0), m.scaling(...scale))
-  const moved = ({ p, n, uv }) => {
-    const scaled = p.map((x) => x / grain.length)
-    return m.add(p, offset.at(scaled, n, uv, grain))
-  }
-  const places = triangles.map((corners) =>
-    corners.map(({ p, n, side, where }) =>
-      m.movePoint(turn, moved({ p, n, uv: side.at(...where).uv })),
-    ),
-  )
-  const first = firstSeen(places)
-  return triangles.flatMap((corners, id) => {
-    const isSmooth = (x, y) => {
-      const other = triangles[first[y * size + x]]
-      return other?.some(({ vertex }) => corners.some((corner) => corner.vertex === vertex))
-    }
-    if (corners.some((corner) => isLost(corner, shape))) return []
-    return [0, 1, 2].flatMap((j) => {
-      const weights = [0, 1, 2].map((i) => (i === j ? 0.8 : 0.1))
-      const at = toScreen(interpolate(weights, places[id]))
-      // The four pixels that `colorAt` interpolates.
-      const [column, row] = at.map((x) => Math.floor(x - 0.5))
-      for (const x of [0, 1])
-        for (const y of [0, 1]) if (first[(row + y) * size + column + x] !== id) return []
-      for (const x of [-1, 0, 1, 2])
-        for (const y of [-1, 0, 1, 2]) if (!isSmooth(column + x, row + y)) return []
-      const normals = corners.map((corner) => trueNormal(corner, moved, turn))
-      // If neighbouring pixels differ much, as on triangles seen edge-on, the picture is too coarse to compare.
-      const screen = places[id].map(toScreen)
-      const steepest = Math.max(
-        ...[0, 1, 2].map((i) => {
-          const next = (i + 1) % 3
-          const step = Math.hypot(...m.subtract(normals[next], normals[i]))
-          return step / Math.hypot(screen[next][0] - screen[i][0], screen[next][1] - screen[i][1])
-        }),
-      )
-      if (steepest > 0.04) return []
-      const normal = m.normalize(interpolate(weights, normals))
-      return Math.min(...normal) > 0.1 ? [{ normal, at, ...corners[j] }] : []
-    })
-  })
-}
-
 /** The shapes made by p5, by version. */
 const geometries = new Map()
 
-for (const [version, renderer, scripts] of p5HostsInThisRun)
-  describe(`p5 ${version}, ${renderer}, lights`, () => {
-    const shapes = shapesOn(version, renderer)
+for (const host of hosts)
+  describe(`${host.name}, lights`, () => {
+    const { version, draw } = host
+    const shapes = shapesOn(host)
     for (const [what, offset] of Object.entries(offsets))
       test(`${what} within half a degree, on each shape`, async () => {
         if (!geometries.has(version))
@@ -278,8 +128,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
           `${camera}\nrotateX(${x}); rotateY(${y}); noStroke(); warps['${name}']()
           ${surfaces[name]?.code ?? word.code}`,
         ])
-        const images = await drawScenes(browsers[renderer], server, [...scripts, addon], {
-          renderer,
+        const images = await draw({
           size,
           setup: shapes
             .map(
@@ -303,10 +152,12 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       })
   })
 
-for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: the gradients of p5's own shapes equal those of the formula`, async () => {
-    const shapes = shapesOn(version, 'WEBGL')
-    if (!geometries.has(version)) geometries.set(version, await geometriesOf(p5, shapes))
+for (const host of webglHosts)
+  test(`${host.name}: the gradients of p5's own shapes equal those of the formula`, async () => {
+    const { version } = host
+    const shapes = shapesOn(host)
+    if (!geometries.has(version))
+      geometries.set(version, await geometriesOf(p5Versions[version], shapes))
     for (const [name, { sides, isBuilt }] of shapes) {
       const geometry = geometries.get(version)[name]
       assert.ok(geometry.gradients.flat().every(Number.isFinite), name)
@@ -359,8 +210,9 @@ const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
   .map((way) => `directionalLight(255, 255, 255, ${way})`)
   .join('; ')
 
-for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: a warp by uv has unit normals at poles and apexes, where the surface has no true normal`, async () => {
+// On WEBGPU p5 2.3 itself uses only the first directional light.
+for (const { name: host, draw } of webglHosts)
+  test(`${host}: a warp by uv has unit normals at poles and apexes, where the surface has no true normal`, async () => {
     const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
     const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
       Object.entries(ends).map(([name, [shape, side]]) => [
@@ -370,7 +222,7 @@ for (const [version, p5] of p5InThisRun)
       ]),
     )
     const flag = offsets['a flag that depends on uv']
-    const images = await drawScenes(browsers.WEBGL, server, [p5, addon], {
+    const images = await draw({
       setup: `noStroke()
         warps.own = createWarp(${flag.code(unit)})
         warps.built = createWarp(${flag.code({ height: 60 })})
@@ -384,15 +236,12 @@ for (const [version, p5] of p5InThisRun)
           assert.ok(colorAt(image, x, y)[0] > 50, `${name}: dark at ${x}, ${y}`)
   })
 
-for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: the gradients of other shapes are computed once and cached`, async () => {
-    const { page, messages } = await runSketch(
-      browsers.WEBGL,
-      server,
-      [p5, addon],
+for (const { name, canvas, open } of hosts)
+  test(`${name}: the gradients of other shapes are computed once and cached`, async () => {
+    const { page, messages } = await open(
       `let shape, looks = 0, bend, bulge
-      function setup() {
-        createCanvas(100, 100, WEBGL)
+      async function setup() {
+        ${canvas(100, 100)}
         noLoop()
         noStroke()
         shape = buildGeometry(() => torus(30, 10))
@@ -419,7 +268,7 @@ for (const [version, p5] of p5InThisRun)
 
 test(
   'p5 1.11 lights them in each space like 2.x, also in WebGL 1',
-  { skip: p5InThisRun.length < 2 },
+  { skip: webglHosts.length < 2 },
   async () => {
     const spaces = { local: 0.1, world: 6, camera: 6 }
     const warps = Object.entries(spaces).flatMap(([space, height]) => [
@@ -439,7 +288,7 @@ test(
     const scene = `camera(500, -400, 500, 10, 5, 0, 0, 1, 0); noStroke()
       rotateX(0.5); rotateY(0.4); scale(1, 1.3, 0.8)`
     const draw = (version, attributes = '') =>
-      drawScenes(browsers.WEBGL, server, [p5Versions[version], addon], {
+      drawScenes(webgl, server, [p5Versions[version], addon], {
         setup: `${attributes}
           ${warps
             .map(

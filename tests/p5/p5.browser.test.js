@@ -1,47 +1,22 @@
-// createWarp in p5 sketches, on each supported p5: checks the picture on the canvas.
+// createWarp in p5 sketches, on each supported p5: checks the picture on the canvas. scenes.browser.test.js compares more with p5 itself.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as m from '../support/browser/matrix.js'
-import { directions, geometryCode, sphereMesh } from '../support/browser/mesh.js'
-import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
-import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
+import { directions, geometryCode } from '../support/browser/mesh.js'
+import { addon, openP5Hosts } from '../support/browser/p5-hosts.js'
+import { waves } from '../support/browser/p5-waves.js'
+import { colorAt, litPixels } from '../support/browser/pixels.js'
+import { drawScenes, p5Versions } from '../support/browser/sketch.js'
 
-const addon = '/dist/p5.warpjet.min.js'
 const size = 200
 
-const { browsers, server } = await openHosts(p5HostsInThisRun)
-
-/**
- * f(p) = u g(p / u) with g(p) = (0.15 sin(2.4 y + 1), 0.11 sin(3.2 z), 0.12 sin(2 x)), in the sketch and in the oracle. The unit
- * u is 1 for p5's own shapes, which have size 1 in local space and are scaled.
- */
-const waves = (u) => ({
-  code: `({ glsl, position }) => glsl.vec3(
-    position.y().mult(${2.4 / u}).add(1).sin().mult(${0.15 * u}),
-    position.z().mult(${3.2 / u}).sin().mult(${0.11 * u}),
-    position.x().mult(${2 / u}).sin().mult(${0.12 * u}),
-  )`,
-  offset: ([x, y, z]) => [
-    0.15 * u * Math.sin((2.4 / u) * y + 1),
-    0.11 * u * Math.sin((3.2 / u) * z),
-    0.12 * u * Math.sin((2 / u) * x),
-  ],
-  identityPlusJacobian: ([x, y, z]) =>
-    m.linear([
-      [1, 0.36 * Math.cos((2.4 / u) * y + 1), 0],
-      [0, 1, 0.352 * Math.cos((3.2 / u) * z)],
-      [0.24 * Math.cos((2 / u) * x), 0, 1],
-    ]),
-})
+const hosts = await openP5Hosts()
 
 const mapValues = (object, change) =>
   Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]))
 
-for (const [version, renderer, p5] of p5HostsInThisRun) {
-  const draw = ({ files = p5, ...options }) =>
-    drawScenes(browsers[renderer], server, [...files, addon], { size, renderer, ...options })
-
-  describe(`createWarp on p5 ${version}, ${renderer}`, () => {
+for (const { name: host, renderer, isV1, p5, draw } of hosts)
+  describe(`createWarp on ${host}`, () => {
     test('has exact normals, shown as colours, for an offset in each space', async () => {
       // Describes the same scene twice: as calls of p5, and as matrices.
       const scene = `
@@ -103,54 +78,6 @@ for (const [version, renderer, p5] of p5HostsInThisRun) {
       }
     })
 
-    test('is lit like a mesh that was moved vertex by vertex, with each material', async () => {
-      const { code, offset, identityPlusJacobian } = waves(1)
-      const sphere = sphereMesh(32, 24)
-      const warped = {
-        ...sphere,
-        vertices: sphere.vertices.map((p) => m.add(p, offset(p))),
-        normals: sphere.normals.map((n) => m.turnNormal(identityPlusJacobian(n), n)),
-      }
-      const materials = {
-        lights: 'orbitControl(); lights()',
-        fill: `lights(); fill('orange')`,
-        specular: 'lights(); specularMaterial(250, 80, 80); shininess(20)',
-        ambient: `ambientLight(120); directionalLight(90, 0, 90, 0, 1, -1); ambientMaterial('teal')`,
-        texture: 'texture(stripes)',
-        'lit texture': 'lights(); texture(stripes)',
-        imageLight: 'imageLight(stripes)',
-        // p5 2.3 itself draws no normalMaterial() on WEBGPU.
-        ...(renderer === 'WEBGL' && { normalMaterial: 'normalMaterial()' }),
-      }
-      const setup = `
-        distort = createWarp(${code})
-        stripes = createImage(32, 32)
-        for (let y = 0; y < 32; y++)
-          for (let x = 0; x < 32; x++) stripes.set(x, y, color(y < 20 ? 'purple' : 'yellow'))
-        stripes.updatePixels()
-        plain = ${geometryCode(sphere, 'plain')}
-        moved = ${geometryCode(warped, 'moved')}`
-      const scenes = {}
-      for (const [name, material] of Object.entries(materials)) {
-        scenes[name] = `scale(60); ${material}; distort(); model(plain)`
-        scenes[`${name} after the warp`] = `scale(60); distort(); ${material}; model(plain)`
-        scenes[`${name} by vertex`] = `scale(60); noStroke(); ${material}; model(moved)`
-      }
-      const images = await draw({ setup, scenes })
-
-      for (const name of Object.keys(materials)) {
-        const image = images[name]
-        const lit = litPixels(image).length
-        assert.ok(lit > 5000, `${name}: ${lit} pixels are lit`)
-        for (const other of [`${name} after the warp`, `${name} by vertex`]) {
-          const differing = differingPixels(images[other], image, 2)
-          assert.ok(differing < 0.005 * lit, `${other}: ${differing} of ${lit} pixels differ`)
-        }
-        for (const other of Object.keys(materials))
-          if (other !== name) assert.notDeepEqual(image, images[other], `${name} and ${other}`)
-      }
-    })
-
     test('follows normalMaterial() before and after the warp, in each frame, until another material is set', async () => {
       const setup = `
         distort = createWarp(${waves(1).code})
@@ -178,7 +105,8 @@ for (const [version, renderer, p5] of p5HostsInThisRun) {
           const { x, y } = { x: position.x().mult(0).add(40), y: position.y().mult(0).add(40) }
           return glsl.vec3(random([x, y]), 0, 0)
         }, { space: 'world' })`
-      for (const files of [p5, p5.map((file) => file.replace('.js', '.min.js'))]) {
+      for (const all of [p5, p5.map((file) => file.replace('.js', '.min.js'))]) {
+        const files = [...all, addon]
         const scenes = { image: `noStroke(); distort(); fill('red'); plane(20)` }
         const { image } = await draw({ files, setup, scenes })
         assert.deepEqual(colorAt(image, size / 2 + 40, size / 2), [255, 0, 0])
@@ -322,5 +250,92 @@ for (const [version, renderer, p5] of p5HostsInThisRun) {
       const blue = colorAt(colored, size / 2 + 50 - 100 / 3, size / 2 + 50 - 100 / 3)[2]
       assert.ok(Math.abs(blue - (2 / 3) * 255) < 3, `${blue} at the triangle's centre`)
     })
+
+    test('moves strokes as the sketch and the option `stroke` say', async () => {
+      const setup = `
+        const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+        warps.left = createWarp(still)
+        warps.on = createWarp(still, { stroke: true })
+        warps.off = createWarp(still, { stroke: false })
+        warps.normal = createWarp(({ normal }) => normal.mult(1e-6), { surfaceVariation: false })
+        warps.uv = createWarp(({ uv, glsl }) => glsl.vec3(uv.x().mult(1e-6), 0, 0), { surfaceVariation: false })
+        warps.refused = createWarp(({ uv, glsl }) => glsl.vec3(uv.x().mult(1e-6), 0, 0),
+          { stroke: true, surfaceVariation: false })
+        warps.away = createWarp(({ glsl }) => glsl.vec3(500, 0, 0), { space: 'world', stroke: true })
+        fill(255, 0, 0)`
+      const lines = `stroke(0, 0, 255); strokeWeight(10);`
+      const scenes = {
+        // p5's default is thin black lines.
+        'a sketch that never sets a stroke': 'warps.left(); plane(100)',
+        'the option': `strokeWeight(10); warps.on(); plane(100)`,
+        'a sketch that sets a stroke before': `${lines} warps.left(); plane(100)`,
+        'a sketch that sets a stroke afterwards': `warps.left(); ${lines} plane(100)`,
+        'noStroke() before': `${lines} noStroke(); warps.on(); plane(100)`,
+        'noStroke() after': `${lines} warps.on(); noStroke(); plane(100)`,
+        'turned off': `${lines} warps.off(); plane(100)`,
+        'an offset that depends on the normal': `${lines} warps.normal(); plane(100)`,
+        'an offset that depends on uv': `${lines} warps.uv(); plane(100)`,
+        'another shader': `${lines} warps.away(); shader(baseMaterialShader()); plane(100)`,
+        resetShader: `${lines} warps.away(); resetShader(); plane(100)`,
+        'after pop()': `${lines} push(); warps.away(); plane(100); pop(); plane(100)`,
+        refused: `${lines} try { warps.refused() } catch ({ message }) {
+          if (/lines have no normal, uv or fill/.test(message)) { noStroke(); fill(0, 255, 0); plane(100) } }`,
+      }
+      const expected = {
+        'a sketch that never sets a stroke': 'red',
+        'the option': 'black',
+        'noStroke() before': 'red',
+        'noStroke() after': 'red',
+        'turned off': 'red',
+        'an offset that depends on the normal': 'red',
+        'an offset that depends on uv': 'red',
+        refused: 'green',
+      }
+      const colors = { red: [255, 0, 0], blue: [0, 0, 255], black: [0, 0, 0], green: [0, 255, 0] }
+      const images = await draw({ setup, scenes })
+      for (const [name, image] of Object.entries(images))
+        assert.deepEqual(colorAt(image, 52, 100), colors[expected[name] ?? 'blue'], name)
+    })
+
+    if (!isV1)
+      test('moves fills and strokes of instances by their own offsets', async () => {
+        const { fills, strokes } = await draw({
+          setup: `
+            shape = buildGeometry(() => plane(20))
+            warps.row = createWarp(({ glsl, instance }) => glsl.vec3(instance.sub(1).mult(50), 0, 0), { space: 'world' })`,
+          scenes: {
+            fills: `noStroke(); warps.row(); fill('red'); model(shape, 3)`,
+            strokes: `noFill(); stroke('red'); strokeWeight(4); warps.row(); model(shape, 3)`,
+          },
+        })
+        for (const x of [-50, 0, 50]) assert.deepEqual(colorAt(fills, 100 + x, 100), [255, 0, 0])
+        assert.equal(litPixels(fills).length, 3 * 400)
+        const at = (x) => litPixels(strokes).filter((pixel) => Math.abs(pixel.x - x) < 25).length
+        assert.ok(at(0) > 200, `${at(0)} pixels of a frame`)
+        for (const x of [-50, 50])
+          assert.ok(Math.abs(at(x) - at(0)) <= 4, `${at(x)} at ${x}, ${at(0)} in the middle`)
+      })
   })
-}
+
+// The everyday run draws only this on p5 1.11; `npm test -- --all` runs every test of sketches on it.
+test('p5 1.11 draws warps that move, are lit by their normals, and read uniforms', async () => {
+  const scripts = [p5Versions['1.11'], addon, '/dist/warpjet.deformers.min.js']
+  const { moved, slope } = await drawScenes(hosts[0].webgl, hosts[0].server, scripts, {
+    setup: `
+      warps.move = createWarp(({ glsl, uniforms }) => glsl.vec3(uniforms.far, 0, 0), {
+        space: 'world', uniforms: { far: 10 } })
+      warps.slope = createWarp(warpjet.shear({ axis: 'x', direction: 'z', amount: -0.5 }),
+        { type: 'normal', space: 'world' })`,
+    scenes: {
+      moved: `warps.move({ far: 40 }); fill('red'); plane(20)`,
+      slope: `ortho(); warps.slope(); plane(100)`,
+    },
+  })
+  assert.deepEqual(colorAt(moved, 140, 100), [255, 0, 0])
+  assert.deepEqual(colorAt(moved, 100, 100), [0, 0, 0])
+  // The normal of z = -x / 2.
+  const normal = [0.5, 0, 1].map((x) => x / Math.hypot(0.5, 1))
+  colorAt(slope, 100, 100).forEach((value, i) =>
+    assert.ok(Math.abs(value - 255 * normal[i]) <= 1, `channel ${i}: ${value}`),
+  )
+})

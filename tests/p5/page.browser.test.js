@@ -1,11 +1,18 @@
-// How createWarp is loaded in a page, adapts to changes of the canvas, and reports mistakes.
+// createWarp is loaded in a page, beside other sketches and other versions of p5, and adapts to changes of the canvas.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { leavePage } from '../support/browser/browser.js'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { leavePage, openPage } from '../support/browser/browser.js'
+import { addon } from '../support/browser/p5-hosts.js'
 import { colorAt, readPixels } from '../support/browser/pixels.js'
-import { drawScenes, openHost, p5InThisRun, runSketch } from '../support/browser/sketch.js'
+import {
+  drawScenes,
+  openHost,
+  p5InThisRun,
+  p5Versions,
+  runSketch,
+} from '../support/browser/sketch.js'
 
-const addon = '/dist/p5.warpjet.min.js'
 const size = 200
 
 const { browser, server } = await openHost()
@@ -65,68 +72,6 @@ for (const [version, p5] of p5InThisRun) {
       assertRedAt(image, 40, 0)
     })
 
-    test('reports mistakes by a WarpError, and continues to draw', async () => {
-      const cases = {
-        'createWarp(3)': /expected a function, got the number 3/,
-        'createWarp(() => 3)': /must return a vec3/,
-        'createWarp(warp, 3)': /expected an object of options, got/,
-        'createWarp(warp, { colour: 1 })': /no option "colour"/,
-        'createWarp(warp, { type: "shiny" })':
-          /expected 'specular' or 'normal' for the option "type"/,
-        'createWarp(warp, { space: "moon" })':
-          /expected 'local', 'world' or 'camera' for the option "space"/,
-        'createWarp(warp, { defs: 3 })':
-          /expected a string of GLSL such as "uniform float size;" for the option "defs"/,
-        'createWarp(warp)': /reads "turn", which nothing declares; add .* "uniform mat3 turn;"/,
-        'createWarp(({ glsl }) => glsl.vec3Param("shift"))':
-          /reads "shift", .* "uniform vec3 shift;"/,
-        'flat2d.createWarp(warp)': /needs a 3D canvas/,
-        'distort(3)': /expected an object of uniforms/,
-        'distort([3])': /expected an object of uniforms/,
-        'distort({ speed: 3 })': /no uniform "speed"/,
-        'distort({ amount: undefined })': /uniform "amount": expected a number, got undefined/,
-        'distort({ amount: NaN })': /uniform "amount": expected a number/,
-        'distort({ amount: "a" })': /uniform "amount": expected a number, got the text "a"/,
-        'distort({ shift: 3 })': /uniform "shift": expected an array of numbers/,
-        'distort({ turn: [1, 2, 3, 4] })':
-          /uniform "turn": expected an array of 9 numbers, column by column, got an array of 4/,
-        'layer.remove(); inLayer()': /canvas that this warp was made for is gone/,
-        'remove(); distort()': /canvas that this warp was made for is gone/,
-      }
-      const { page, messages } = await runSketch(
-        browser,
-        server,
-        [p5, addon],
-        `const warp = ({ glsl }) =>
-          glsl.mat3Param('turn').mult(glsl.vec3Param('shift')).add(glsl.param('amount'))
-        function setup() {
-          createCanvas(100, 100, WEBGL)
-          const defs = 'uniform vec3 shift; uniform float amount, unused; uniform mat3 turn;'
-          distort = createWarp(warp, { defs })
-          flat2d = createGraphics(10, 10)
-          layer = createGraphics(10, 10, WEBGL)
-          inLayer = layer.createWarp(warp, { defs })
-          noLoop()
-        }
-        function draw() {
-          inLayer()
-          layer.sphere(5)
-          distort({ unused: 1 })
-          sphere(20)
-          window.done = true
-        }`,
-      )
-      for (const [code, message] of Object.entries(cases)) {
-        const error = await page.evaluate(`(() => {
-          try { ${code} } catch (error) { return { name: error.name, message: error.message } }
-        })()`)
-        assert.equal(error?.name, 'WarpError', code)
-        assert.match(error.message, message)
-      }
-      await leavePage(page)
-      assert.deepEqual(messages, [])
-    })
-
     test('follows the canvas when setAttributes replaces it, here by a WebGL 1 canvas', async () => {
       const { image } = await drawScenes(browser, server, [p5, addon], {
         size,
@@ -140,6 +85,76 @@ for (const [version, p5] of p5InThisRun) {
     })
   })
 }
+
+const instance = (name, code) => `
+  const ${name} = new P5(p => {
+    let right
+    p.setup = () => {
+      p.pixelDensity(1)
+      p.createCanvas(100, 100, p.WEBGL)
+      right = p.createWarp(({ glsl }) => glsl.vec3(20, 0, 0), { space: 'world' })
+      p.noLoop()
+    }
+    p.draw = () => { p.background(0); right(); p.fill('red'); p.plane(20); ${code} }
+  })`
+
+/** Returns [red at the centre, red 20 pixels to the right] of a sketch's canvas. */
+const redsOf = (name) => `(() => {
+  const canvas = document.createElement('canvas')
+  canvas.width = canvas.height = 100
+  const context = canvas.getContext('2d', { willReadFrequently: true })
+  ${name}.redraw()
+  context.drawImage(${name}.canvas, 0, 0, 100, 100)
+  return [50, 70].map((x) => context.getImageData(x, 50, 1, 1).data[0])
+})()`
+
+test('works on several canvases, after remove() and a new sketch, and on a resized canvas', async () => {
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5Versions['2.x'], addon],
+    `window.P5 = p5
+    window.ready = 0
+    ${instance('mine', 'ready++')}
+    ${instance('yours', 'ready++')}
+    const timer = setInterval(() => { if (ready >= 2) { clearInterval(timer); window.done = true } })`,
+  )
+  assert.deepEqual(await page.evaluate(redsOf('mine')), [0, 255])
+  assert.deepEqual(await page.evaluate(redsOf('yours')), [0, 255])
+  await page.evaluate('yours.resizeCanvas(60, 60); yours.resizeCanvas(100, 100)')
+  assert.deepEqual(await page.evaluate(redsOf('yours')), [0, 255])
+  await page.evaluate('mine.remove()')
+  assert.deepEqual(await page.evaluate(redsOf('yours')), [0, 255])
+  await page.evaluate(`ready = 0; ${instance('window.theirs', 'ready++').replace('const ', '')}`)
+  await page.waitForFunction('ready > 0')
+  assert.deepEqual(await page.evaluate(redsOf('theirs')), [0, 255])
+  await leavePage(page)
+  assert.deepEqual(messages, [])
+})
+
+if (isRun('unusual p5 pages'))
+  test('works with two versions of p5 on one page, each followed by the script', async () => {
+    const script = (src) => `<script src="${src}"></script>`
+    const { page, messages } = await openPage(
+      browser,
+      server.page(`<!doctype html><body>
+        ${script(p5Versions['1.11'])}${script(addon)}<script>const older = p5; p5 = undefined</script>
+        ${script(p5Versions['2.x'])}${script(addon)}
+        <script>
+          window.ready = 0
+          const newer = p5
+          window.P5 = older
+          ${instance('mine', 'ready++')}
+          P5 = newer
+          ${instance('yours', 'ready++')}
+        </script>`),
+    )
+    await page.waitForFunction('ready >= 2')
+    assert.deepEqual(await page.evaluate(redsOf('mine')), [0, 255])
+    assert.deepEqual(await page.evaluate(redsOf('yours')), [0, 255])
+    await leavePage(page)
+    assert.deepEqual(messages, [])
+  })
 
 describe('the modules', () => {
   test('register their functions with an imported p5', async () => {

@@ -1,19 +1,15 @@
-// Normals at pixels in p5's materials, spaces and shaders: the light of a coarse shape against that of a dense one.
+// Normals at pixels in p5's materials, spaces and shaders: the light of a coarse shape against that of a dense one, and noise that is
+// finer than a pixel, which fades, against the mean of 64 exact normals per pixel.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
 import { leavePage } from '../support/browser/browser.js'
+import { openP5Hosts } from '../support/browser/p5-hosts.js'
 import { litPixels, readPixels } from '../support/browser/pixels.js'
-import {
-  drawScenes,
-  openHosts,
-  p5HostsInThisRun,
-  p5InThisRun,
-  p5Versions,
-  runSketch,
-} from '../support/browser/sketch.js'
 
-const addon = '/dist/p5.warpjet.min.js'
-const { browsers, server } = await openHosts(p5HostsInThisRun)
+const hosts = await openP5Hosts()
+/** The hosts whose shaders are GLSL. */
+const glslHosts = hosts.filter(({ isWebGPU }) => !isWebGPU)
 
 /** Bumps that are small beside the triangles of p5's sphere, and in the space of the offset of about the same size. */
 const bumps = (length, height) => `({ glsl, position, normal }) => {
@@ -60,16 +56,15 @@ function meanDifference(image, dense) {
   return sum / (3 * inside.length)
 }
 
-for (const [version, renderer, scripts] of p5HostsInThisRun)
-  describe(`p5 ${version} by ${renderer}: the light of 24 by 16 pieces is that of 240 by 160`, () => {
+for (const { name: host, draw } of hosts)
+  describe(`${host}: the light of 24 by 16 pieces is that of 240 by 160`, () => {
     for (const [space, offset] of Object.entries(spaces))
       for (const [material, more] of Object.entries({ specular: '', normal: '' }))
         test(`in ${space} space, as ${material}`, async () => {
           const name = `${space} ${material}`
-          const images = await drawScenes(browsers[renderer], server, [...scripts, addon], {
+          const images = await draw({
             setup: warpsOf(name, offset, `{ space: '${space}', type: '${material}' }`),
             scenes: scenesOf(name, more),
-            renderer,
           })
           const [vertex, pixel] = ['vertex', 'pixel'].map((kind) =>
             meanDifference(images[`${name} ${kind}`], images[`${name} dense`]),
@@ -79,10 +74,9 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
 
     test('a surface that a warp presses flat is lit by its triangles, at vertices and at pixels', async () => {
       const floor = '({ glsl, position }) => position.mult(3).floor().div(3).sub(position)'
-      const images = await drawScenes(browsers[renderer], server, [...scripts, addon], {
+      const images = await draw({
         setup: warpsOf('floor', floor, '{}'),
         scenes: scenesOf('floor'),
-        renderer,
       })
       for (const [name, { data }] of Object.entries(images)) {
         const shades = new Set(Array.from({ length: data.length / 4 }, (_, i) => data[4 * i]))
@@ -91,19 +85,15 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     })
   })
 
-for (const [version, p5] of p5InThisRun)
-  describe(`p5 ${version}: shaders of the sketch`, () => {
-    const isOld = version === '1.11'
-    const afterwards = isOld
+for (const { name: host, isV1, open } of glslHosts)
+  describe(`${host}: shaders of the sketch`, () => {
+    const afterwards = isV1
       ? `{ 'vec3 getWorldNormal': '(vec3 n) { return -n; }' }`
       : `{ 'Vertex getCameraInputs': '(Vertex v) { v.normal = -v.normal; return v; }' }`
     const noise = `({ glsl, position }) => position.mult(glsl.simplex(position).mult(0.2))`
 
     test('a hook that changes normals after the warp gets them at vertices; asked for pixels, the console says so', async () => {
-      const { page, messages } = await runSketch(
-        browsers.WEBGL,
-        server,
-        [p5, addon],
+      const { page, messages } = await open(
         `function setup() {
           createCanvas(100, 100, WEBGL)
           const mine = baseMaterialShader().modify(${afterwards})
@@ -128,10 +118,7 @@ for (const [version, p5] of p5InThisRun)
     })
 
     test('what was chosen can be read', async () => {
-      const { page, messages } = await runSketch(
-        browsers.WEBGL,
-        server,
-        [p5, addon],
+      const { page, messages } = await open(
         `function setup() {
           createCanvas(100, 100, WEBGL)
           noLoop()
@@ -146,13 +133,10 @@ for (const [version, p5] of p5InThisRun)
     })
   })
 
-if (p5InThisRun.some(([version]) => version === '1.11'))
+for (const { open } of hosts.filter(({ isV1 }) => isV1))
   test('p5 1.11 on WebGL 1 draws as on WebGL 2', async () => {
     const draw = async (version) => {
-      const { page, messages } = await runSketch(
-        browsers.WEBGL,
-        server,
-        [p5Versions['1.11'], addon],
+      const { page, messages } = await open(
         `function setup() {
           pixelDensity(1)
           createCanvas(200, 200, WEBGL)
@@ -171,4 +155,93 @@ if (p5InThisRun.some(([version]) => version === '1.11'))
     }
     const [one, two] = [await draw(1), await draw(2)]
     assert.ok(meanDifference(one, two) < 0.5)
+  })
+
+// Noise that is finer than a pixel.
+
+const size = 120
+/** The length of the plane's edges, in pixels. Waves of the coarsest octave are 3.7 pixels long, those of the finest a quarter of one. */
+const edge = 80
+
+const offset = ({ glsl, position }) => glsl.vec3(0, 0, glsl.fbm(position.mult(30)).mult(0.02))
+
+/** Hooks that draw the normal as a color. */
+const hooks = {
+  WEBGL: {
+    fragmentDeclarations: 'vec3 shown;',
+    'Inputs getPixelInputs': '(Inputs inputs) { shown = inputs.normal; return inputs; }',
+    'vec4 getFinalColor': '(vec4 color) { return vec4(shown * 0.5 + 0.5, 1.0); }',
+  },
+  WEBGPU: {
+    fragmentDeclarations: 'var<private> shown: vec3<f32>;',
+    'Inputs getPixelInputs': '(inputs: Inputs) { shown = inputs.normal; return inputs; }',
+    'vec4f getFinalColor':
+      '(color: vec4<f32>, texCoord: vec2<f32>) { return vec4<f32>(shown * 0.5 + 0.5, 1.0); }',
+  },
+}
+
+/** Texture coordinates are a second parameter in p5 2.x. */
+function hooksFor({ isV1, isWebGPU, renderer }) {
+  if (isV1 || isWebGPU) return hooks[renderer]
+  const color = hooks.WEBGL['vec4 getFinalColor'].replace(')', ', vec2 texCoord)')
+  return { ...hooks.WEBGL, 'vec4 getFinalColor': color }
+}
+
+/** Pixels of the plane without those near its edges. */
+const pixels = Array.from({ length: size * size }, (_, i) => [
+  i % size,
+  Math.floor(i / size),
+]).filter((pixel) => pixel.every((x) => Math.abs(x + 0.5 - size / 2) < edge / 2 - 2))
+
+const restOf = (x) => (x - size / 2) / edge
+
+/** Returns the sum of 64 normals for each pixel: only its direction matters. */
+function meanNormals() {
+  const positions = pixels.flatMap(([x, y]) =>
+    Array.from({ length: 64 }, (_, i) => [
+      restOf(x + ((i % 8) + 0.5) / 8),
+      restOf(y + (Math.floor(i / 8) + 0.5) / 8),
+      0,
+    ]).flat(),
+  )
+  const normals = Float32Array.from(positions, (_, i) => (i % 3 === 2 ? 1 : 0))
+  const warped = compileWarp(offset).evaluate({ positions: Float32Array.from(positions), normals })
+  return pixels.map((_, pixel) => {
+    const sum = [0, 0, 0]
+    for (let i = 0; i < 3 * 64; i++) sum[i % 3] += warped.normals[3 * 64 * pixel + i]
+    return sum
+  })
+}
+
+function degreesBetween(a, b) {
+  const dot = a.reduce((sum, x, i) => sum + x * b[i], 0)
+  return (Math.acos(Math.min(1, dot / (Math.hypot(...a) * Math.hypot(...b)))) * 180) / Math.PI
+}
+
+for (const host of hosts)
+  test(`${host.name}: noise finer than a pixel fades to its mean`, async (t) => {
+    const shader = `baseMaterialShader().modify(${JSON.stringify(hooksFor(host))})`
+    const scene = (name) => `background(0); warps.${name}(); noStroke()
+      perspective(2 * atan(${size / 2 / 1000}), 1, 100, 5000)
+      camera(0, 0, 1000, 0, 0, 0, 0, 1, 0)
+      scale(${edge}); plane(1, 1)`
+    const images = await host.draw({
+      size,
+      setup: `warps.fading = createWarp(${offset}, { shader: ${shader}, normals: 'pixel' })
+        warps.keeping = createWarp(${offset}, { shader: ${shader}, normals: 'pixel', fadeNoise: false })`,
+      scenes: { fading: scene('fading'), keeping: scene('keeping') },
+    })
+    const means = meanNormals()
+    const errorOf = ({ data }) => {
+      const angles = pixels.map(([x, y], i) => {
+        const at = 4 * (y * size + x)
+        const shown = [...data.subarray(at, at + 3)].map((byte) => byte / 127.5 - 1)
+        return degreesBetween(shown, means[i])
+      })
+      return Math.hypot(...angles) / Math.sqrt(angles.length)
+    }
+    const [fading, keeping] = [errorOf(images.fading), errorOf(images.keeping)]
+    t.diagnostic(`${fading} degrees from the mean where noise fades, ${keeping} where it does not`)
+    assert.ok(keeping > 5, `${keeping} degrees: the noise is too weak to show anything`)
+    assert.ok(fading < keeping / 2, `${fading} degrees instead of ${keeping}`)
   })

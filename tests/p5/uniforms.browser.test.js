@@ -1,13 +1,9 @@
 // The option `uniforms` of createWarp, on each p5, both WebGL versions and WebGPU: checks the position in the picture.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { leavePage } from '../support/browser/browser.js'
-import { litPixels } from '../support/browser/pixels.js'
-import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from '../support/browser/sketch.js'
-
-const addon = '/dist/p5.warpjet.min.js'
-
-const { browsers, server } = await openHosts(p5HostsInThisRun)
+import { openP5Hosts } from '../support/browser/p5-hosts.js'
+import { colorAt, litPixels } from '../support/browser/pixels.js'
+import { bend, turningShader } from './scenes/shader.js'
 
 /** Returns the offset of the drawing from the centre of the canvas to the right and down, in pixels. */
 function place(image) {
@@ -20,20 +16,21 @@ function place(image) {
 const moves = (offset, uniforms, more = '') =>
   `(({ glsl, uniforms }) => ${offset}), { space: 'world', uniforms: { ${uniforms} }, ${more} }`
 
-/** Each host with a name and the code of setup() that checks or chooses its version of WebGL. */
-const hosts = p5HostsInThisRun.flatMap(([version, renderer, scripts]) =>
-  renderer === 'WEBGPU'
-    ? [[`p5 ${version} and WebGPU`, renderer, scripts, '']]
-    : [2, 1].map((webgl) => [
-        `p5 ${version} and WebGL ${webgl}`,
-        renderer,
-        scripts,
-        `${webgl === 1 ? 'setAttributes({ version: 1 })' : ''}
-        if (drawingContext instanceof WebGL2RenderingContext !== ${webgl === 2}) throw 'another WebGL'`,
-      ]),
+const hosts = await openP5Hosts()
+
+/** Each host with the code of setup() that checks or chooses its version of WebGL. */
+const variants = hosts.flatMap((host) =>
+  host.isWebGPU
+    ? [{ ...host, choose: '' }]
+    : [2, 1].map((webgl) => ({
+        ...host,
+        name: `${host.name} ${webgl}`,
+        choose: `${webgl === 1 ? 'setAttributes({ version: 1 })' : ''}
+          if (drawingContext instanceof WebGL2RenderingContext !== ${webgl === 2}) throw 'another WebGL'`,
+      })),
 )
 
-for (const [host, renderer, p5, choose] of hosts)
+for (const { name: host, isWebGPU, choose, draw } of variants)
   describe(`uniforms on ${host}`, () => {
     const shape = `fill('red'); plane(20)`
 
@@ -42,8 +39,7 @@ for (const [host, renderer, p5, choose] of hosts)
       const setup = Object.entries(warps).map(
         ([name, args]) => `warps.${name} = createWarp(${args})`,
       )
-      const images = await drawScenes(browsers[renderer], server, [...p5, addon], {
-        renderer,
+      const images = await draw({
         setup: [choose, before, ...setup].join('\n'),
         scenes: Object.fromEntries(
           Object.entries(scenes).map(([name, code]) => [name, `${code}; ${shape}`]),
@@ -127,7 +123,7 @@ for (const [host, renderer, p5, choose] of hosts)
         defs: moves(
           `glsl.vec3(uniforms.a.add(glsl.param('half_of(b)')), glsl.param('b'), 0)`,
           'a: 10, unread: [1, 2]',
-          renderer === 'WEBGPU'
+          isWebGPU
             ? `defs: 'uniform float b; fn half_of(a: f32) -> f32 { return 0.5 * a; }'`
             : `defs: 'uniform float b; float half_of(float a) { return 0.5 * a; }'`,
         ),
@@ -148,68 +144,16 @@ for (const [host, renderer, p5, choose] of hosts)
     })
   })
 
-for (const [version, renderer, p5] of p5HostsInThisRun)
-  test(`p5 ${version}, ${renderer}: a WarpError reports mistakes with uniforms, and drawing goes on`, async () => {
-    const offset = '({ glsl, uniforms }) => glsl.vec3(uniforms.amount, uniforms.at)'
-    const cases = {
-      'createWarp(offset)':
-        /^createWarp: the offset reads uniforms\.amount, which nothing declares/,
-      'createWarp(offset, { uniforms: { amont: 1, at: [1, 2] } })':
-        /declares no "amount"; there are amont, at\./,
-      'createWarp(offset, { uniforms: 3 })':
-        /expected an object, .* for the option "uniforms", got the number 3/,
-      'createWarp(offset, { uniforms: { amount: "a" } })':
-        /^createWarp: expected a number, .* for the uniform "amount", got the text "a"/,
-      'createWarp(offset, { uniforms: { mouse: [1, 2] } })': /"mouse" has the name of an input/,
-      'createWarp(offset, { uniforms: { amount: 1, at: [1, 2] }, defs: "uniform float x, amount;" })':
-        /"amount" is in both options "uniforms" and "defs"/,
-      'createWarp(({ glsl }) => glsl.vec3(glsl.param("amount")), { uniforms: { amount: 1 } })':
-        /reads "amount" by glsl\.param; .* is read as uniforms\.amount/,
-      'createWarp(3, { uniforms: { amount: 1 } })': /expected a function, got the number 3/,
-      'distort({ amont: 2 })': /no uniform "amont"; there are amount, at, unread\./,
-      'distort({ amount: [1, 2] })':
-        /expected a finite number for the uniform "amount", got an array of 2/,
-      'distort({ amount: undefined })':
-        /expected a finite number for the uniform "amount", got undefined/,
-      'distort({ amount: NaN })': /for the uniform "amount", got NaN/,
-      'distort({ at: 3 })':
-        /expected an array of 2 finite numbers for the uniform "at", got the number 3/,
-      'distort({ unread: "x" })': /for the uniform "unread", got the text "x"/,
-      'plain({ amount: 2 })':
-        /no uniform "amount"; createWarp's option "uniforms" must declare it: \{ uniforms: \{ amount: 0\.5 \} \}/,
-      'now = [1, 2, 3]; try { distort() } finally { now = [1, 2] }':
-        /for the uniform "at", got an array of 3; its function must always return what it returned at first/,
-    }
-    const { page, messages } = await runSketch(
-      browsers[renderer],
-      server,
-      [...p5, addon],
-      `let now = [1, 2]
-      const offset = ${offset}
-      let distort, plain
-      ${renderer === 'WEBGPU' ? 'async' : ''} function setup() {
-        ${renderer === 'WEBGPU' ? 'await' : ''} createCanvas(100, 100, ${renderer})
-        distort = createWarp(offset, { uniforms: { amount: 0.5, at: () => now, unread: 1 } })
-        plain = createWarp(({ position }) => position)
-        noLoop()
-      }
-      function draw() {
-        if (!plain) return
-        plain()
-        sphere(5)
-        distort({ unread: 3 })
-        sphere(20)
-        window.done = true
-      }`,
-    )
-    for (const [code, message] of Object.entries(cases)) {
-      const error = await page.evaluate(`(() => {
-        try { ${code} } catch (error) { return { name: error.name, message: error.message } }
-      })()`)
-      assert.equal(error?.name, 'WarpError', code)
-      assert.match(error.message, message)
-    }
-    await page.evaluate('redraw()')
-    await leavePage(page)
-    assert.deepEqual(messages, [])
+for (const host of hosts)
+  test(`${host.name}: a warp passes on uniforms that the sketch or the warp sets to the sketch's shader`, async () => {
+    const { whole, half, quarter } = await host.draw({
+      setup: `${turningShader(host)}; distort = createWarp(${bend}, { shader: warps.turning })`,
+      scenes: {
+        whole: `noStroke(); distort(); fill(200, 0, 0); sphere(60)`,
+        half: `shader(warps.turning); warps.turning.setUniform('red', 0.5); noStroke(); distort(); fill(200, 0, 0); sphere(60)`,
+        quarter: `noStroke(); distort({ red: 0.25 }); fill(200, 0, 0); sphere(60)`,
+      },
+    })
+    const red = (image) => colorAt(image, 100, 100)[0]
+    assert.deepEqual([red(whole), red(half), red(quarter)], [200, 100, 50])
   })

@@ -193,44 +193,6 @@ describe('createWarp on WEBGPU looks as in WEBGL', () => {
   })
 })
 
-test('on WEBGPU a WarpError reports mistakes', async () => {
-  const cases = {
-    'createGraphics(50, 50, WEBGPU).createWarp(still)': /createGraphics\(width, height, WEBGL\)/,
-    'createWarp(({ normal, uv }) => normal.mult(uv.x.mult(uv.y).sin()), {})()':
-      /on WEBGPU an offset that depends on both normal and uv/,
-    [`createWarp(still, { defs: 'uniform float size[3];' })`]: /defs.*uniforms: \{ size: 0\.5 \}/,
-    "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: 1 })":
-      /"v": expected an array of numbers/,
-    "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: [1] })":
-      /"v": expected an array of 2 numbers/,
-    "createWarp(still, { shader: baseMaterialShader().modify({ 'Vertex getObjectInputs': '(Vertex inputs) { return inputs; }' }) })":
-      /hook getObjectInputs in GLSL; on a WEBGPU canvas write it in WGSL/,
-    'createWarp(({ glsl }) => glsl.vec3(glsl.param("size"), 0, 0))': /uniforms/,
-  }
-  const { page, messages } = await runSketch(
-    browser,
-    server,
-    [p5, p5WebGPU, ...scripts],
-    `p5.disableFriendlyErrors = true
-    const still = ({ glsl }) => glsl.vec3(0, 0, 0)
-    async function setup() {
-      try { createWarp(still) } catch ({ message }) { early = message }
-      await createCanvas(100, 100, WEBGPU)
-      noLoop()
-      done = true
-    }`,
-  )
-  assert.match(await page.evaluate('early'), /needs a 3D canvas/)
-  for (const [code, expected] of Object.entries(cases)) {
-    const message = await page.evaluate(
-      `(() => { try { ${code} } catch (error) { return error.message } })()`,
-    )
-    assert.match(message ?? 'nothing', expected, code)
-  }
-  await leavePage(page)
-  assert.deepEqual(messages, [])
-})
-
 test('a mistake in the WGSL of defs is reported with its line in defs and in the sketch', async () => {
   const { page } = await runSketch(
     browser,

@@ -1,11 +1,11 @@
 // `exactNormals` with drei's materials that move vertices: normals against differences in double precision, and shadows.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { bundledPage } from '../support/browser/three/bundled-page.js'
+import { bundledPage } from '../support/browser/bundled-page.js'
 
 let opened
 before(async () => {
-  opened = await bundledPage('exact-normals/drei.js', '.build/drei')
+  opened = await bundledPage('three/exact-normals/drei.js')
 })
 after(() => opened.close())
 

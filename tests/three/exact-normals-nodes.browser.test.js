@@ -75,6 +75,21 @@ for (const backend of ['webgl', 'webgpu'])
       }
     })
 
+    test('a warp of the mesh and exactNormals of its material are combined', async (t) => {
+      for (const name of await page.evaluate(() => exact.warpsBeside)) {
+        messages.length = 0
+        const { differing, plain, covered } = await page.evaluate(
+          (given) => exact.besideWarp(...given),
+          [name, { backend }],
+        )
+        t.diagnostic(
+          `${name}: ${differing} of ${covered} pixels differ, ${plain} without exactNormals`,
+        )
+        assert.deepEqual(messages, [], name)
+        assert.ok(covered > 800 && plain > 0.3 * covered && differing <= 12, name)
+      }
+    })
+
     test('velocities are those of the uniforms in the frame before', async () => {
       messages.length = 0
       const [first, raised, still] = await page.evaluate((given) => exact.velocities(given), {

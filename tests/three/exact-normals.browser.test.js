@@ -21,6 +21,8 @@ const atVertices = {
 /** Habits with a message. Those that move vertices by an attribute that is constant here are exact. */
 const notes = {
   'gl_Position changes after the projection': /changes gl_Position after projectionMatrix/,
+  'a branch without braces that changes gl_Position': /changes gl_Position after projectionMatrix/,
+  'tangents of the geometry': /by the attribute tangent, which counts as constant/,
   'a position snapped to pixels': /changes clip after projectionMatrix/,
   gl_VertexID: /the attribute gl_VertexID has no value/,
   'attribute per vertex': /by the attribute aHeight, which counts as constant/,
@@ -116,6 +118,28 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       }
       const { differing } = await page.evaluate(() => exact.shadow('directional', false))
       assert.ok(differing > 100, 'the shadow of a mesh whose material alone is exact')
+    })
+
+    test('a displacement map moves a shadow once', async (t) => {
+      messages.length = 0
+      const { differing, moved } = await page.evaluate(() => exact.shadowOfMap())
+      t.diagnostic(`${differing} pixels differ, ${moved} without the displacement`)
+      assert.deepEqual(messages, [])
+      assert.ok(moved > 200 && differing <= 10, `${differing} of ${moved}`)
+    })
+
+    test('shadows and rays follow a material that is compiled again', async (t) => {
+      for (const kind of ['onBeforeCompile', 'defines']) {
+        messages.length = 0
+        const { differing, stale, ray, expected } = await page.evaluate(
+          (k) => exact.recompile(k),
+          kind,
+        )
+        t.diagnostic(`${kind}: ${differing} pixels differ, ${stale} from those before`)
+        assert.deepEqual(messages, [])
+        assert.ok(stale > 500 && differing <= 10, `${differing} of ${stale}`)
+        assert.ok(Math.abs(ray - expected) < 1e-3, `${ray} instead of ${expected}`)
+      }
     })
 
     test('rays and bounds follow a mesh, also before it is drawn', async () => {

@@ -1,11 +1,11 @@
 // 'warpjet/three' with packages that have their own rendering, deformation or instancing; each row works like those of company.browser.test.js.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { bundledPage } from '../support/browser/three/bundled-page.js'
+import { bundledPage } from '../support/browser/bundled-page.js'
 
 let opened, page, messages
 before(async () => {
-  opened = await bundledPage('company/libraries.js', '.build/libraries')
+  opened = await bundledPage('three/company/libraries.js')
   ;({ page, messages } = opened)
 })
 after(() => opened.close())

@@ -67,6 +67,17 @@ test('vectors, colours, matrices and arrays are uniforms', () => {
   near(positions, [1 + 2 + 1 + 0.5 + 30, 1 + 3 + 2 + 30, 1 + 4 + 3 + 30])
 })
 
+test('names of uniforms that are named like those without a name', () => {
+  const [named, unnamed, other] = [0.5, 0.25, 0.125].map((value) => uniform(value))
+  named.setName('uniform1')
+  const offset = tslOffset((p) => vec3(named, unnamed, other).mul(p))
+  assert.equal(Object.keys(offset.uniforms).length, 3)
+  const { positions } = compileWarp(offset, { uniforms: offset.uniforms }).evaluate({
+    positions: [1, 1, 1],
+  })
+  near(positions, [1.5, 1.25, 1.125])
+})
+
 test('a new position in place of an offset, and normal and uv', () => {
   const { positions } = compileWarp(
     tslOffset((p) => p.add(normalLocal.mul(uv().x)), { returns: 'position' }),

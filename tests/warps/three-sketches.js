@@ -11,10 +11,12 @@ export const threeWarps = () =>
   readdirSync(examples)
     .filter((folder) => folder.startsWith('three-'))
     .sort()
+    .map((name) => [name, readFileSync(new URL(`${name}/sketch.js`, examples), 'utf8')])
+    // Others have exactNormals alone.
+    .filter(([, source]) => /\bwarp\(/.test(source))
     .map(warpOf)
 
-function warpOf(name) {
-  const source = readFileSync(new URL(`${name}/sketch.js`, examples), 'utf8')
+function warpOf([name, source]) {
   const { body } = parse(source, { ecmaVersion: 'latest', sourceType: 'module' })
   const textOf = ({ start, end }) => source.slice(start, end)
   const declared = new Map()

@@ -39,6 +39,8 @@ export interface Names {
   isFrameConstant?: IsFrameConstant | undefined
   /** `true` fades noise that is finer than a pixel, which only a fragment shader can do. */
   fadesNoise?: boolean | undefined
+  /** `true` reflects numbers that are less than a pixel outside of the domain of an operation, for fragment shaders; see src/emit/borders.hpp. */
+  reflectsAtBorders?: boolean | undefined
 }
 
 /** Tests for an input that is constant during a frame, and whose value the host knows. */
@@ -79,7 +81,13 @@ export interface Text {
 export const writeText = (
   serialized: SerializedModule,
   target: Target,
-  { inputs = [], results = [], isFrameConstant, fadesNoise = false }: Names = {},
+  {
+    inputs = [],
+    results = [],
+    isFrameConstant,
+    fadesNoise = false,
+    reflectsAtBorders = false,
+  }: Names = {},
   maxDepth = 0,
 ): Text =>
   withModule(serialized, (module) => {
@@ -97,6 +105,7 @@ export const writeText = (
       results.map(nameOf),
       Math.min(maxDepth, 2 ** 30),
       fadesNoise,
+      reflectsAtBorders,
     )
     if (problem) throw new WarpError(problem)
     return { ...text, inputs: withReads(serialized, text.inputs) }

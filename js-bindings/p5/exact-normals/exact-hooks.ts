@@ -6,8 +6,17 @@ import { asOwn } from '../../errors/operators.js'
 import { glslOffset, wgslOffset } from '../../glsl-source/offset.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import { isWgsl, type ModifiedShader } from './modified-shader.js'
+import { storageReadsOf } from './storage-reads.js'
 import { wgslOfHook } from './strands-wgsl.js'
-import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
+import {
+  inStrandsWords,
+  isOfStrands,
+  randomError,
+  rejectRandom,
+  storageError,
+  vertexId,
+  withoutRandom,
+} from './unreadable-hooks.js'
 
 type CompiledText = ReturnType<typeof compileWarp>
 
@@ -22,14 +31,14 @@ export interface HookTemplate {
   /** Maps inputs of an offset to expressions in the new hook. */
   names: Record<'position' | 'normal' | 'uv' | 'color', string>
   /** Returns statements that compute the new `position` by calling the sketch's hook. */
-  moveCode: (own: string) => string
+  moveCode: (original: string) => string
   /**
-   * Returns the new hook. `text` is the source of the sketch's hook as the function `own`; `code`, the code of `warp`, computes the
+   * Returns the new hook. `text` is the source of the sketch's hook as the function `original`; `code`, the code of `warp`, computes the
    * normal in the variable `normal`.
    */
   hook: (parts: {
     code: string
-    own: string
+    original: string
     text: string
     normal: string
     warp: CompiledText
@@ -72,25 +81,26 @@ function makeExactHook(
   isFirst: boolean,
 ) {
   const [type, word] = name.split(' ')
-  const own = `warpjetOriginal_${word}`
+  const original = `warpjetOriginal_${word}`
   const outputs = {
     offset: `warpjetOffset_${word}`,
     position: `warpjetPosition_${word}`,
     normal: `warpjetNormal_${word}`,
   }
   const hook = shader.hooks.vertex[name]!
-  const text = `${isWgsl(shader) ? 'fn' : type} ${own}${hook}`
-  checkReadable(shader, name, hook)
+  const text = `${isWgsl(shader) ? 'fn' : type} ${original}${hook}`
+  if (!isWgsl(shader)) rejectRandom(shader, word!, hook)
+  const reads = storageReadsOf(shader)
   const template = templateOf(name)
   const isOfShape = /Object|Local/.test(word!)
   const moved = 'warpjetMovedPosition'
   const source = isWgsl(shader)
-    ? wgslOfHook(shader, own, hook, moved)
+    ? wgslOfHook(shader, original, hook, moved, reads)
     : `${aboveHooks(shader, isOfShape)}
-${type} ${own}${hook}
+${type} ${original}${hook}
 vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   ${attributes.map((each) => each.isSet(isOfShape)).join('')}
-  ${template.moveCode(own)}
+  ${template.moveCode(original)}
 }`
   const options = {
     target: targetOf(shader, type!),
@@ -98,28 +108,37 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     outputs,
     surfaceVariation: true,
   } as const
-  const read = (isWgsl(shader) ? wgslOffset : glslOffset)(source, {
-    function: moved,
-    returns: 'position',
-    maxIterations: 256,
-  })
+  const inWords = <Result>(work: () => Result): Result => {
+    try {
+      return work()
+    } catch (error) {
+      if (!(error instanceof WarpError && isOfStrands(hook))) throw error
+      const storage = isWgsl(shader) ? reads.findLeft(reads.replace(hook)) : undefined
+      throw storage && /index/.test(error.message)
+        ? storageError(storage, word!)
+        : new WarpError(inStrandsWords(error.message, word!))
+    }
+  }
+  const read = inWords(() =>
+    (isWgsl(shader) ? wgslOffset : glslOffset)(source, {
+      function: moved,
+      returns: 'position',
+      maxIterations: 256,
+    }),
+  )
   // Withholds the other inputs, since millis, size and instance are names of the sketch here.
   const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, color, uniforms }) =>
     read({ glsl, position, normal, uv, color, uniforms } as never),
   )
-  try {
-    if (compileWarp(offset, { ...options, normals: false }).stats.operations === 0) return undefined
-    const exact = compileWarp(offset, options)
-    const isKnown = isFirst || !readsVariation(exact)
-    if (!isKnown) warnSecondHook(word!)
-    const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
-    const { code, declarations } = warp
-    const parts = { code, own, text, normal: outputs.normal, warp }
-    return { name, declarations, text, warp, hook: template.hook(parts) }
-  } catch (error) {
-    if (!(error instanceof WarpError && isOfStrands(hook))) throw error
-    throw new WarpError(inStrandsWords(error.message, word!))
-  }
+  const still = inWords(() => compileWarp(offset, { ...options, normals: false }))
+  if (still.stats.operations === 0) return undefined
+  if (still.uniforms.some((each) => each.name === vertexId)) throw randomError(word!)
+  const exact = inWords(() => compileWarp(offset, options))
+  const isKnown = isFirst || !readsVariation(exact)
+  if (!isKnown) warnSecondHook(word!)
+  const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
+  const parts = { code: reads.restore(warp.code), original, text, normal: outputs.normal, warp }
+  return { name, declarations: warp.declarations, text, warp, hook: template.hook(parts) }
 }
 
 const warnSecondHook = (word: string) =>

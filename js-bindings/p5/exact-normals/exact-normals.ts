@@ -97,12 +97,12 @@ const structTemplate = {
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
   },
-  moveCode: (own: string) => `Vertex inputs;
+  moveCode: (original: string) => `Vertex inputs;
   inputs.position = position;
   inputs.normal = normal;
   inputs.texCoord = uv;
   inputs.color = color;
-  return ${own}(inputs).position;`,
+  return ${original}(inputs).position;`,
 }
 
 /** p5 2 on WebGL: a hook takes and returns a Vertex struct. */
@@ -114,12 +114,12 @@ function makeStructHooks(shader: ModifiedShader): NewHooks | undefined {
   const exact = makeExactHooks(shader, structHooks, (name) => ({
     ...structTemplate,
     // The sketch's hook must be below the helpers that it may call.
-    hook: ({ code, own, text, normal, warp }) => ({
+    hook: ({ code, original, text, normal, warp }) => ({
       [name]: `(Vertex warpjetInputs);
 ${text}
 Vertex HOOK_${name.split(' ')[1]}(Vertex warpjetInputs) {
 ${readsVariation(warp) ? variationInGlsl(matrices[spaceOf(name)]) : ''}${code}
-  Vertex warpjetResult = ${own}(warpjetInputs);
+  Vertex warpjetResult = ${original}(warpjetInputs);
   warpjetResult.normal = ${normal};
   warpjetNormalIsZero = ${normal} == vec3(0.0);
   return warpjetResult;
@@ -151,10 +151,10 @@ function makeWgslHooks(shader: ModifiedShader): NewHooks | undefined {
     : 'model.uNormalMatrix'
   const exact = makeExactHooks(shader, structHooks, (name) => ({
     ...structTemplate,
-    hook: ({ code, own, normal, warp }) => ({
+    hook: ({ code, original, normal, warp }) => ({
       [name]: `(warpjetInputs: Vertex) {
 ${variationInWgsl({ text: warp, space: spaceOf(name) }, ofCamera)}${code}
-  var warpjetResult = ${own}(warpjetInputs, instanceID);
+  var warpjetResult = ${original}(warpjetInputs, instanceID, _p5VertexId);
   if (any(${normal} != vec3<f32>())) { warpjetResult.normal = ${normal}; }
   return warpjetResult;
 }`,
@@ -170,7 +170,9 @@ ${variationInWgsl({ text: warp, space: spaceOf(name) }, ofCamera)}${code}
       shader.hooks.vertex.declarations ?? '',
       ...privatesFor(names),
       ...exact.declarations,
-      ...exact.texts.map((text) => text.replace(/\)\s*\{/, ', instanceID: u32) -> Vertex {')),
+      ...exact.texts.map((text) =>
+        text.replace(/\)\s*\{/, ', instanceID: u32, _p5VertexId: u32) -> Vertex {'),
+      ),
     ].join('\n'),
   })
   return {
@@ -202,8 +204,8 @@ function makeValueHooks(shader: ModifiedShader): NewHooks | undefined {
         uv: 'aTexCoord',
         color: '(uUseVertexColor ? aVertexColor : uMaterialColor)',
       },
-      moveCode: (own) => `return ${own}(position);`,
-      hook({ code, own, normal, warp }) {
+      moveCode: (original) => `return ${original}(position);`,
+      hook({ code, original, normal, warp }) {
         const varies = readsVariation(warp) ? variationInGlsl(isLocal ? '' : 'uNormalMatrix') : ''
         const start = isLocal || isKnown ? '' : '  warpjetNormal = uNormalMatrix * aNormal;\n'
         isKnown = true
@@ -211,17 +213,17 @@ function makeValueHooks(shader: ModifiedShader): NewHooks | undefined {
           [name]: `(vec3 warpjetRestPosition) {
 ${start}${varies}${code}
   warpjetNormal = ${isLocal ? `uNormalMatrix * ${normal}` : normal};
-  return ${own}(warpjetRestPosition);
+  return ${original}(warpjetRestPosition);
 }`,
         }
       },
     }
   })
   if (!exact) return undefined
-  const own = normalHooks.find((name) => modified.vertex[name])
-  if (own)
+  const normalHook = normalHooks.find((name) => modified.vertex[name])
+  if (normalHook)
     throw new WarpError(
-      `The sketch has a hook ${own.split(' ')[1]} of its own, which on p5 1.11 replaces the normal; leave it out.`,
+      `The sketch has a hook ${normalHook.split(' ')[1]} of its own, which on p5 1.11 replaces the normal; leave it out.`,
     )
   return withVariation(exact, {
     ...exact.hooks,

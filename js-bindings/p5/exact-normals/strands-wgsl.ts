@@ -1,35 +1,39 @@
 /** Completes the WGSL of a hook on a WEBGPU canvas, so that it can be read by itself. */
 import type { ModifiedShader } from './modified-shader.js'
+import type { StorageReads } from './storage-reads.js'
 
 /** Mirrors p5's struct of a vertex and the parameters that p5 adds to every hook, which are inputs here. */
 const aboveHooks = `struct Vertex { position: vec3f, normal: vec3f, texCoord: vec2f, color: vec4f }
 var<uniform> instanceID: u32;
 var<uniform> _p5VertexId: u32;`
 
-/** Returns the hook as a function `own`, with the declarations above it and a function that returns the position it computes. */
+/** Returns the hook as a function `original`, with the declarations above it and a function that returns the position it computes. */
 export function wgslOfHook(
   { hooks }: ModifiedShader,
-  own: string,
+  original: string,
   hook: string,
   moved: string,
+  { replace, declarations }: StorageReads,
 ): string {
   const fields = Object.keys(hooks.uniforms).filter((uniform) => !uniform.endsWith('sampler2D'))
   const helpers = Object.entries(hooks.helpers).map(([head, text]) => {
     const [type, name] = head.split(' ') as [string, string]
     return `fn ${name}${type === 'void' ? text : text.replace(/\)\s*\{/, `) -> ${type} {`)}`
   })
+  const read = [hook, ...helpers].map(replace)
   return [
     aboveHooks,
+    declarations(),
     ...(fields.length
       ? [`struct HookUniforms { ${fields.join(', ')} }`, 'var<uniform> hooks: HookUniforms;']
       : []),
     ...(hooks.varyingVariables ?? []).map((varying) => `var<private> ${varying};`),
     hooks.vertex.declarations ?? '',
     hooks.declarations ?? '',
-    ...helpers,
-    `fn ${own}${hook.replace(/\)\s*\{/, ') -> Vertex {')}`,
+    ...read.slice(1),
+    `fn ${original}${read[0]!.replace(/\)\s*\{/, ') -> Vertex {')}`,
     `fn ${moved}(position: vec3f, normal: vec3f, uv: vec2f, color: vec4f) -> vec3f {
-  return ${own}(Vertex(position, normal, uv, color)).position;
+  return ${original}(Vertex(position, normal, uv, color)).position;
 }`,
   ].join('\n')
 }

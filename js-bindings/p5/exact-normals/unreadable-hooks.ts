@@ -26,25 +26,27 @@ export function describeShader(given: unknown): string {
 export const withoutRandom = (text: string) =>
   text.replace(/^float random\(float seed\) \{[^]*?^\}/m, '')
 
-/** Throws a `WarpError` for hooks whose position has no derivative, or reads GPU memory that we cannot see. */
-export function checkReadable(shader: ModifiedShader, name: string, hook: string) {
-  const word = name.split(' ')[1]
+/** The number of a vertex, of which p5's random() on WEBGPU is a function. */
+export const vertexId = '_p5VertexId'
+
+export const randomError = (word: string) =>
+  new WarpError(
+    `random() in ${word} returns a different number for each vertex, so the surface has no derivative; write noise(), which is smooth.`,
+  )
+
+/** Throws a `WarpError` for a hook in GLSL that calls p5's random(). */
+export function rejectRandom(shader: ModifiedShader, word: string, hook: string) {
   const text = [hook, ...Object.values(shader.hooks.helpers)].join('\n')
   const isRandom = [...Object.values(shader.hooks.vertex), shader.hooks.declarations ?? ''].some(
     (each) => each.includes('_p5_randomCallIndex'),
   )
-  if (isRandom && /\brandom\(/.test(text))
-    throw new WarpError(
-      `random() in ${word} returns a different number for each vertex, so the surface has no derivative; write noise(), which is smooth.`,
-    )
-  const read = Object.keys(shader.hooks.storageUniforms ?? {})
-    .map((key) => key.split(':')[0]!.trim())
-    .find((storage) => new RegExp(`\\b${storage}\\s*\\[`).test(text))
-  if (read)
-    throw new WarpError(
-      `uniformStorage() "${read}" in ${word} is an array in GPU memory, which exactNormals cannot read; pass numbers by uniformFloat(), uniformVec3() and the like, or an image by uniformTexture().`,
-    )
+  if (isRandom && /\brandom\(/.test(text)) throw randomError(word)
 }
+
+export const storageError = (storage: string, word: string) =>
+  new WarpError(
+    `uniformStorage() "${storage}" in ${word} is read at an index that differs over the surface or counts in a loop; expected an index of numbers, instanceID() and uniforms, or an image by uniformTexture() in its place.`,
+  )
 
 /** Returns a message about source that p5.strands generated, without line numbers, since no user wrote those lines. */
 export const inStrandsWords = (message: string, word: string) =>

@@ -4,21 +4,24 @@ import type { Target } from '../../compile/hosts.js'
 /**
  * Returns GLSL that defines `warpjetFacing`: the geometric normal at a point in view space, as the triangle is drawn, on the side of
  * the eye. It is called outside of branches, where derivatives on the screen are defined. WebGL 1 has none without an extension; there
- * it is the direction of the eye.
+ * it is the direction of the eye. In a parallel projection, where w is 1, that is the z axis everywhere.
  */
 export const facingInGlsl = (target: Target) => `vec3 warpjetFacing(vec3 viewPosition) {
+  vec3 toEye = abs(gl_FragCoord.w - 1.0) < 1e-6 ? vec3(0.0, 0.0, 1.0) : -viewPosition;
 ${
   target === 'glsl100'
-    ? '  return normalize(-viewPosition);'
+    ? '  return normalize(toEye);'
     : `  vec3 normal = cross(dFdx(viewPosition), dFdy(viewPosition));
-  if (normal == vec3(0.0)) return normalize(-viewPosition);
-  return normalize(dot(normal, viewPosition) > 0.0 ? -normal : normal);`
+  if (normal == vec3(0.0)) return normalize(toEye);
+  return normalize(dot(normal, toEye) < 0.0 ? -normal : normal);`
 }
 }`
 
 /** Does the same as `facingInGlsl`. */
 export const facingInWgsl = `fn warpjetFacing(viewPosition: vec3<f32>) -> vec3<f32> {
+  let isParallel = camera.uProjectionMatrix[3][3] == 1.0;
+  let toEye = select(-viewPosition, vec3<f32>(0.0, 0.0, 1.0), isParallel);
   let normal = cross(dpdx(viewPosition), dpdy(viewPosition));
-  if (all(normal == vec3<f32>())) { return normalize(-viewPosition); }
-  return normalize(select(normal, -normal, dot(normal, viewPosition) > 0.0));
+  if (all(normal == vec3<f32>())) { return normalize(toEye); }
+  return normalize(select(normal, -normal, dot(normal, toEye) < 0.0));
 }`

@@ -2,7 +2,13 @@
  * The code that computes a warp's normal at each pixel. The vertex stage passes the inputs of the warp, in the space of the offset, as
  * varyings; the fragment stage runs the same warp on their interpolated values, but computes only the normal.
  */
-import { variationNames, type HostWarp, type Target } from '../../compile/hosts.js'
+import {
+  restoreLength,
+  variationNames,
+  withLength,
+  type HostWarp,
+  type Target,
+} from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import { inputUniforms } from '../sketch-uniforms.js'
 import type { PixelCode, Varying } from './styles.js'
@@ -24,8 +30,8 @@ const names = {
 /** A varying for the interpolated normal and its length, which interpolation shortens. */
 export const normalVarying = 'warpjetPixel_normalAndLength'
 
-/** An expression, in GLSL and in WGSL, for the normal with the length that it has at vertices. */
-export const normalWithLength = `${normalVarying}.xyz * (${normalVarying}.w / max(length(${normalVarying}.xyz), 1e-30))`
+/** The expression for the normal with the length that it has at vertices. */
+export const normalWithLength = restoreLength(normalVarying)
 
 /**
  * Returns statements of the vertex stage that pass the inputs of the warp to pixels. `expressions` are those of the vertex shader, and
@@ -39,7 +45,7 @@ export const passInputs = (
   pixel?.varyings
     .map(({ input, name }) => {
       const value = expressions[input]!
-      return `  ${name} = ${input === 'normal' ? `${vec4}(${value}, length(${value}))` : value};\n`
+      return `  ${name} = ${input === 'normal' ? withLength(value, vec4) : value};\n`
     })
     .join('') ?? ''
 

@@ -11,7 +11,7 @@ import { weavePixelNormals, weaveVertexNormals } from '../weave-fragment.js'
 import type { WeaveOptions } from '../weave-options.js'
 import { areNormalsAtVertices } from './at-vertices.js'
 import { noteConstants } from './constants.js'
-import { withNamesOfShader, withOwnFunctions, withOwnNames } from './own-names.js'
+import { withExactFunctions, withExactNames, withNamesOfShader } from './exact-names.js'
 import { declareParameters, obstacleInParameters } from './parameters.js'
 import { spaceOf } from './pose-space.js'
 import { readDisplacement, type ExactSettings, type Reading } from './reading.js'
@@ -33,10 +33,13 @@ export function exactMaterial(material: Material, settings: ExactSettings): Exac
 }
 
 export class ExactMaterial {
-  /** The shader that was compiled last, as it was before exact normals. */
-  last: ExactShader | undefined
+  /** The shader that was compiled last, as it was before exact normals, and the key of its source. */
+  private last: { shader: ExactShader; key: string } | undefined
+  private compilations = 0
+  private lastKey: { version: number; key: string } | undefined
+  private keyOfUser!: () => string
   /** The method without exact normals. */
-  own!: Material['onBeforeCompile']
+  userCompile!: Material['onBeforeCompile']
   private drawn: Object3D | undefined
   private readonly warned = new Set<string>()
 
@@ -47,16 +50,40 @@ export class ExactMaterial {
     this.wrapCompile()
     this.wrapKey()
     const note = (object: Object3D) => void (this.drawn = object)
-    wrapMethod<Material['onBeforeRender']>(material, 'onBeforeRender', (own) => {
+    wrapMethod<Material['onBeforeRender']>(material, 'onBeforeRender', (original) => {
       return function (this: Material, ...given) {
         note(given[4] as never)
-        own?.apply(this, given)
+        original?.apply(this, given)
       }
     })
   }
 
   get place() {
     return new Place(this.settings.method)
+  }
+
+  /** Returns the shader that was compiled last, unless the source has changed after that. */
+  get compiled(): ExactShader | undefined {
+    return this.last?.key === this.sourceKey ? this.last.shader : undefined
+  }
+
+  /** Differs after each change of the source and after each compilation. */
+  get state(): string {
+    return `${this.compilations} ${this.sourceKey}`
+  }
+
+  /** Everything on which the source of the vertex shader depends. It may change when `needsUpdate` is set. */
+  private get sourceKey(): string {
+    const { id, version, defines, vertexShader } = this.material as Material & {
+      defines?: object
+      vertexShader?: string
+    }
+    if (this.lastKey?.version !== version)
+      this.lastKey = {
+        version,
+        key: [id, JSON.stringify(defines), vertexShader, this.keyOfUser()].join('\n'),
+      }
+    return this.lastKey.key
   }
 
   /** Writes a message to the console, once. */
@@ -81,13 +108,13 @@ export class ExactMaterial {
   private wrapCompile() {
     const compile = this.compile.bind(this)
     let depth = 0
-    wrapMethod<Material['onBeforeCompile']>(this.material, 'onBeforeCompile', (own) => {
-      this.own = own
+    wrapMethod<Material['onBeforeCompile']>(this.material, 'onBeforeCompile', (original) => {
+      this.userCompile = original
       return function (this: Material, shader, renderer) {
         // A method that was assigned later may call this one.
         depth++
         try {
-          own.call(this, shader, renderer)
+          original.call(this, shader, renderer)
         } finally {
           depth--
         }
@@ -98,22 +125,24 @@ export class ExactMaterial {
 
   private wrapKey() {
     const { material } = this
-    const keyOf = (own: () => string) => {
-      // The default key is the text of the method onBeforeCompile.
-      const user = Object.create(material, { onBeforeCompile: { value: this.own } }) as Material
+    const key = () => {
       const { normals, surfaceVariation } = this.settings
-      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${own.call(user)}`
+      return `exactNormals ${normals} ${surfaceVariation} ${areNormalsAtVertices()} ${this.keyOfUser()}`
     }
-    wrapMethod<Material['customProgramCacheKey']>(
-      material,
-      'customProgramCacheKey',
-      (own) => () => keyOf(own),
-    )
+    wrapMethod<Material['customProgramCacheKey']>(material, 'customProgramCacheKey', (original) => {
+      // The default key is the text of the method onBeforeCompile.
+      this.keyOfUser = () =>
+        original.call(
+          Object.create(material, { onBeforeCompile: { value: this.userCompile } }) as Material,
+        )
+      return key
+    })
   }
 
   /** Adds exact normals to a shader. An error here would leave `render()`, so the shader stays as it is then, with a message. */
   private compile(shader: ExactShader, renderer: WebGLRenderer) {
-    this.last = { ...shader }
+    this.last = { shader: { ...shader }, key: this.sourceKey }
+    this.compilations++
     const { isShaderMaterial } = this.material as Partial<RawShaderMaterial>
     const isOfChunks = makesNormal(shader.vertexShader)
     // Materials without light have no normals.
@@ -199,15 +228,15 @@ export class ExactMaterial {
     // The uniforms of a ShaderMaterial are the user's object.
     if ((this.material as Partial<RawShaderMaterial>).isShaderMaterial)
       shader.uniforms = Object.create(shader.uniforms) as ExactShader['uniforms']
-    Object.assign(shader.uniforms, ownUniforms(uniformsFor(warp, this.material)))
-    shader.vertexShader = withOwnNames(withOwnFunctions(vertexShader))
-    shader.fragmentShader = withOwnNames(withOwnFunctions(fragmentShader))
+    Object.assign(shader.uniforms, renameUniforms(uniformsFor(warp, this.material)))
+    shader.vertexShader = withExactNames(withExactFunctions(vertexShader))
+    shader.fragmentShader = withExactNames(withExactFunctions(fragmentShader))
   }
 }
 
-export const ownUniforms = (uniforms: object) =>
+export const renameUniforms = (uniforms: object) =>
   Object.fromEntries(
-    Object.entries(uniforms).map(([name, uniform]) => [withOwnNames(name), uniform as never]),
+    Object.entries(uniforms).map(([name, uniform]) => [withExactNames(name), uniform as never]),
   )
 
 export const messageOf = (error: unknown) =>

@@ -53,13 +53,13 @@ function extentFor(warp: ThreeWarp, mesh: Mesh): Extent {
 /** Three.js culls by the bounds of an object, if it has any, and otherwise by those of its geometry. */
 function followBounds(mesh: Mesh, reading: MeshReading) {
   const bounds = (name: 'boundingSphere' | 'boundingBox', part: 'sphere' | 'box') => {
-    let own = (mesh as unknown as Record<string, Sphere | Box3 | null | undefined>)[name]
+    let original = (mesh as unknown as Record<string, Sphere | Box3 | null | undefined>)[name]
     return {
       get() {
         const warp = reading.onCpu()?.warp
-        return warp ? extentFor(warp, mesh)()[part] : own
+        return warp ? extentFor(warp, mesh)()[part] : original
       },
-      set: (assigned: typeof own) => void (own = assigned),
+      set: (assigned: typeof original) => void (original = assigned),
     }
   }
   replaceProperties(mesh, {
@@ -69,7 +69,7 @@ function followBounds(mesh: Mesh, reading: MeshReading) {
 }
 
 function followRays(mesh: Mesh, reading: MeshReading) {
-  wrapMethod<Raycast>(mesh, 'raycast', (own) => {
+  wrapMethod<Raycast>(mesh, 'raycast', (original) => {
     const made = new WeakMap<ThreeWarp, Raycast>()
     return function (this: Mesh, raycaster, intersects) {
       const warp = reading.onCpu()?.warp
@@ -77,10 +77,13 @@ function followRays(mesh: Mesh, reading: MeshReading) {
         reading.exact?.warn(
           'moves vertices by values that only the GPU has, so rays meet the mesh without its displacement.',
         )
-      if (!warp?.runs) return own.call(this, raycaster, intersects)
+      if (!warp?.runs) return original.call(this, raycaster, intersects)
       let cast = made.get(warp)
       if (!cast)
-        made.set(warp, (cast = raycastOf(warp, mesh, own, () => extentFor(warp, mesh)().sphere)))
+        made.set(
+          warp,
+          (cast = raycastOf(warp, mesh, original, () => extentFor(warp, mesh)().sphere)),
+        )
       cast(raycaster, intersects)
     }
   })

@@ -7,7 +7,8 @@ import type { Reading } from './reading.js'
 import type { ExactShader } from './shader.js'
 
 export class MeshReading {
-  private plain: { material: Material; own: unknown; shader: ExactShader | undefined } | undefined
+  private plain:
+    { state: string; userCompile: unknown; shader: ExactShader | undefined } | undefined
   private readonly readings = new Map<string, { source: string; reading: Reading | undefined }>()
 
   constructor(readonly mesh: Mesh) {}
@@ -48,20 +49,21 @@ export class MeshReading {
   }
 
   private shaderOf(exact: ExactMaterial): ExactShader | undefined {
-    return exact.last ?? this.plainShader(exact)
+    return exact.compiled ?? this.plainShader(exact)
   }
 
-  /** Calls the material's own `onBeforeCompile` with a new shader, once. */
-  private plainShader({ material, own }: ExactMaterial): ExactShader | undefined {
-    if (this.plain?.material === material && this.plain.own === own) return this.plain.shader
+  /** Calls the material's own `onBeforeCompile` with a new shader, once for each state of the material. */
+  private plainShader({ material, userCompile, state }: ExactMaterial): ExactShader | undefined {
+    if (this.plain?.state === state && this.plain.userCompile === userCompile)
+      return this.plain.shader
     let shader = plainShader(material, this.mesh)
     try {
-      if (shader) own.call(material, shader as never, undefined as never)
+      if (shader) userCompile.call(material, shader as never, undefined as never)
     } catch {
       // It may need the renderer.
       shader = undefined
     }
-    this.plain = { material, own, shader }
+    this.plain = { state, userCompile, shader }
     return shader
   }
 

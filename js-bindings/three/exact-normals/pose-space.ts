@@ -26,13 +26,13 @@ export function spaceOf(shader: ExactShader, place: Place): WarpSpace {
     throw place.error(
       'the vertex shader moves mvPosition on a mesh with bones or morph targets; move transformed, behind #include <skinning_vertex>.',
     )
-  const own = without(after, ['displacementmap_vertex'])
-  if (!assignment.test(own)) return 'rest'
+  const userCode = without(after, ['displacementmap_vertex'])
+  if (!assignment.test(userCode)) return 'rest'
   if (assignment.test(without(before, ['begin_vertex', 'morphtarget_vertex'])))
     throw place.error(
       'the vertex shader moves vertices before morph targets and bones, and again after them; write both in one place.',
     )
-  if (/(?<![.\w])position\b/.test(own))
+  if (/(?<![.\w])position\b/.test(userCode))
     throw place.error(
       'the vertex shader moves vertices after morph targets and bones by the attribute position, which is from before them; read transformed.',
     )

@@ -1,10 +1,11 @@
 // Materials that draw the shadow of a displaced mesh: three's own, with the displacement as a warp.
 import type { Material } from 'three'
+import { replaceProperties } from '../properties.js'
 import { uniformsFor } from '../shader-weaver.js'
 import { weave } from '../weave.js'
-import { messageOf, ownUniforms } from './exact-material.js'
+import { messageOf, renameUniforms } from './exact-material.js'
+import { withExactFunctions, withExactNames } from './exact-names.js'
 import type { MeshReading } from './mesh-reading.js'
-import { withOwnFunctions, withOwnNames } from './own-names.js'
 import type { Reading } from './reading.js'
 import type { ExactShader } from './shader.js'
 
@@ -21,7 +22,25 @@ const ofCamera = [
 /** Attributes that three.js declares. */
 const declared = new Set(['instanceMatrix', 'instanceColor'])
 
+/** Lets three.js compile a material again when the shader of the mesh has changed. */
+function followVersion(material: Material, reading: MeshReading) {
+  let { version } = material
+  let state = reading.exact?.state
+  replaceProperties(material, {
+    version: {
+      get() {
+        const now = reading.exact?.state
+        if (now !== state) version++
+        state = now
+        return version
+      },
+      set: (assigned: number) => void (version = assigned),
+    },
+  })
+}
+
 export function putShadow<Kind extends Material>(material: Kind, reading: MeshReading): Kind {
+  followVersion(material, reading)
   material.customProgramCacheKey = () => `exactNormals ${reading.onGpu()?.warp.key}`
   material.onBeforeCompile = (shader) => {
     const found = reading.onGpu()
@@ -59,6 +78,6 @@ function putDisplacement(shader: ExactShader, { warp, parameters }: Reading, mat
     isRaw: false,
     isGlsl100: false,
   })
-  Object.assign(shader.uniforms, ownUniforms(uniformsFor(warp, material)))
-  shader.vertexShader = withOwnNames(withOwnFunctions(woven))
+  Object.assign(shader.uniforms, renameUniforms(uniformsFor(warp, material)))
+  shader.vertexShader = withExactNames(withExactFunctions(woven))
 }

@@ -4,9 +4,9 @@
  */
 import { splitAtMain } from '../shader-source.js'
 import { definesFor } from './defines.js'
+import { inputPrefix, isInputName } from './exact-names.js'
 import { movedBody, type MovedBody } from './moved-body.js'
 import { numberedIncludes } from './numbered-includes.js'
-import { isInputName, ownPrefix } from './own-names.js'
 import { withoutComments } from './plain-source.js'
 import type { ExactShader } from './shader.js'
 
@@ -39,7 +39,7 @@ export function vertexSource(shader: ExactShader): VertexSource {
     shader.instancing === true,
   )
   const attributes = new Set<string>()
-  const own = withoutKnown(top).replace(
+  const declarations = withoutKnown(top).replace(
     /\b(?:attribute|in)\s+((?:(?:high|medium|low)p\s+)?\w+\s+(\w+)\s*(?:\[[^\]]*\]\s*)?;)/g,
     (_, rest: string, name: string) => {
       attributes.add(name)
@@ -48,7 +48,7 @@ export function vertexSource(shader: ExactShader): VertexSource {
   )
   const given = givenAttributes(shader)
   for (const [name] of given) attributes.add(name)
-  const declared = [...own.matchAll(/\buniform\s[^;{]*?\b(\w+)\s*(?:\[[^\]]*\]\s*)?;/g)]
+  const declared = [...declarations.matchAll(/\buniform\s[^;{]*?\b(\w+)\s*(?:\[[^\]]*\]\s*)?;/g)]
   const renamed = [...declared.map(([, name]) => name!), ...attributes].filter(isInputName)
   const text = `${definesFor(shader)}
 ${Object.entries(uniforms)
@@ -58,13 +58,13 @@ ${Object.entries(uniforms)
 attribute vec3 position;
 attribute vec3 normal;
 attribute vec2 uv;
-${[...new Set(renamed)].map((name) => `#define ${name} ${ownPrefix}${name}`).join('\n')}
+${[...new Set(renamed)].map((name) => `#define ${name} ${inputPrefix}${name}`).join('\n')}
 ${given.map(([name, type]) => `uniform ${type} ${name};`).join('\n')}
 vec4 warpjetClip;
 #define gl_Position warpjetClip
 ${hidden.map((name) => `#define ${name} mat4( 1.0 )`).join('\n')}
 #line 1
-${own}${body}
+${declarations}${body}
 return ${result};
 }
 `

@@ -141,19 +141,19 @@ function withNewNormals(
       if ([...writes].every((name) => varyings.has(name) && !isVector(varyings.get(name)!)))
         return text
       const copy = [...writes].map((name) => {
-        const own = `warpjetCopy_${name}`
+        const copied = `warpjetCopy_${name}`
         const isDeclared = copies.has(name) || declaredBy(text) === name
-        copies.set(name, own)
+        copies.set(name, copied)
         if (varyings.has(name)) hasNormals = true
         if (isDeclared) return ''
-        if (varyings.has(name)) ends.push(`${name} = ${own};`)
+        if (varyings.has(name)) ends.push(`${name} = ${copied};`)
         const type = varyings.get(name) ?? locals.get(name)
         if (!type)
           throw fail(
             statement,
             'reads the normal for the position and for light; write these as two',
           )
-        return `${type} ${own} = ${name};\n`
+        return `${type} ${copied} = ${name};\n`
       })
       return `${copy.join('')}${text}\n${rename(text)}`
     }

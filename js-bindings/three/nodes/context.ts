@@ -12,8 +12,9 @@ import * as TSL from 'three/tsl'
 import { NodeMaterial, Renderer } from 'three/webgpu'
 import type { ThreeWarp } from '../three-warp.js'
 import type { Builder } from './builder.js'
-import { exactOf } from './exact-normals/exact-materials.js'
-import { setupExact } from './exact-normals/setup-exact.js'
+import { exactOf } from './exact-normals/exact-node-materials.js'
+import { displaceExactly } from './exact-normals/setup-exact.js'
+import { withoutPositionNode } from './instances.js'
 import type { AnyNode } from './tsl.js'
 import { setupWarped } from './vertex.js'
 
@@ -125,15 +126,18 @@ function installInMaterials(prototype: Methods) {
     const warp = warpjet ?? ofNode
     const exact = ofNode ? undefined : exactOf(this)
     if (!warp && !exact) return setupPosition.call(this, builder)
-    const positionNode = this.positionNode
-    if (!warpjet) this.positionNode = null
-    const setup = () => setupPosition.call(this, builder)
-    try {
-      if (warp) setupWarped(warp, builder, this, setup)
-      else setupExact(exact!, builder, this, positionNode as AnyNode, setup)
-    } finally {
-      this.positionNode = positionNode
-    }
+    const positionNode = this.positionNode as AnyNode
+    const setup = () => void setupPosition.call(this, builder)
+    const setupPlain = () => withoutPositionNode(this, setup)
+    if (warp && exact)
+      setupWarped(warp, builder, this, setupPlain, () =>
+        displaceExactly(exact, builder, this, positionNode, warp),
+      )
+    else if (exact) {
+      setupPlain()
+      displaceExactly(exact, builder, this, positionNode)
+    } else if (ofNode) withoutPositionNode(this, () => setupWarped(warp!, builder, this, setup))
+    else setupWarped(warp!, builder, this, setup)
     // That of PointsNodeMaterial has the positionNode itself there.
     builder.context.setupPositionView = () => setupPositionView.call(this, builder)
     return TSL.positionLocal

@@ -3,6 +3,17 @@ import type { BufferGeometry, Texture } from 'three'
 import type { Builder } from './builder.js'
 import { tsl, type AnyNode } from './tsl.js'
 
+/** Runs `work` while a material has no positionNode. */
+export function withoutPositionNode(material: { positionNode: unknown }, work: () => void) {
+  const { positionNode } = material
+  material.positionNode = null
+  try {
+    work()
+  } finally {
+    material.positionNode = positionNode
+  }
+}
+
 /** Sets up all that comes before the matrices of instances, which three.js applies in its own `setup`. */
 export function withoutInstances(
   builder: Builder,
@@ -10,15 +21,12 @@ export function withoutInstances(
   setup: () => void,
 ) {
   const { object } = builder
-  const { positionNode } = material
   const isNone = { value: false }
   builder.object = Object.create(object, { isInstancedMesh: isNone, isBatchedMesh: isNone })
-  material.positionNode = null
   try {
-    setup()
+    withoutPositionNode(material, setup)
   } finally {
     builder.object = object
-    material.positionNode = positionNode
   }
 }
 

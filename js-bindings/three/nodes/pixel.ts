@@ -33,20 +33,27 @@ interface Maps {
   isShadowPassMaterial?: boolean
 }
 
+interface PixelOptions {
+  /** The nodes of variables of the shader that the warp reads by name. */
+  outer?: NodesByName
+  /** The reason, for a message, why normals stay at vertices; `undefined` if there is none. */
+  obstacle?: string | false | undefined
+}
+
 /** Returns what a material needs for normals at each pixel; `undefined` if it gets those of vertices. */
 export function pixelNormalsFor(
   warp: ThreeWarp,
   builder: Builder,
   material: NormalMaterial,
-  outer: NodesByName = {},
+  options: PixelOptions = {},
 ): PixelNormals | undefined {
   const { geometry, object } = builder
   const hasNormals = geometry.hasAttribute('normal') && !builder.isFlatShading()
   // Facets stay facets, and shadows have no normals.
   if (warp.normals === 'vertex' || !hasNormals || (material as Maps).isShadowPassMaterial)
     return undefined
-  const pixel = new PixelNormals(warp, builder, material, outer)
-  const obstacle = obstacleFor(warp, builder, material, pixel)
+  const pixel = new PixelNormals(warp, builder, material, options.outer ?? {})
+  const obstacle = options.obstacle || obstacleFor(warp, builder, material, pixel)
   if (!obstacle) return pixel
   if (warp.settings.normals === 'pixel')
     beforeNormals(builder, () =>
@@ -196,7 +203,7 @@ export class PixelNormals {
     const nodes = nodesOf(this.warp)
     const inputs: Record<string, unknown> = { ...nodes.uniforms, ...this.outer }
     for (const [input, value] of this.varyings.read())
-      inputs[parameterNames[input]!] = input === 'normal' ? withLength(value.toVar()) : value
+      inputs[parameterNames[input]!] = input === 'normal' ? restoreLength(value.toVar()) : value
     const names = parametersOf(this.warp, this.stage, this.isWebGPU).map(([name]) => name)
     const call = nodes.call(this.stage, this.isWebGPU)
     return call(Object.fromEntries(names.map((name) => [name, inputs[name]])))
@@ -234,5 +241,5 @@ const columnSizes = new Map<string, VectorSize>([
   ['z', 3],
 ])
 
-const withLength = (normal: AnyNode) =>
+const restoreLength = (normal: AnyNode) =>
   normal.xyz.mul(normal.w.div(tsl.max(tsl.length(normal.xyz), 1e-30)))

@@ -24,34 +24,44 @@ interface Normals {
  * Adds a warp to the vertex that is being built. `setup` is what three.js does in its place: morph targets, bones,
  * displacement map, matrices of instances, and the material's `positionNode`, in this order. The warp follows all of them, but
  * in the space of the geometry it comes before the matrices of instances and the `positionNode` behind these, and in the space
- * 'rest' it comes first.
+ * 'rest' it comes first. `displaceExactly` applies a `positionNode` with exact normals, which `setup` leaves out.
  */
 export function setupWarped(
   warp: ThreeWarp,
   builder: Builder,
   material: NormalMaterial,
   setup: () => void,
+  displaceExactly?: () => void,
 ) {
   const { object } = builder
   const { space } = warp.settings
+  const instances = space === 'local' ? instancesOf(object) : undefined
+  const isDisplacedLater = displaceExactly && (space === 'rest' || instances)
   const ofVertex = vertexNormalsFor(builder, material)
   // Replaces them again.
-  const pixel = pixelNormalsFor(warp, builder, material)
+  const pixel = pixelNormalsFor(warp, builder, material, {
+    obstacle: isDisplacedLater && 'a positionNode with exactNormals changes normals after the warp',
+  })
   const vertex = pixel ? undefined : ofVertex
   const normals = { pixel, vertex }
   orientFaces(warp, builder)
-  const instances = space === 'local' ? instancesOf(object) : undefined
   if (space === 'rest') moveVertex(warp, builder, local(tsl.positionPrevious), normals)
   if (instances) withoutInstances(builder, material, setup)
-  else setup()
-  if (space === 'world') moveVertex(warp, builder, world(isPosed(object)), normals)
+  else {
+    setup()
+    displaceExactly?.()
+  }
+  // These have assigned `positionPrevious`.
+  const isMoved = displaceExactly !== undefined && !instances
+  if (space === 'world') moveVertex(warp, builder, world(isMoved || isPosed(object)), normals)
   if (space === 'local') {
-    const previous = isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal
+    const previous = isMoved || isSkinned(object) ? tsl.positionPrevious : tsl.positionLocal
     moveVertex(warp, builder, local(previous), normals)
   }
   instances?.(object)
   pixel?.passMatrix()
-  if (instances && material.positionNode) displace(builder, material.positionNode)
+  if (instances && material.positionNode)
+    (displaceExactly ?? (() => displace(builder, material.positionNode)))()
   pixel?.replaceNormals()
   vertex?.pass()
 }

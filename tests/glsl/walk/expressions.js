@@ -15,6 +15,9 @@ import {
   write,
 } from './values.js'
 
+/** Maps the type of a node to the name of its method, since long loops look up many. */
+const methods = {}
+
 export class Expressions extends Names {
   copy(value) {
     return fresh(value.type, numbersOf(value), vary(value))
@@ -23,7 +26,8 @@ export class Expressions extends Names {
     return numbersOf(this.value(node))[0]
   }
   value(node) {
-    return (this[`value_${node.type}`] ?? fail(`no ${node.type} is known`)).call(this, node)
+    const method = (methods[node.type] ??= `value_${node.type}`)
+    return this[method] ? this[method](node) : fail(`no ${node.type} is known`)
   }
   value_group({ expression }) {
     return this.value(expression)
@@ -31,8 +35,9 @@ export class Expressions extends Names {
   value_identifier({ identifier }) {
     return this.find(identifier)
   }
-  value_float_constant({ token }) {
-    return fresh('float', [parseFloat(token)])
+  /** Memoized, since nothing writes to a literal. */
+  value_float_constant(node) {
+    return (node.value ??= fresh('float', [parseFloat(node.token)]))
   }
   value_int_constant({ token }) {
     const isUnsigned = /u$/i.test(token)
@@ -129,11 +134,13 @@ export class Expressions extends Names {
     if (op === ',') return (this.value(left), this.value(right))
     if (op === '&&') return fresh('bool', [this.test(left) && this.test(right)])
     if (op === '||') return fresh('bool', [this.test(left) || this.test(right)])
-    const first = this.copy(this.value(left))
-    return this.operate(op, first, this.value(right))
+    // The right operand may change the variable on the left.
+    const first = this.value(left)
+    const numbers = numbersOf(first)
+    return this.operate(op, first, this.value(right), numbers)
   }
-  operate(op, left, right) {
-    const [x, y] = [numbersOf(left), numbersOf(right)]
+  operate(op, left, right, x = numbersOf(left)) {
+    const y = numbersOf(right)
     if (op === '^^') return fresh('bool', [x[0] !== y[0]])
     if (op === '==' || op === '!=')
       return fresh('bool', [x.every((number, i) => number === y[i]) === (op === '==')])
@@ -142,13 +149,16 @@ export class Expressions extends Names {
     if (op === '*' && Math.max(a.columns, b.columns) > 1 && x.length > 1 && y.length > 1)
       return multiply(a, x, b, y, vary(left, right))
     const f = operations[op]
+    const isVarying = vary(left, right)
+    if (x.length === 1 && y.length === 1)
+      return fresh(left.type, [wrap[a.kind](f(x[0], y[0], a.kind))], isVarying)
     const type = x.length >= y.length ? left.type : right.type
     const at = (list, i) => list[list.length === 1 ? 0 : i]
     const size = Math.max(x.length, y.length)
     return fresh(
       type,
       Array.from({ length: size }, (_, i) => wrap[a.kind](f(at(x, i), at(y, i), a.kind))),
-      vary(left, right),
+      isVarying,
     )
   }
 }

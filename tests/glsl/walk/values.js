@@ -53,10 +53,14 @@ export const comparisons = {
 
 /** Numbers of a variable or of their own: those of `of` at the indices `at`. */
 export const part = (type, of, at) => ({ type, of, at })
-export const numbersOf = ({ of, at }) => at.map((place) => of[place])
+export const numbersOf = ({ of, at }) =>
+  at.length === 1 ? [of[at[0]]] : at.map((place) => of[place])
 
 /** Values that depend on the arguments vary; all others are known to a shader's compiler, and rounded to float32. */
-export const vary = (...values) => values.some(({ of }) => of[varies])
+export function vary(...values) {
+  for (const { of } of values) if (of[varies]) return true
+  return false
+}
 const varies = Symbol('varies')
 
 /** The indices of all numbers of a value, by their number. Memoized like layouts; nothing writes to them. */

@@ -5,7 +5,7 @@ import { normalsKinds, type NormalsOption } from '../../../compile/hosts.js'
 import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
-import { addExact } from './exact-materials.js'
+import { addExact } from './exact-node-materials.js'
 
 export interface ExactNormalsOptions {
   /**

@@ -51,7 +51,7 @@ export class ExactWarp extends ThreeWarp {
   }
 
   override textFor(target: Target, stage: Stage, names: Record<string, string>): HostText {
-    const text = super.textFor(target, stage, names)
+    const text = renameDeclared(super.textFor(target, stage, names))
     if (this.elements.length === 0) return text
     return {
       ...text,
@@ -79,6 +79,19 @@ export class ExactWarp extends ThreeWarp {
       ...elements,
     ])
   }
+}
+
+/** Matches the names of functions and constants that the code of a warp declares in WGSL and GLSL. */
+const declared =
+  /(?:^|\n)(?:fn|const|(?:const )?(?:(?:high|medium|low)p )?(?:void|float|u?int|bool|[iub]?vec[234]|mat[234]))\s+(\w+)\s*[(:=[]/g
+
+/** Renames what a warp declares, since a warp beside it in the same shader may declare the same. */
+function renameDeclared(text: HostText): HostText {
+  const names = [...text.declarations.matchAll(declared)].map(([, name]) => name!)
+  if (names.length === 0) return text
+  const pattern = new RegExp(`\\b(?:${names.join('|')})\\b`, 'g')
+  const rename = (source: string) => source.replace(pattern, '$&_exact')
+  return { ...text, code: rename(text.code), declarations: rename(text.declarations) }
 }
 
 /** Uniform arrays pad their elements to four numbers. */

@@ -4,6 +4,7 @@ import { variationAttribute } from '../../../compile/hosts.js'
 import { WarpError } from '../../../errors/errors.js'
 import { surfaceVariation } from '../../../mesh/surface-variation.js'
 import { nameOf, nameOfMaterial } from '../../describe.js'
+import type { ThreeWarp } from '../../three-warp.js'
 import { addVariation } from '../../variation.js'
 import type { Builder } from '../builder.js'
 import { isPosed } from '../instances.js'
@@ -12,7 +13,7 @@ import { local, ofGeometry } from '../spaces.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import { vertexNormalsFor } from '../vertex-normals.js'
 import { moveVertex } from '../vertex.js'
-import type { ExactMaterial } from './exact-materials.js'
+import type { ExactNodeMaterial } from './exact-node-materials.js'
 import { ExactWarp } from './exact-warp.js'
 import { previousValues } from './previous-values.js'
 import { readPosition, siblingOf, type PositionSource } from './read-position.js'
@@ -21,20 +22,20 @@ const method = 'exactNormals'
 
 /**
  * Adds a material's `positionNode` to the vertex that is being built, as three.js does: after morph targets, bones, the displacement
- * map and the matrices of instances, which `setup` adds. A node that we cannot read moves the vertex without us, and the console says why.
+ * map and the matrices of instances. A node that we cannot read moves the vertex without us, and the console says why. Beside a `warp`,
+ * normals stay at vertices.
  */
-export function setupExact(
-  exact: ExactMaterial,
+export function displaceExactly(
+  exact: ExactNodeMaterial,
   builder: Builder,
   material: NormalMaterial,
   positionNode: AnyNode,
-  setup: () => void,
+  warp?: ThreeWarp,
 ) {
-  setup()
   // Shadows have no normals.
   if (!(material as { isShadowPassMaterial?: boolean }).isShadowPassMaterial) {
     try {
-      return moveExactly(exact, builder, material, positionNode)
+      return moveExactly(exact, builder, material, positionNode, warp)
     } catch (error) {
       if (!(error instanceof WarpError)) throw error
       warn(exact, builder, error.message)
@@ -44,23 +45,28 @@ export function setupExact(
 }
 
 function moveExactly(
-  exact: ExactMaterial,
+  exact: ExactNodeMaterial,
   builder: Builder,
   material: NormalMaterial,
   positionNode: AnyNode,
+  other: ThreeWarp | undefined,
 ) {
   const source = readPosition(method, siblingOf(builder), positionNode)
   const warp = warpFor(exact, source)
-  checkBase(builder, source.base, warp)
+  checkBase(builder, source.base, warp, other)
   if (warp.varies) vary(builder)
   for (const node of source.updated) {
     builder.addNode(node)
     builder.addSequentialNode(node)
   }
   const now = warp.outerNodes(source)
-  const ofVertex = vertexNormalsFor(builder, material)
+  // The normals that a shader reads are those of the warp beside it.
+  const ofVertex = other ? undefined : vertexNormalsFor(builder, material)
   // Overwrites the normals that `vertexNormalsFor` has set.
-  const pixel = pixelNormalsFor(warp, builder, material, now)
+  const pixel = pixelNormalsFor(warp, builder, material, {
+    outer: now,
+    obstacle: other && 'the mesh has a warp, too',
+  })
   const vertex = pixel ? undefined : ofVertex
   const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
   // The original assigns variables that other nodes read.
@@ -86,7 +92,7 @@ function numberOf(object: object): number {
   return numbers.get(object)!
 }
 
-function warpFor(exact: ExactMaterial, source: PositionSource): ExactWarp {
+function warpFor(exact: ExactNodeMaterial, source: PositionSource): ExactWarp {
   // The warp reads the nodes of its textures, which equal texts may not share.
   const key = [source.text, ...Array.from(source.textures.values(), numberOf)].join('\n')
   let warp = exact.warps.get(key)
@@ -95,7 +101,7 @@ function warpFor(exact: ExactMaterial, source: PositionSource): ExactWarp {
   return warp
 }
 
-function compile({ settings }: ExactMaterial, source: PositionSource): ExactWarp | string {
+function compile({ settings }: ExactNodeMaterial, source: PositionSource): ExactWarp | string {
   try {
     return new ExactWarp(source, settings)
   } catch (error) {
@@ -105,16 +111,23 @@ function compile({ settings }: ExactMaterial, source: PositionSource): ExactWarp
 }
 
 /** Throws for a position that depends on two vertices between which bones, morph targets or instances are. */
-function checkBase({ object, geometry, material }: Builder, base: string, warp: ExactWarp) {
+function checkBase(
+  { object, geometry, material }: Builder,
+  base: string,
+  warp: ExactWarp,
+  other: ThreeWarp | undefined,
+) {
   const { displacementMap } = material as Material & { displacementMap?: unknown }
-  if (!isPosed(object) && !geometry.morphAttributes.position && !displacementMap) return
+  const isWarpedBefore = other?.settings.space === 'rest'
+  if (!isPosed(object) && !geometry.morphAttributes.position && !displacementMap && !isWarpedBefore)
+    return
   if (base === 'both')
     throw new WarpError(
-      `${method}: the positionNode reads both the vertex of the geometry and the one that bones, morph targets, a displacement map or instances have moved; expected one of them: positionLocal and normalLocal, or positionGeometry and normalGeometry.`,
+      `${method}: the positionNode reads both the vertex of the geometry and the one that bones, morph targets, a displacement map, instances or a warp have moved; expected one of them: positionLocal and normalLocal, or positionGeometry and normalGeometry.`,
     )
   if (warp.varies && base === 'posed')
     throw new WarpError(
-      `${method}: the positionNode depends on normal or uv where bones, morph targets, a displacement map or instances have moved the vertex, and how these vary there is unknown; expected a function of the position, or of positionGeometry, normalGeometry and uv.`,
+      `${method}: the positionNode depends on normal or uv where bones, morph targets, a displacement map, instances or a warp have moved the vertex, and how these vary there is unknown; expected a function of the position, or of positionGeometry, normalGeometry and uv.`,
     )
 }
 
@@ -124,7 +137,7 @@ function vary({ geometry }: Builder) {
     addVariation(geometry, surfaceVariation)
 }
 
-function warn({ warned }: ExactMaterial, { object, material }: Builder, message: string) {
+function warn({ warned }: ExactNodeMaterial, { object, material }: Builder, message: string) {
   if (warned.has(message)) return
   warned.add(message)
   const reason = message.replace(

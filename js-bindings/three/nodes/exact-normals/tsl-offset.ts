@@ -122,13 +122,13 @@ class Uniforms {
 
   private uniform(
     name: string,
-    ownName: string | null | undefined,
+    nodeName: string | null | undefined,
     read: () => number | readonly number[],
   ): Binding {
-    const isFree = ownName && /^[a-z]\w*$/i.test(ownName) && !(ownName in this.values)
+    const isFree = nodeName && /^[a-z]\w*$/i.test(nodeName) && !(nodeName in this.values)
     let number = Object.keys(this.values).length
     while (`uniform${number}` in this.values) number++
-    const label = isFree ? ownName : `uniform${number}`
+    const label = isFree ? nodeName : `uniform${number}`
     this.values[label] = read
     return [name, ({ uniforms }) => uniformOf(uniforms, label)]
   }

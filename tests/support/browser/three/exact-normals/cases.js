@@ -465,6 +465,17 @@ export const objects = {
 
 /** Shaders that stay as they are, each with a part of the message. */
 export const refused = {
+  'mvPosition on a mesh with bones': {
+    kind: 'skin',
+    message: /moves mvPosition on a mesh with bones or morph targets/,
+    material: () =>
+      changed(
+        standard(),
+        '',
+        'mvPosition.y += 0.1 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition;',
+        { chunk: 'project_vertex' },
+      ),
+  },
   'a normal by differences in a ShaderMaterial': {
     message: /makes no varying of the attribute normal/,
     material: () =>

@@ -55,22 +55,24 @@ const waves = [
   [0.7, -0.7, 0.025, 9],
 ]
 
-/** Heights of 8 × 8 texels, smoothed. */
-const heights = Float32Array.from({ length: 64 }, (_, i) => hash(i))
-const heightmap = new THREE.DataTexture(
-  Float32Array.from({ length: 256 }, (_, i) => (i % 4 ? 0 : heights[i >> 2])),
-  8,
-  8,
-  THREE.RGBAFormat,
-  THREE.FloatType,
-)
-Object.assign(heightmap, {
-  magFilter: THREE.LinearFilter,
-  minFilter: THREE.LinearFilter,
-  needsUpdate: true,
-})
+/** A texture of 8 × 8 heights, smoothed. */
+function mapOf(heights) {
+  const map = new THREE.DataTexture(
+    Float32Array.from({ length: 256 }, (_, i) => (i % 4 ? 0 : heights[i >> 2])),
+    8,
+    8,
+    THREE.RGBAFormat,
+    THREE.FloatType,
+  )
+  const smooth = { magFilter: THREE.LinearFilter, minFilter: THREE.LinearFilter }
+  return Object.assign(map, { ...smooth, needsUpdate: true })
+}
 
-function bilinear(u, v) {
+const heights = Float32Array.from({ length: 64 }, (_, i) => hash(i))
+const otherHeights = heights.map((height) => 0.5 - 0.6 * height)
+const [heightmap, otherHeightmap] = [heights, otherHeights].map(mapOf)
+
+function bilinear(u, v, heights) {
   const [x, y] = [u * 8 - 0.5, v * 8 - 0.5]
   const [i, j] = [Math.floor(x), Math.floor(y)]
   const clamp = (k) => Math.min(7, Math.max(0, k))
@@ -79,10 +81,12 @@ function bilinear(u, v) {
   return row(j) + (row(j + 1) - row(j)) * (y - j)
 }
 
+const raisedBy = (map) => positionLocal.add(vec3(0, 0, texture(map, uv()).r.mul(0.4)))
+
 const lifts = [0.15, 0.3]
 
 /**
- * `position()` makes the positionNode; `move(p, n, uv, i)` moves a vertex of instance i. Planes are two triangles that face the viewer, and
+ * `position()` makes the positionNode, and `first()` one that is drawn before; `move(p, n, uv, i)` moves a vertex of instance i. Planes are two triangles that face the viewer, and
  * up is towards the viewer.
  */
 export const displacements = {
@@ -279,8 +283,14 @@ export const displacements = {
   },
   'a heightmap': {
     shape: 'plane',
-    position: () => positionLocal.add(vec3(0, 0, texture(heightmap, uv()).r.mul(0.4))),
-    move: along(up, (p, n, [u, v]) => 0.4 * bilinear(u, v)),
+    position: () => raisedBy(heightmap),
+    move: along(up, (p, n, [u, v]) => 0.4 * bilinear(u, v, heights)),
+  },
+  'a second heightmap in place of the first': {
+    shape: 'plane',
+    first: () => raisedBy(heightmap),
+    position: () => raisedBy(otherHeightmap),
+    move: along(up, (p, n, [u, v]) => 0.4 * bilinear(u, v, otherHeights)),
   },
   'a flag by uv': {
     shape: 'plane',
@@ -451,5 +461,16 @@ export const refused = {
     prepare: ({ geometry }) =>
       geometry.setAttribute('shift', new THREE.BufferAttribute(new Float32Array(12), 3)),
     message: /depends on the attribute "shift"/,
+  },
+  'a mip level of a texture': {
+    shape: 'plane',
+    position: () => positionLocal.add(vec3(0, 0, texture(heightmap, uv()).level(1).r)),
+    message: /reads a mip level of a texture/,
+  },
+  'an offset in a texture': {
+    shape: 'plane',
+    position: () =>
+      positionLocal.add(vec3(0, 0, texture(heightmap, uv()).offset(TSL.ivec2(1, 0)).r)),
+    message: /reads an offset of a texture/,
   },
 }

@@ -4,7 +4,7 @@ import * as THREE from 'three'
 import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
 import { angle, camera, cross } from './measure.js'
-import { probe } from './probe.js'
+import { probe, renderer } from './probe.js'
 
 const given = (value) => ({ value })
 
@@ -56,6 +56,61 @@ void main() {
   vHeight = 0.3 * sin(position.x * 3.0);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position + normal * vHeight, 1.0);
 }`),
+  ],
+  'statements behind an #include on its line': [
+    changed([
+      [
+        '#include <project_vertex>',
+        '#include <project_vertex> mvPosition.y += 0.3 * sin(3.0 * mvPosition.x); gl_Position = projectionMatrix * mvPosition;',
+      ],
+    ]),
+  ],
+  'a branch without braces that changes gl_Position': [
+    shader(
+      `varying vec3 vNormal; uniform float isNear;
+void main() {
+  vec3 p = position + normal * 0.3 * sin(position.x * 3.0);
+  vNormal = normalMatrix * normal;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0);
+  if (isNear > 0.5) gl_Position.z -= 0.01;
+  else gl_Position.z += 0.01;
+}`,
+      { isNear: given(0) },
+    ),
+  ],
+  'tangents of the geometry': [
+    changed(
+      [
+        [
+          '#include <begin_vertex>',
+          '#include <begin_vertex>\n#ifdef USE_TANGENT\n transformed.z += tangent.x * 0.3 * sin(position.x * 3.0);\n#endif',
+        ],
+      ],
+      {},
+      THREE.MeshPhysicalMaterial,
+      { anisotropy: 0.5 },
+    ),
+    { tangents: true },
+  ],
+  'an interleaved attribute of instances': [
+    changed([
+      ['#include <common>', '#include <common>\nattribute float aLift;'],
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n transformed.z += aLift * sin(position.x * 3.0);',
+      ],
+    ]),
+    { instances: true, interleaved: true },
+  ],
+  'an attribute of instances, compiled before it is drawn': [
+    changed([
+      ['#include <common>', '#include <common>\nattribute float aLift; //c'],
+      [
+        '#include <begin_vertex>',
+        '#include <begin_vertex>\n transformed.z += aLift * sin(position.x * 3.0);',
+      ],
+    ]),
+    { instances: true, interleaved: true, isCompiledFirst: true },
   ],
   'functions above main, and uniforms with names of inputs': [
     changed(
@@ -448,7 +503,7 @@ void main() {
   ],
 }
 /** A plane whose vertices are shifted within it. */
-async function plane([dx, dy], { attribute, colors }) {
+async function plane([dx, dy], { attribute, colors, tangents, interleaved }) {
   const geometry = new THREE.PlaneGeometry(2, 2, 20, 20)
   const { position, uv } = geometry.attributes
   for (let i = 0; i < position.count; i++) {
@@ -465,6 +520,11 @@ async function plane([dx, dy], { attribute, colors }) {
     )
   if (attribute) add('aHeight', 1, (i) => (i % 7) / 20)
   if (colors) add('color', 3, () => 0.3)
+  if (tangents) add('tangent', 4, (i) => Number(i % 4 === 0 || i % 4 === 3))
+  if (interleaved) {
+    const lifts = new THREE.InstancedInterleavedBuffer(new Float32Array([0.2, 0.3, 0.4]), 1)
+    geometry.setAttribute('aLift', new THREE.InterleavedBufferAttribute(lifts, 1, 0))
+  }
   await addSurfaceVariation(geometry)
   return geometry
 }
@@ -497,6 +557,11 @@ export async function measureHabit(name) {
   const draw = async (material, shift, isClip) =>
     probe(meshOf(await plane(shift, needs), material, needs), camera, shows, isClip)
   const material = exactNormals(create(), { normals: needs.normals })
+  if (needs.isCompiledFirst)
+    renderer.compile(
+      new THREE.Scene().add(meshOf(await plane([0, 0], needs), material, needs)),
+      camera,
+    )
   const own = await draw(plain, [0, 0])
   const exact = await draw(material, [0, 0])
   const clips = [await draw(plain, [0, 0], true), await draw(material, [0, 0], true)]

@@ -1,6 +1,6 @@
 // Meshes whose shadows, culling and rays follow the displacement, compared with meshes whose vertices were moved by hand.
 import * as THREE from 'three'
-import { exactNormals, warp } from 'warpjet/three'
+import { addSurfaceVariation, exactNormals, warp } from 'warpjet/three'
 
 const size = 120
 const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50)
@@ -137,6 +137,52 @@ export function shadowOnFloor(geometry, material, place) {
   return {
     differing: differing(drawn, expected),
     moved: differing(draw(new THREE.Mesh(geometry, plain())), expected),
+  }
+}
+
+/** → those pixels for a displacement map that moves all vertices of a sphere outwards. */
+export async function shadowOfMap() {
+  const displacementMap = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
+  displacementMap.needsUpdate = true
+  const material = new THREE.MeshStandardMaterial({ displacementMap, displacementScale: 0.2 })
+  const geometry = await addSurfaceVariation(new THREE.SphereGeometry(0.6, 48, 32))
+  return shadowOnFloor(geometry, material, (p) => p.map((x) => (x * 0.8) / 0.6))
+}
+
+/** Changes a material that is drawn already → pixels of the floor that differ, and where a ray from above meets the mesh. */
+export function recompile(kind) {
+  const renderer = rendererFor(true)
+  const create = (lift) => {
+    const material = new THREE.MeshStandardMaterial()
+    change(material, lift)
+    return material
+  }
+  const change = (material, lift) => {
+    if (kind === 'defines') material.defines = { LIFT: lift }
+    const statement = `transformed.y += ${kind === 'defines' ? 'LIFT' : lift} * (1.0 + position.x);`
+    material.onBeforeCompile = (shader) => {
+      shader.vertexShader = shader.vertexShader.replace(
+        '#include <begin_vertex>',
+        `#include <begin_vertex>\n${statement}`,
+      )
+    }
+    material.customProgramCacheKey = () => `${kind} ${statement}`
+    material.needsUpdate = true
+  }
+  const meshWith = (lift) => exactNormals(new THREE.Mesh(sphere(), create(lift)))
+  const sceneOf = (mesh) => litScene(mesh, lights.directional())
+  const mesh = meshWith('0.1')
+  const scene = sceneOf(mesh)
+  const before = picture(renderer, scene, fromBelow)
+  change(mesh.material, '0.9')
+  const drawn = picture(renderer, scene, fromBelow)
+  const expected = picture(renderer, sceneOf(meshWith('0.9')), fromBelow)
+  const ray = new THREE.Raycaster(new THREE.Vector3(-1.5, 9, 0), new THREE.Vector3(0, -1, 0))
+  return {
+    differing: differing(drawn, expected),
+    stale: differing(before, expected),
+    ray: ray.intersectObject(mesh)[0]?.point.y,
+    expected: 0.4 + 0.8 + 0.9,
   }
 }
 

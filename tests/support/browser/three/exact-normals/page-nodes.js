@@ -6,6 +6,7 @@ import { camera, objectFor, parts, seenOf, size } from '../pixel-normals/scenes.
 import { rendererFor } from '../webgpu-renderer.js'
 import { displacements, refused } from './displacements.js'
 import { showcases } from './showcases.js'
+import { warpBeside } from './warp-beside.js'
 
 const { Fn, attribute, normalGeometry, normalLocal, positionGeometry, positionLocal } = THREE.TSL
 const { varyingProperty, vec4 } = THREE.TSL
@@ -41,16 +42,21 @@ function draw(renderer, object, view) {
 
 /** Draws a case with `exactNormals`, or without → the picture and everything that drew it. */
 async function draws(
-  { kind = 'plain', shape, position, prepare },
+  { kind = 'plain', shape, first, position, prepare },
   { backend, normals = 'pixel', isExact = true },
 ) {
   const renderer = await rendererFor(backend)
   const material = new THREE.MeshNormalNodeMaterial()
-  material.positionNode = position()
+  material.positionNode = (first ?? position)()
   if (isExact) exactNormals(material, { normals })
   const { object, geometry } = objectFor(kind, shape, material)
   prepare?.(object)
   const view = camera()
+  if (first) {
+    await draw(renderer, object, view)
+    material.positionNode = position()
+    material.needsUpdate = true
+  }
   const shown = await draw(renderer, object, view)
   return { renderer, material, object, geometry, view, shown }
 }
@@ -212,7 +218,32 @@ async function velocities({ backend }) {
   return found
 }
 
+/** Draws a mesh whose material has exact normals and that is warped, too, and one by hand → pixels that differ. */
+async function besideWarp(name, { backend }) {
+  const renderer = await rendererFor(backend)
+  const view = camera()
+  const { both, byHand, withoutExact } = warpBeside[name]
+  const [shown, expected, plain] = [
+    await draw(renderer, both(), view),
+    await draw(renderer, byHand(), view),
+    await draw(renderer, withoutExact(), view),
+  ]
+  const countDiffering = (a, b) => {
+    let count = 0
+    for (let i = 0; i < a.length; i += 4)
+      count += Number([0, 1, 2, 3].some((k) => Math.abs(a[i + k] - b[i + k]) > 0.02))
+    return count
+  }
+  return {
+    differing: countDiffering(shown, expected),
+    plain: countDiffering(plain, expected),
+    covered: shown.filter((x, i) => i % 4 === 3 && x > 0).length,
+  }
+}
+
 window.exact = {
+  besideWarp,
+  warpsBeside: Object.keys(warpBeside),
   measureShowcase,
   velocities,
   names: Object.keys(displacements),

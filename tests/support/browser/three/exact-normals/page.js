@@ -20,10 +20,12 @@ globalThis.exact = {
     measure(tables[table][name], normals, table !== 'ofShaderMaterial'),
   /** → whether the material shows the same as without `exactNormals`. */
   async refused(name) {
-    const { material, message } = refused[name]
+    const { material, message, kind } = refused[name]
     const shown = []
     for (const each of [material(), exactNormals(material())])
-      shown.push(await measure({ material: () => each, shape: 'plane' }, undefined, false, true))
+      shown.push(
+        await measure({ material: () => each, shape: 'plane', kind }, undefined, false, true),
+      )
     return {
       message: message.source,
       isSame: shown[0].every((number, i) => Object.is(number, shown[1][i])),

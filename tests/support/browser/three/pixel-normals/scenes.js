@@ -109,11 +109,11 @@ export const kinds = {
   },
   skin: {
     make: makeSkinnedMesh,
-    posed: (_, numbers) => transformPoints(numbers, boneMatrix()),
+    pose: (_, numbers) => transformPoints(numbers, boneMatrix()),
   },
   morphs: {
     make: makeMorphingMesh,
-    posed(name, numbers, geometry) {
+    pose(name, numbers, geometry) {
       const [{ array }] = morphsOf(geometry)[name]
       return numbers.map((x, i) => x + 0.7 * array[i])
     },
@@ -151,9 +151,9 @@ export function seenOf(kind, geometry, part) {
       (i / attribute.itemSize) | 0,
     ),
   )
-  const { posed } = kinds[kind]
+  const { pose } = kinds[kind]
   const values =
-    posed && (part === 'normal' || part === 'position') ? posed(part, plain, geometry) : plain
+    pose && (part === 'normal' || part === 'position') ? pose(part, plain, geometry) : plain
   for (let i = 0; i < count; i++) {
     for (let k = 0; k < attribute.itemSize; k++)
       numbers[4 * i + k] = values[attribute.itemSize * i + k]

@@ -1,17 +1,22 @@
 // Opens a page whose script Vite bundles, for packages that browsers cannot import by themselves.
 import { fileURLToPath } from 'node:url'
 import { build } from 'vite'
-import { launchBrowser, openPage } from '../browser.js'
-import { servePages } from '../server.js'
+import { launchBrowser, launchBrowserWithWebGPU, openPage } from './browser.js'
+import { servePages } from './server.js'
 
-const root = fileURLToPath(new URL('../../../../', import.meta.url))
+const root = fileURLToPath(new URL('../../../', import.meta.url))
 
-/** `script` is in this folder, `project` the folder of the bundle → { page, messages, close() }. */
-export async function bundledPage(script, project) {
+/**
+ * Opens a page that runs `script`, a file of this folder, which sets the title "ready" → { page, messages, close() }; `messages`
+ * collects the console messages of the page.
+ */
+export async function bundledPage(script, { hasWebGPU = false } = {}) {
+  const project = `.build/bundled/${script.replace('.js', '')}`
   await build({
     configFile: false,
     logLevel: 'error',
     root,
+    base: './',
     publicDir: false,
     resolve: { dedupe: ['three', 'react'] },
     define: { 'process.env.NODE_ENV': '"development"' },
@@ -20,12 +25,12 @@ export async function bundledPage(script, project) {
       minify: false,
       target: 'es2022',
       rolldownOptions: {
-        input: `${root}tests/support/browser/three/${script}`,
+        input: `${root}tests/support/browser/${script}`,
         output: { entryFileNames: 'page.js' },
       },
     },
   })
-  const browser = await launchBrowser()
+  const browser = await (hasWebGPU ? launchBrowserWithWebGPU() : launchBrowser())
   const pages = await servePages()
   const html = `<!doctype html><body><script type="module" src="/${project}/page.js"></script>`
   const { page, messages } = await openPage(browser, pages.page(html))

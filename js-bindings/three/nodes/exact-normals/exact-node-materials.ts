@@ -2,7 +2,7 @@
 import type { Settings } from '../../settings.js'
 import type { ExactWarp } from './exact-warp.js'
 
-export interface ExactMaterial {
+export interface ExactNodeMaterial {
   settings: Settings
   /** Distinguishes the program from that of a material without, whose nodes may be the same. */
   key: string
@@ -12,10 +12,10 @@ export interface ExactMaterial {
   warned: Set<string>
 }
 
-const materials = new WeakMap<object, ExactMaterial>()
+const materials = new WeakMap<object, ExactNodeMaterial>()
 
 /** Returns what a material with `exactNormals` needs; `undefined` for others, and without a positionNode. */
-export const exactOf = (material: { positionNode: unknown }): ExactMaterial | undefined =>
+export const exactOf = (material: { positionNode: unknown }): ExactNodeMaterial | undefined =>
   material.positionNode ? materials.get(material) : undefined
 
 export function addExact(material: object, settings: Settings) {

@@ -1,0 +1,80 @@
+// The shader code of fragments, which differs from that of vertices: numbers stay in the domain of operations on the border of a mesh, and
+// noise fades. Pictures of both are in tests/p5/borders and tests/p5/fading.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
+
+const alongZ = (height) => (inputs) => inputs.glsl.vec3(0, 0, height(inputs))
+
+const withBorders = {
+  sqrt: alongZ(({ position }) => position.x().sqrt()),
+  // Only the derivative 1 / x is in the normal.
+  log: alongZ(({ position }) => position.x().mult(2).log()),
+  log2: alongZ(({ position }) => position.x().log2()),
+  pow: alongZ(({ position }) => position.x().pow(0.3)),
+  asin: alongZ(({ position }) => position.x().asin()),
+  acos: alongZ(({ position }) => position.x().acos()),
+  atanh: alongZ(({ position }) => position.x().atanh()),
+  acosh: alongZ(({ position }) => position.x().acosh()),
+  noise: alongZ(({ glsl, position }) => glsl.simplex(position).sqrt()),
+}
+
+const withoutBorders = {
+  waves: alongZ(({ position }) => position.x().sin()),
+  length: alongZ(({ position }) => position.length()),
+  normalize: ({ position }) => position.normalize(),
+  clamped: alongZ(({ glsl, position }) => glsl.max(position.x(), 0).sqrt()),
+  'whole power': alongZ(({ position }) => position.x().pow(3)),
+}
+
+const isReflected = ({ code }) => /\bwarpjetAcross\(/.test(code)
+
+for (const target of ['glsl300', 'wgsl'])
+  test(`${target}: pixels stay in the domain of each operation that has borders, vertices are not touched`, () => {
+    for (const [name, offset] of Object.entries(withBorders)) {
+      const warp = compileWarp(offset, { target, normals: 'pixel', fadeNoise: false })
+      assert.ok(isReflected(warp.emitFragment()), name)
+      assert.ok(!isReflected(compileWarp(offset, { target })), name)
+    }
+    for (const [name, offset] of Object.entries(withoutBorders)) {
+      const warp = compileWarp(offset, { target, normals: 'pixel', fadeNoise: false })
+      assert.ok(!isReflected(warp.emitFragment()), name)
+    }
+  })
+
+test('glsl100 has no derivatives on the screen', () => {
+  for (const offset of Object.values(withBorders))
+    assert.ok(
+      !isReflected(compileWarp(offset, { target: 'glsl100', normals: 'pixel' }).emitFragment()),
+    )
+})
+
+test('numbers in loops remain as they are', () => {
+  const offset = alongZ(({ glsl, position }) =>
+    glsl.repeat(3, position.x(), (x) => x.sqrt().add(0.1)),
+  )
+  const { code } = compileWarp(offset, { target: 'glsl300', normals: 'pixel' }).emitFragment()
+  assert.match(code, /\bfor\b/)
+  assert.ok(!/for[^]*warpjetAcross/.test(code), code)
+})
+
+test('debug names the same lines of the user’s code where noise fades and numbers are reflected', () => {
+  const offset = ({ glsl, position }) => {
+    const height = position.x().sin()
+    const noise = glsl.fbm(position.mult(3))
+    const rough = noise.mult(height)
+    const root = rough.sqrt()
+    return glsl.vec3(0, 0, root.mult(noise.cos()))
+  }
+  const linesOf = ({ code }) => new Set(code.match(/\/\/ From .*:\d+:\d+/g))
+  const [vertex, fragment] = [true, false].map((isVertex) => {
+    const options = { debug: true, normals: isVertex ? 'vertex' : 'pixel' }
+    const warp = compileWarp(offset, options)
+    return isVertex ? warp : warp.emitFragment()
+  })
+  assert.match(fragment.code, /Fading\w*\(/)
+  assert.match(fragment.code, /\bwarpjetAcross\(/)
+  assert.ok(linesOf(fragment).size >= 5, fragment.code)
+  const known = linesOf(vertex)
+  for (const line of linesOf(fragment)) assert.ok(known.has(line), line)
+})

@@ -1,0 +1,77 @@
+// Warps that end where their mesh ends, on antialiased canvases: the centers of some pixels there are outside of the mesh, where the offset
+// is undefined. On WEBGPU, nothing flashed in SwiftShader before borders were reflected.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { lookFromAfar, shaderOfNormals } from '../support/browser/p5-shown-normals.js'
+import { drawScenes, openHost, p5InThisRun } from '../support/browser/sketch.js'
+
+const size = 120
+
+/**
+ * At the right edge of the plane, where x is 0.5, slopes are infinite or, for those that end 0.004 beyond, steep: the normal is nearly the
+ * x axis there. It is nearly the z axis on the left and, without care, outside.
+ */
+const offsets = {
+  sqrt: ({ glsl, position }) => glsl.vec3(0, 0, glsl.val(0.5).sub(position.x()).sqrt().mult(2)),
+  pow: ({ glsl, position }) => glsl.vec3(0, 0, glsl.val(0.5).sub(position.x()).pow(0.3)),
+  log: ({ glsl, position }) => glsl.vec3(0, 0, glsl.val(0.504).sub(position.x()).log().mult(0.2)),
+  acos: ({ glsl, position }) => glsl.vec3(0, 0, position.x().mult(2).acos()),
+  asin: ({ glsl, position }) => glsl.vec3(0, 0, position.x().mult(-2).asin()),
+  atanh: ({ glsl, position }) => glsl.vec3(0, 0, position.x().mult(-1.99).atanh().mult(0.2)),
+  acosh: ({ glsl, position }) => glsl.vec3(0, 0, glsl.val(1.5).sub(position.x()).acosh()),
+  dome: ({ glsl, position }) =>
+    glsl.vec3(0, 0, glsl.val(0.25).sub(position.x().mult(position.x())).sqrt().mult(2)),
+  // The value of the root is in the normal, too.
+  slanted: ({ glsl, position }) =>
+    glsl.vec3(0, 0, glsl.val(0.5).sub(position.x()).sqrt().mult(position.y().add(2))),
+}
+
+/** The places of pixels on the border, from -0.5 to 0.5 across and along the plane. */
+const [cosine, sine] = [Math.cos(0.3), Math.sin(0.3)]
+const border = Array.from({ length: size * size }, (_, pixel) => {
+  const [x, y] = [(pixel % size) + 0.5 - size / 2, Math.floor(pixel / size) + 0.5 - size / 2]
+  return { pixel, x: (cosine * x + sine * y) / 60, y: (cosine * y - sine * x) / 60 }
+}).filter(({ x, y }) => Math.abs(x - 0.5) < 0.7 / 60 && Math.abs(y) < 0.45)
+
+const { browser, server } = await openHost()
+
+/** Draws the plane with each offset, turned so that its edges cross pixels at all distances. The background has the color of the border. */
+function drawBorders(version, p5, attributes) {
+  const draw = (name) => `background(249, 165, 128); warps.${name}(); noStroke()
+    ${lookFromAfar(size)}
+    rotateZ(0.3); scale(60); plane(1, 1, 40, 40)`
+  const names = Object.keys(offsets)
+  const made = names.map(
+    (name) =>
+      `warps.${name} = createWarp(${offsets[name]}, { shader: ${shaderOfNormals(version, 'WEBGL')}, normals: 'pixel' })`,
+  )
+  return drawScenes(browser, server, [p5, '/dist/p5.warpjet.min.js'], {
+    size,
+    setup: [`setAttributes({ ${attributes} })`, ...made].join('\n'),
+    scenes: Object.fromEntries(names.map((name) => [name, draw(name)])),
+  })
+}
+
+const colorsOf = ({ data }) =>
+  border.map(({ pixel, x, y }) => ({ x, y, color: [...data.subarray(4 * pixel, 4 * pixel + 3)] }))
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: borders of antialiased warps do not flash`, async () => {
+    const images = await drawBorders(version, p5, 'antialias: true')
+    assert.ok(border.length > 60, `${border.length} pixels`)
+    for (const [name, image] of Object.entries(images))
+      for (const { x, y, color } of colorsOf(image)) {
+        const [red, , blue] = color
+        assert.ok(red > 225 && blue < 190, `${name} at ${x}, ${y}: ${color}`)
+      }
+  })
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: borders are finite in WebGL 1, which has no derivatives on the screen`, async () => {
+    const images = await drawBorders(version, p5, 'antialias: true, version: 1')
+    for (const [name, image] of Object.entries(images))
+      for (const { x, y, color } of colorsOf(image)) {
+        // An average of colors of normals that face the eye, and of the background.
+        assert.ok(color[2] > 120, `${name} at ${x}, ${y}: ${color}`)
+      }
+  })

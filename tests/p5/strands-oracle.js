@@ -1,0 +1,125 @@
+// What sketches in p5.strands should show on WEBGPU, in double precision: functions of p5, and meshes moved by a sketch's `move`.
+export const millis = 1700
+export const seconds = millis / 1000
+const { abs, cos, floor, fround, hypot, max, min, sin } = Math
+export const clamp = (x, from, to) => min(to, max(from, x))
+export const mix = (a, b, t) => a + (b - a) * t
+export const smoothstep = (from, to, x) => {
+  const t = clamp((x - from) / (to - from), 0, 1)
+  return t * t * (3 - 2 * t)
+}
+export const mod = (x, y) => x - y * floor(x / y)
+export const fract = (x) => x - floor(x)
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+export const add = (a, b) => a.map((x, k) => x + b[k])
+export const scale = (a, factor) => a.map((x) => x * factor)
+
+const gap = fround(2 * fround(0.142857142857))
+const start = fround(fround(0.5 * fround(0.142857142857)) - 1)
+
+/** One of 49 directions on an octahedron, of about length 1. Floats decide on which side of an edge it is. */
+function gradient(hash) {
+  const j = mod(hash, 49)
+  const [x, y] = [floor(j / 7), mod(j, 7)].map((k) => fround(fround(k * gap) + start))
+  const z = fround(fround(1 - abs(x)) - abs(y))
+  const sign = (k) => (k < 0 ? -1 : 1)
+  const folded = z > 0 ? [x, y, z] : [x - sign(x), y - sign(y), z]
+  return scale(folded, 1.79284291400159 - 0.85373472095314 * dot(folded, folded))
+}
+
+function simplex(p) {
+  const scramble = (x) => mod((x * 34 + 10) * x, 289)
+  const skew = (p[0] + p[1] + p[2]) / 3
+  const cell = p.map((x) => floor(x + skew))
+  const first = p.map((x, k) => x - cell[k] + (cell[0] + cell[1] + cell[2]) / 6)
+  // The path to the opposite corner takes the largest component first.
+  const order = [0, 1, 2].sort((a, b) => first[b] - first[a])
+  const corner = [0, 0, 0]
+  let sum = 0
+  for (let step = 0; step < 4; step++) {
+    const at = first.map((x, k) => x - corner[k] + step / 6)
+    const [i, j, k] = cell.map((x, axis) => mod(x, 289) + corner[axis])
+    const direction = gradient(scramble(scramble(scramble(k) + j) + i))
+    sum += max(0.5 - dot(at, at), 0) ** 4 * dot(direction, at)
+    if (step < 3) corner[order[step]] = 1
+  }
+  return 105 * sum
+}
+
+/** Mirrors what p5's reference says of noise(): four octaves, each with half the amplitude of the one before. */
+export function noise(x, y = 0, z = 0) {
+  let sum = 0
+  for (let octave = 0; octave < 4; octave++)
+    sum += simplex([x, y, z].map((k) => k * 2 ** octave)) / 2 ** octave
+  return (sum + 1) / 2
+}
+
+/** The image `heights` of the page: red by column and row of 16 × 16 pixels, of 255. */
+export const redAt = (column, row) =>
+  Math.round(128 + 60 * sin(column * 0.4) * cos(row * 0.4) + 40 * cos(row * 0.4))
+export function heightAt(u, v) {
+  const [x, y] = [u * 16 - 0.5, v * 16 - 0.5]
+  const [i, j] = [floor(x), floor(y)]
+  const texel = (i, j) => redAt(clamp(i, 0, 15), clamp(j, 0, 15)) / 255
+  const row = (j) => mix(texel(i, j), texel(i + 1, j), x - i)
+  return mix(row(j), row(j + 1), y - j)
+}
+
+/** The numbers in the storage `lifts` of the page. */
+export const lifts = [0.25, -0.125, 0.375, 0.0625]
+
+/** Numbers of a surface: a sphere without its poles. */
+const pointAt = (u, v) => {
+  const [a, b] = [2 * Math.PI * u, Math.PI * (0.08 + 0.84 * v)]
+  const n = [cos(a) * sin(b), -cos(b), sin(a) * sin(b)]
+  return { p: n, n, uv: [u, v] }
+}
+
+const [rows, columns] = [72, 96]
+const toWorld = ([x, y, z]) => {
+  const [c, s] = [cos(0.4), sin(0.4)]
+  return scale([x, c * y - s * z, s * y + c * z], 40)
+}
+
+/** Returns where a sketch moves a point of the surface, in the world. */
+function placeIn({ move, space, later = (p) => p }, u, v, instance, eye) {
+  const { p, n, uv } = pointAt(u, v)
+  if (!space) return later(toWorld(move(p, n, uv, instance)))
+  const [x, y, z] = toWorld(p)
+  if (space === 'world') return move([x, y, z])
+  return add(move([x, y, z - eye]), [0, 0, eye])
+}
+
+/** Makes a mesh as the data of a p5.Geometry. `place(u, v)` returns a vertex; normals are differences of it, or those of the sphere. */
+function mesh(place) {
+  const [vertices, normals, uvs, faces] = [[], [], [], []]
+  for (let j = 0; j <= rows; j++)
+    for (let i = 0; i <= columns; i++) {
+      const [u, v, e] = [i / columns, j / rows, 1e-6]
+      const side = (du, dv) => {
+        const [from, to] = [place(u - du, v - dv), place(u + du, v + dv)]
+        return add(to, scale(from, -1))
+      }
+      const [a, b] = [side(e, 0), side(0, e)]
+      const across = [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+      ]
+      vertices.push(place(u, v))
+      normals.push(scale(across, -1 / hypot(...across)))
+      uvs.push(u, v)
+      const at = j * (columns + 1) + i
+      if (i < columns && j < rows)
+        faces.push([at, at + 1, at + columns + 2], [at, at + columns + 2, at + columns + 1])
+    }
+  return { vertices, normals, uvs, faces }
+}
+
+export const sphere = () => mesh((u, v) => pointAt(u, v).p)
+
+/** Returns the meshes that a sketch should show, one for each instance. */
+export const meshesByHand = (sketch, eye) =>
+  Array.from({ length: sketch.instances ?? 1 }, (_, i) =>
+    mesh((u, v) => placeIn(sketch, u, v, i, eye)),
+  )

@@ -1,0 +1,39 @@
+// The hosts of p5 sketches as objects: each version of p5 with each of its renderers that belongs to this run.
+import { leavePage } from './browser.js'
+import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from './sketch.js'
+
+export const addon = '/dist/p5.warpjet.min.js'
+export const glslAddon = '/dist/warpjet.glsl.min.js'
+export const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
+
+/**
+ * Opens the browsers of all hosts until the tests of the calling file have finished → hosts. `hosts` narrows the table down, and the
+ * scripts `more` follow p5 and the addon. The code of a sketch starts with `async function setup() { ${host.canvas(100, 100)}`.
+ */
+export async function openP5Hosts({ hosts = p5HostsInThisRun, more = [] } = {}) {
+  const { browsers, server } = await openHosts([['2.x', 'WEBGL'], ...hosts])
+  return hosts.map(([version, renderer, p5]) => {
+    const [browser, scripts] = [browsers[renderer], [...p5, addon, ...more]]
+    const open = (code, files = scripts) => runSketch(browser, server, files, code)
+    return {
+      name: `p5 ${version}, ${renderer}`,
+      ...{ version, renderer, p5, scripts, server, browser, open },
+      // p5 1.11 has no WebGPU, instances, text models or ordered hooks.
+      isV1: version === '1.11',
+      isWebGPU: renderer === 'WEBGPU',
+      /** A browser for pages that need WebGL on any host. */
+      webgl: browsers.WEBGL,
+      canvas: (width, height) =>
+        `${renderer === 'WEBGPU' ? 'await ' : ''}createCanvas(${width}, ${height}, ${renderer})`,
+      draw: ({ files = scripts, ...options }) =>
+        drawScenes(browser, server, files, { renderer, ...options }),
+      /** Runs a sketch that sets `result` → { result, messages }, the result and the lines on the console. */
+      async run(code, files) {
+        const { page, messages } = await open(code, files)
+        const result = await page.evaluate('window.result')
+        await leavePage(page)
+        return { result, messages }
+      },
+    }
+  })
+}

@@ -1,0 +1,99 @@
+// Meshes that have both: a material with `exactNormals`, and a warp. Each is compared with one whose vertices were half moved by hand.
+import * as THREE from 'three/webgpu'
+import { exactNormals, tslOffset, warp } from 'warpjet/three/webgpu'
+import { noise } from './materialx.js'
+
+const { mx_noise_float, positionLocal, sin, vec3 } = THREE.TSL
+
+/** Heights by axis: as a node, and in double precision. The shader has noise that is called twice as a function. */
+const heights = {
+  wave: {
+    node: (p, axis) => sin(p[axis].mul(3)).mul(0.3),
+    at: (p, axis) => 0.3 * Math.sin(3 * p['xyz'.indexOf(axis)]),
+  },
+  noise: {
+    node: (p) =>
+      mx_noise_float(p.mul(2))
+        .mul(0.3)
+        .add(mx_noise_float(p.mul(4)).mul(0.1)),
+    at: (p) => 0.3 * noise(p.map((x) => 2 * x)) + 0.1 * noise(p.map((x) => 4 * x)),
+  },
+}
+
+const offsets = {
+  wave: ({ glsl, position }) => glsl.vec3(0, 0, position.y().mult(3).sin().mult(0.3)),
+  noise: tslOffset((p) => vec3(0, 0, heights.noise.node(p))),
+}
+
+const sphere = () => new THREE.SphereGeometry(0.8, 128, 96)
+
+/** Moves the vertices of a sphere along an axis, and their normals by differences of the height. */
+function movedByHand(height, along, by) {
+  const geometry = sphere()
+  const { position, normal } = geometry.attributes
+  const k = 'xyz'.indexOf(along)
+  for (let i = 0; i < position.count; i++) {
+    const p = [0, 1, 2].map((axis) => position.getComponent(i, axis))
+    const slopes = p.map((_, axis) => {
+      const near = (e) => heights[height].at(p.with(axis, p[axis] + e), by)
+      return (near(1e-4) - near(-1e-4)) / 2e-4
+    })
+    const n = new THREE.Vector3().fromBufferAttribute(normal, i)
+    const slope = new THREE.Vector3(...slopes).multiplyScalar(n.getComponent(k))
+    n.multiplyScalar(1 + slopes[k])
+      .sub(slope)
+      .normalize()
+    position.setComponent(i, k, p[k] + heights[height].at(p, by))
+    normal.setXYZ(i, ...n.toArray())
+  }
+  return geometry
+}
+
+function materialOf(height, isExact = true) {
+  const material = new THREE.MeshNormalNodeMaterial()
+  if (!height) return material
+  material.positionNode = positionLocal.add(vec3(0, heights[height].node(positionLocal, 'x'), 0))
+  return isExact ? exactNormals(material, { normals: 'vertex' }) : material
+}
+
+function meshOf(geometry, material, isInstanced) {
+  const mesh = isInstanced
+    ? new THREE.InstancedMesh(geometry, material, 2)
+    : new THREE.Mesh(geometry, material)
+  for (let i = 0; isInstanced && i < 2; i++) {
+    const matrix = new THREE.Matrix4().makeRotationZ(i).setPosition(i - 0.5, 0, 0)
+    mesh.setMatrixAt(i, matrix.scale(new THREE.Vector3(0.6, 0.6, 0.6)))
+  }
+  mesh.rotation.set(0.3, 0.4, 0)
+  mesh.frustumCulled = false
+  return mesh
+}
+
+function warpMesh(mesh, height, options) {
+  warp(mesh, offsets[height], { normals: 'vertex', ...options })
+  return mesh
+}
+
+/** The warp comes after the positionNode. */
+const after = (options, height = 'wave') => ({
+  both: () => warpMesh(meshOf(sphere(), materialOf(height)), height, options),
+  byHand: () => warpMesh(meshOf(movedByHand(height, 'y', 'x'), materialOf()), height, options),
+  withoutExact: () => warpMesh(meshOf(sphere(), materialOf(height, false)), height, options),
+})
+
+/** The warp comes before the positionNode. */
+const before = (options, isInstanced) => ({
+  both: () => warpMesh(meshOf(sphere(), materialOf('wave'), isInstanced), 'wave', options),
+  byHand: () => meshOf(movedByHand('wave', 'z', 'y'), materialOf('wave'), isInstanced),
+  withoutExact: () =>
+    warpMesh(meshOf(sphere(), materialOf('wave', false), isInstanced), 'wave', options),
+})
+
+export const warpBeside = {
+  local: after({}),
+  world: after({ space: 'world' }),
+  rest: before({ space: 'rest' }),
+  instances: before({}, true),
+  'a function of noise that both call': after({}, 'noise'),
+  'normals of the warp at pixels': after({ normals: 'auto' }),
+}
