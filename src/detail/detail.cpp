@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// A cut mesh has at most about this number of triangles: what four evaluations of a warp per
+// The max number of triangles of a cut mesh, approximately: what four evaluations of a warp per
 // triangle can take in each frame.
 constexpr double maxCutTriangles = 1 << 16;
 

@@ -15,7 +15,8 @@ namespace warpjet {
 struct Division {
   std::vector<Attribute> attributes;
   std::vector<Corners> triangles;
-  // By triangle of the base: its first triangle. Ends with the number of all.
+  // Maps a triangle of the base -> its first triangle here. The last entry is the number of
+  // triangles.
   std::vector<std::uint32_t> firstTriangles;
 
   // `pieces` are by edge, from `pieceCounts`.

@@ -57,7 +57,7 @@ struct Quadratic {
   float along(vec2 v) const { return xx * v.x * v.x + 2 * xy * v.x * v.y + yy * v.y * v.y; }
 };
 
-// How strongly the surface bends on the screen: e' M e bounds the second derivative along e. M is
+// Returns M, by which e' M e bounds the second derivative along e. M is
 // the root of the sum of the squared Hessians of x and y on the screen, in the plane of the
 // triangle. The second derivatives along the sides alone would miss that of a saddle.
 Quadratic bendOf(const Flat& flat, const std::array<vec2, 3>& alongSides) {

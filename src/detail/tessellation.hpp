@@ -14,7 +14,7 @@ namespace warpjet {
 inline constexpr std::array<std::uint32_t, 10> pieceCounts{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
 inline constexpr std::uint32_t maxPieces = pieceCounts.back();
 
-// By side: side i goes from corner i to the next one.
+// Has one number per side. Side i goes from corner i to the next one.
 using SidePieces = std::array<std::uint32_t, 3>;
 
 struct Tessellation {

@@ -3,7 +3,7 @@ import type { DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { Renderer } from '../host.js'
 import type { ShapeBase } from './shape.js'
 
-/** What p5 keeps for a shape: buffers by the name `dst`, and those of indices. */
+/** The buffers that p5 keeps for a shape, by their name `dst`, and those of indices. */
 export type ShapeBuffers = Record<string, unknown>
 
 /** Writes arrays into buffers, which it makes if they are missing or too small. */

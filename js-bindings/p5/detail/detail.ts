@@ -10,7 +10,7 @@ import { upload, type ShapeBuffers } from './buffers.js'
 import { baseOf, type DrawnShape, type ShapeBase } from './shape.js'
 import { viewOf } from './views.js'
 
-/** How a shader's warp is drawn with detail. */
+/** The warp of a shader, for drawing it with detail. */
 export interface DetailOfWarp {
   readonly canvas: Canvas
   readonly warp: HostWarp
@@ -55,11 +55,11 @@ const immediate = '__IMMEDIATE_MODE_GEOMETRY__'
 function hookDrawFills(renderer: Renderer, drawing: Required<Drawing>) {
   const draw = drawing._drawFills
   drawing._drawFills = function (shape, options) {
-    const divided =
+    const division =
       shape.gid === immediate || (options?.count ?? 1) > 1 ? undefined : divide(renderer, shape)
-    if (!divided) return draw.call(this, shape, options)
+    if (!division) return draw.call(this, shape, options)
     const { cache } = drawing.geometryBufferCache
-    const { standIn, buffers } = divided
+    const { standIn, buffers } = division
     cache[standIn.gid!] = buffers
     try {
       draw.call(this, standIn, options)
@@ -115,11 +115,11 @@ function divide(renderer: Renderer, shape: DrawnShape): Divided | undefined {
   const { canvas, warp, space, tolerance, values } = detail
   const draws = drawsFor(renderer, shader, shape, sketchOf(canvas).frameCount ?? 0)
   if (draws.count > maxDrawsPerFrame || !hasInputs(warp, draws.base)) return undefined
-  const divided = (draws.divided[draws.count - 1] ??= makeDivided(warp, shape, draws.base))
+  const division = (draws.divided[draws.count - 1] ??= makeDivided(warp, shape, draws.base))
   const { views, toSpace, place } = viewOf(canvas, renderer, space)
-  if (divided.mesh.update(values, views, tolerance, toSpace, place))
-    refresh(renderer, shape, draws.base, divided)
-  return divided
+  if (division.mesh.update(values, views, tolerance, toSpace, place))
+    refresh(renderer, shape, draws.base, division)
+  return division
 }
 
 function drawsFor(renderer: Renderer, shader: Shader, shape: DrawnShape, frame: number): Draws {

@@ -40,7 +40,7 @@ export interface ShapeBase extends DetailBase {
 
 /** Returns the buffers that the renderer fills for the shader. */
 function buffersFor(renderer: Renderer, shader: Shader): FillBuffer[] {
-  const { fill = [], user = [] } = (renderer.buffers ?? renderer.retainedMode?.buffers) as {
+  const { fill = [], user = [] } = (renderer.buffers ?? renderer.retainedMode!.buffers) as {
     fill?: readonly unknown[]
     user?: readonly unknown[]
   }

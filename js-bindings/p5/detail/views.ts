@@ -1,4 +1,4 @@
-/** How a shape is seen: the matrices and the size of what p5 draws on. */
+/** The view of a shape: the matrices, and the size of the canvas or framebuffer that p5 draws on. */
 import type { Vertices } from '../../compile/hosts.js'
 import type { DetailViews, ToSpace } from '../../detail/detailed-mesh.js'
 import type { Canvas, Renderer } from '../host.js'
@@ -82,13 +82,13 @@ function transform(m: readonly number[]): ToSpace {
           m[8 + row]! * given[i + 2]! +
           m[12 + row]!
     const moved: Vertices = { ...others, positions }
-    if (normals) moved.normals = turned(normals, ofNormals)
+    if (normals) moved.normals = turn(normals, ofNormals)
     return moved
   }
 }
 
 /** Multiplies vectors by a matrix of 3 by 3, by columns. */
-function turned(normals: ArrayLike<number>, m: readonly number[]): Float32Array {
+function turn(normals: ArrayLike<number>, m: readonly number[]): Float32Array {
   const all = new Float32Array(normals.length)
   for (let i = 0; i < all.length; i += 3) {
     const n = [0, 1, 2].map(
