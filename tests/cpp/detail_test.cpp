@@ -58,11 +58,21 @@ void expectCover(const SidePieces& pieces) {
   EXPECT_EQ(open, around);
 }
 
-TEST(Detail, TessellationsCoverTheTriangleForAllNumbersOfPieces) {
+// The finest ones are tested by examples: all 1,000 would take minutes under the sanitizers.
+TEST(Detail, TessellationsCoverTheTriangle) {
   for (const std::uint32_t a : pieceCounts)
     for (const std::uint32_t b : pieceCounts)
       for (const std::uint32_t c : pieceCounts)
-        if (b <= a && c <= a) expectCover({a, b, c});
+        if (a <= 12 && b <= a && c <= a) expectCover({a, b, c});
+  for (const SidePieces& pieces : {SidePieces{32, 32, 32},
+                                   {32, 1, 1},
+                                   {1, 32, 1},
+                                   {32, 24, 1},
+                                   {16, 32, 16},
+                                   {4, 32, 4},
+                                   {24, 12, 16},
+                                   {2, 3, 32}})
+    expectCover(pieces);
 }
 
 TEST(Detail, EqualNumbersOfPiecesMakeTheirSquareOfTriangles) {
