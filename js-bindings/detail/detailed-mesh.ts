@@ -25,8 +25,8 @@ export interface DetailBase {
 }
 
 /**
- * The views of a mesh, with 19 numbers each: a matrix by columns from warped positions to clip space, half of the width and height of the viewport in pixels, and
- * 1 if triangles that face away are not drawn, -1 if those that face the eye are not drawn, 0 if all are.
+ * The views of a mesh, with 19 numbers each: a matrix by columns from warped positions to clip space, half of the viewport's width and
+ * height in pixels, and 1 if triangles that face away are not drawn, -1 if triangles that face the eye are not drawn, or 0 if all are.
  */
 export type DetailViews = number[]
 
@@ -56,6 +56,7 @@ export class DetailedMesh {
   private samples: Vertices = { positions: new Float32Array() }
   private inSpace = new Float32Array()
   private warped = new Float32Array()
+  private phases = new Float32Array()
   /** The inputs of the warp for which the samples are warped now. */
   private state: readonly number[] = []
   private views: readonly number[] = []
@@ -129,11 +130,7 @@ export class DetailedMesh {
     registry.register(this, this.held, this)
     all.forEach(({ values }, i) => detail.given(i).set(values))
     detail.givenIndices().set(indices)
-    this.begin()
-  }
-
-  private begin() {
-    this.held!.detail.begin()
+    detail.begin()
     this.readSamples()
   }
 
@@ -144,9 +141,10 @@ export class DetailedMesh {
     const sizes = phases.map((each) => each.size)
     const steps = phases.map(({ step }) => step)
     for (let pass = 0; pass < maxPasses; pass++) {
-      const into = new Float32Array(size * detail.sampleCount())
-      evaluate?.(this.inOffsetSpace(toSpace), given, into)
-      detail.phases(size).set(into)
+      const length = size * detail.sampleCount()
+      if (this.phases.length !== length) this.phases = new Float32Array(length)
+      evaluate?.(this.inOffsetSpace(toSpace), given, this.phases)
+      detail.phases(size).set(this.phases)
       if (!detail.cut(this.maxLength, sizes, steps)) return
       this.readSamples()
     }

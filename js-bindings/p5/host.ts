@@ -186,6 +186,9 @@ const othersOf = (material: MaterialState) => [
   material._tex,
 ]
 
+/** p5's name of the shape between beginShape() and endShape(), which is a different one each time. */
+export const immediateShape = '__IMMEDIATE_MODE_GEOMETRY__'
+
 const removed = new WeakSet<Canvas>()
 
 /** Records that p5 removed the sketch: its renderer stays in place after `remove()`, so p5's life cycle calls this. */

@@ -12,7 +12,7 @@
 
 namespace warpjet {
 
-// Numbers of vertices. Attribute 0 of a mesh is its positions, with three numbers each.
+// The numbers of all vertices. Attribute 0 of a mesh is its positions, with three numbers each.
 struct Attribute {
   std::uint32_t size;   // numbers per vertex
   bool isUnit = false;  // true for normals, which keep their length when they are interpolated

@@ -57,9 +57,9 @@ struct Quadratic {
   float along(vec2 v) const { return xx * v.x * v.x + 2 * xy * v.x * v.y + yy * v.y * v.y; }
 };
 
-// Returns M, by which e' M e bounds the second derivative along e. M is
-// the root of the sum of the squared Hessians of x and y on the screen, in the plane of the
-// triangle. The second derivatives along the sides alone would miss that of a saddle.
+// Returns M such that e' M e bounds the second derivative along e. M is the root of the sum of the
+// squared Hessians of x and y on the screen, in the plane of the triangle. Second derivatives along
+// the sides alone would miss that of a saddle.
 Quadratic bendOf(const Flat& flat, const std::array<vec2, 3>& alongSides) {
   Quadratic sum;
   for (int k = 0; k < 2; ++k) {
@@ -142,7 +142,7 @@ class ScreenOf {
 // middle, by 4/3 of that.
 vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& samples) {
   const vec2 corner(flat.width, 0);
-  vec3 most(0);
+  vec3 max(0);
   for (const Cell& cell : cells) {
     std::array<vec2, 3> alongSides;
     for (int i = 0; i < 3; ++i) {
@@ -153,9 +153,9 @@ vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& sampl
     const Quadratic bend = bendOf(flat, alongSides);
     const vec3 along(bend.along(corner), bend.along(flat.apex - corner), bend.along(flat.apex));
     // A flat cell has no bend, but NaN: a root of zero divided by zero.
-    if (std::isfinite(along.x + along.y + along.z)) most = glm::max(most, along);
+    if (std::isfinite(along.x + along.y + along.z)) max = glm::max(max, along);
   }
-  return most * (4.0f / 3 / 8);
+  return max * (4.0f / 3 / 8);
 }
 
 // Samples underestimate, so the aim is below the tolerance.

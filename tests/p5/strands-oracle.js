@@ -1,4 +1,4 @@
-// What sketches in p5.strands should show on WEBGPU, in double precision: functions of p5, and meshes moved by a sketch's `move`.
+// Computes the pictures that sketches in p5.strands should show on WEBGPU, in double precision: functions of p5, and meshes moved by a sketch's `move`.
 export const millis = 1700
 export const seconds = millis / 1000
 const { abs, cos, floor, fround, hypot, max, min, sin } = Math

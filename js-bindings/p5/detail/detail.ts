@@ -4,7 +4,14 @@
  */
 import type { HostWarp } from '../../compile/hosts.js'
 import { DetailedMesh } from '../../detail/detailed-mesh.js'
-import { sketchOf, stateOf, type Canvas, type Renderer, type Shader } from '../host.js'
+import {
+  immediateShape,
+  sketchOf,
+  stateOf,
+  type Canvas,
+  type Renderer,
+  type Shader,
+} from '../host.js'
 import type { WarpSpace } from '../settings.js'
 import { upload, type ShapeBuffers } from './buffers.js'
 import { baseOf, type DrawnShape, type ShapeBase } from './shape.js'
@@ -49,14 +56,13 @@ interface Drawing {
   drawBuffers?: DrawBuffers
 }
 
-/** p5's name of the shape between beginShape() and endShape(), which is a different one each time. */
-const immediate = '__IMMEDIATE_MODE_GEOMETRY__'
-
 function hookDrawFills(renderer: Renderer, drawing: Required<Drawing>) {
   const draw = drawing._drawFills
   drawing._drawFills = function (shape, options) {
     const division =
-      shape.gid === immediate || (options?.count ?? 1) > 1 ? undefined : divide(renderer, shape)
+      shape.gid === immediateShape || (options?.count ?? 1) > 1
+        ? undefined
+        : divide(renderer, shape)
     if (!division) return draw.call(this, shape, options)
     const { cache } = drawing.geometryBufferCache
     const { standIn, buffers } = division
@@ -75,9 +81,11 @@ function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
   const shapes = renderer.retainedMode!.geometry as Record<string, ShapeBuffers>
   drawing.drawBuffers = function (name) {
     const before = shapes[name]!
-    const divided = before && divide(renderer, before.model as DrawnShape)
-    if (!divided || renderer.geometryBuilder) return draw.call(this, name)
-    const { standIn, buffers } = divided
+    // A GeometryBuilder collects shapes, and draws none.
+    const isDrawn = before && !renderer.geometryBuilder
+    const division = isDrawn ? divide(renderer, before.model as DrawnShape) : undefined
+    if (!division) return draw.call(this, name)
+    const { standIn, buffers } = division
     const vertexCount = 3 * standIn.faces.length
     shapes[name] = Object.assign(Object.create(before), buffers, { model: standIn, vertexCount })
     try {

@@ -3,7 +3,7 @@
  * use, and each renderer that draws with a warp that reads them has buffers for them.
  */
 import { variationAttribute, variationNames, type VariationInput } from '../../compile/hosts.js'
-import type { Renderer, Shader, Shape } from '../host.js'
+import { immediateShape, type Renderer, type Shader, type Shape } from '../host.js'
 import { variationOf, type Variation } from './shape-variation.js'
 
 type Drawn = Shape & { dirtyFlags: Record<string, boolean | undefined> }
@@ -13,11 +13,8 @@ const source = (name: string) => `warpjet_${name}`
 /** The gradients of each shape, and the names of the arrays that p5 has read. */
 const variations = new WeakMap<Drawn, { variation: Variation; readNames: Set<string> }>()
 
-/** p5's name of the shape between beginShape() and endShape(), which is a different one each time. */
-const immediate = '__IMMEDIATE_MODE_GEOMETRY__'
-
 function arrayOf(shape: Drawn, name: VariationInput): Float32Array {
-  if (shape.gid === immediate) return new Float32Array(3 * shape.vertices.length)
+  if (shape.gid === immediateShape) return new Float32Array(3 * shape.vertices.length)
   let known = variations.get(shape)
   // p5 reads the array again after the shape has changed.
   const isStale = known?.readNames.has(name) && shape.dirtyFlags[source(name)] !== false
