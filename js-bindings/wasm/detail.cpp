@@ -1,12 +1,13 @@
 // The bindings of detail: a mesh that is divided as finely as its warped surface needs it on the
 // screen. JavaScript fills the arrays of a mesh, evaluates the warp at its samples, and reads the
 // arrays of the divided mesh. Its objects live as long as the mesh.
+#include "detail/detail.hpp"
+
 #include <malloc.h>
 
 #include <cstdint>
 #include <vector>
 
-#include "detail/detail.hpp"
 #include "embind.hpp"
 
 using namespace warpjet;
@@ -26,9 +27,7 @@ Detail* makeDetail(const Words& sizes, const Words& areUnit, std::uint32_t verti
   return new Detail(std::move(attributes), triangles, groups);
 }
 
-View<float> given(Detail& detail, std::uint32_t attribute) {
-  return View(detail.given(attribute));
-}
+View<float> given(Detail& detail, std::uint32_t attribute) { return View(detail.given(attribute)); }
 View<std::uint32_t> givenIndices(Detail& detail) { return View(detail.givenIndices()); }
 View<float> sample(const Detail& detail, std::uint32_t attribute) {
   return View(detail.samples()[attribute].values);

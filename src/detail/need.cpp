@@ -158,8 +158,9 @@ vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& sampl
   return most * (4.0f / 3 / 8);
 }
 
-// Samples underestimate, so the aim is below the tolerance. With this share, 99.9% of the points of a
-// surface are within it; the largest error is about half as much again (npm run report -- detail).
+// Samples underestimate, so the aim is below the tolerance. With this share, 99.9% of the points of
+// a surface are within it; the largest error is about half as much again (npm run report --
+// detail).
 constexpr float aim = 0.8f;
 
 // A number of pieces is lowered only if it would do for that many times the need.

@@ -46,8 +46,8 @@ bool canTakeCells(const Definition& definition, std::optional<double> lacunarity
 // The period of each coordinate; 0 if it is unknown, or if the definition isn't a noise. Cells have
 // one of `ops::hashPrime` hashes, cyclically.
 double noisePeriod(const Definition& definition, std::optional<double> lacunarity);
-// The wavelength in the space of the point; of fractals, that of their octave number `octave`, or of
-// their last one if there are fewer, with a lacunarity of 2.
+// The wavelength in the space of the point; of fractals, that of their octave number `octave`, or
+// of their last one if there are fewer, with a lacunarity of 2.
 double wavelengthOf(const Definition& definition, int octave);
 // The variant that takes the width of a pixel.
 Definition withFading(const Definition& definition);

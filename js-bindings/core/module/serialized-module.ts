@@ -169,8 +169,7 @@ export const makePhases = (
 ): Phases | undefined =>
   withModule(serialized, (module) => {
     const phases = module.phases(results, varying)
-    const program =
-      phases.length && programOf(serialized, module, [module.results().length - 1])
+    const program = phases.length && programOf(serialized, module, [module.results().length - 1])
     return program ? { program, phases } : undefined
   })
 

@@ -2,8 +2,8 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBuffer, Mesh } from 'three'
 import { attributeNumbers } from '../../compile/hosts.js'
 import type { DetailAttribute, DetailBase } from '../../detail/detailed-mesh.js'
-import { fillOf } from '../surface.js'
 import { verticesOf, type Attribute } from '../pose.js'
+import { fillOf } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
 
 /** An attribute in a buffer. */

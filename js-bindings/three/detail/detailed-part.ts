@@ -8,8 +8,8 @@ import {
   type Mesh,
 } from 'three'
 import { DetailedMesh, type ToSpace } from '../../detail/detailed-mesh.js'
-import { isInstancedMesh2 } from '../instances.js'
 import { nameOf } from '../describe.js'
+import { isInstancedMesh2 } from '../instances.js'
 import { warnOfDetail } from '../notes.js'
 import { isMoved, versionOf, type Warpable } from '../pose.js'
 import { remembered } from '../remembered.js'
@@ -119,7 +119,7 @@ export class DetailedPart implements Divisible {
 /** Tests whether the object may be in the picture. */
 function isShown(object: Warpable, { camera }: Render): boolean {
   if (!object.layers.test(camera.layers)) return false
-  for (let each: { visible: boolean; parent: unknown } | null = object; each; )
+  for (let each: { visible: boolean; parent: unknown } | null = object; each;)
     if (!each.visible) return false
     else each = each.parent as typeof each
   return true
@@ -140,7 +140,9 @@ function baseState(warp: ThreeWarp, object: Mesh): number[] {
     ...(Array.isArray(material)
       ? groups.flatMap(({ start, count, materialIndex }) => [start, count, materialIndex ?? -1])
       : [-2]),
-    ...(warp.reads('color') ? [Number([material].flat()[0]!.vertexColors), ...fillOf(material)] : []),
+    ...(warp.reads('color')
+      ? [Number([material].flat()[0]!.vertexColors), ...fillOf(material)]
+      : []),
   ]
 }
 

@@ -70,7 +70,9 @@ export class DividedGeometry {
       const stride = sizeOf(columns)
       const array = new Float32Array(stride * this.vertices)
       const buffer =
-        columns.length > 1 ? new InterleavedBuffer(array, stride) : new BufferAttribute(array, stride)
+        columns.length > 1
+          ? new InterleavedBuffer(array, stride)
+          : new BufferAttribute(array, stride)
       let offset = 0
       for (const { name, size } of columns) {
         geometry.setAttribute(
@@ -105,13 +107,7 @@ const sizeOf = (columns: readonly Column[]) => columns.reduce((sum, { size }) =>
 
 const capacityFor = (count: number) => 2 ** Math.ceil(Math.log2(Math.max(count, 1)))
 
-function copy(
-  from: Float32Array,
-  size: number,
-  to: Float32Array,
-  offset: number,
-  stride: number,
-) {
+function copy(from: Float32Array, size: number, to: Float32Array, offset: number, stride: number) {
   if (size === stride) return void to.set(from)
   for (let i = 0, at = offset; i < from.length; i += size, at += stride)
     for (let k = 0; k < size; k++) to[at + k] = from[i + k]!

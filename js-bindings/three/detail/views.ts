@@ -1,7 +1,7 @@
 /** How an object is seen in a render call: the views of a `DetailedMesh`. */
 import {
-  FrontSide,
   BackSide,
+  FrontSide,
   Matrix4,
   Vector2,
   Vector3,
@@ -102,7 +102,9 @@ function facingOf(
 ): number {
   if (object.castShadow && renderer.shadowMap.enabled) return 0
   if (instances.length < ((object as InstancedMesh).count ?? 1)) return 0
-  const sides = [scene.overrideMaterial ?? object.material].flat().map((each: Material) => each.side)
+  const sides = [scene.overrideMaterial ?? object.material]
+    .flat()
+    .map((each: Material) => each.side)
   const isOnly = (side: number) => sides.every((each) => each === side)
   const facing = isOnly(FrontSide) ? 1 : isOnly(BackSide) ? -1 : 0
   const isReversed = object.matrixWorld.determinant() < 0

@@ -42,7 +42,17 @@ function WarpOf(
   const isAround = children !== undefined && children !== null && children !== false
   const kinds = JSON.stringify(Object.entries(uniforms ?? {}).map(kindOf))
   // New values are set below.
-  const causes = [offset, space, normals, fadeNoise, detail, share, surfaceVariation, isAround, kinds]
+  const causes = [
+    offset,
+    space,
+    normals,
+    fadeNoise,
+    detail,
+    share,
+    surfaceVariation,
+    isAround,
+    kinds,
+  ]
   useLayoutEffect(() => {
     const object = isAround ? group.current : group.current?.parent
     if (!object) return
