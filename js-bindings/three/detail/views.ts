@@ -93,7 +93,7 @@ function nearestInstances(object: Mesh, camera: Camera): (number | undefined)[] 
   return all.sort((a, b) => distances[a]! - distances[b]!).slice(0, maxInstances)
 }
 
-/** 1 or -1 if triangles on one side are never drawn: see `numbersPerView`. */
+/** 1 or -1 if triangles on one side are never drawn: see `DetailViews`. */
 function facingOf(
   warp: ThreeWarp,
   object: Mesh,

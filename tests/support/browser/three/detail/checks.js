@@ -6,6 +6,7 @@ import { camera, countBeyond, countHoles, covered, sceneOf, warpBy } from './pic
 export async function compare({ draw, triangles }, { name, hasShadow = false, space }) {
   const pictureOf = async (shape, detail) => {
     const { scene, mesh } = sceneOf(shape, { hasShadow })
+    if (space === 'world') mesh.rotation.z = 0.5
     const warped = warpBy(mesh, name, detail, { space })
     const picture = await draw(scene, camera())
     const drawn = triangles()
