@@ -7,7 +7,7 @@ add_executable(warpjet_tests ${test_sources})
 target_include_directories(warpjet_tests PRIVATE tests/cpp)
 # Tests also parse JSON.
 target_include_directories(warpjet_tests SYSTEM PRIVATE ${libraries_folder})
-target_link_libraries(warpjet_tests PRIVATE warpjet_mesh warpjet_source warpjet_core GTest::gtest_main)
+target_link_libraries(warpjet_tests PRIVATE warpjet_detail warpjet_mesh warpjet_source warpjet_core GTest::gtest_main)
 # One process per eighth of the tests, not per test: under the sanitizers a process takes longer to start than most tests.
 set(shards 8)
 foreach(shard RANGE 1 ${shards})

@@ -2,4 +2,5 @@
 export { memoryInUse } from './wasm/core.js'
 export { evaluationMemoryInUse } from './wasm/evaluation.js'
 export { glslMemoryInUse } from './wasm/glsl.js'
+export { detailMemoryInUse } from './wasm/detail.js'
 export { meshMemoryInUse } from './wasm/mesh.js'

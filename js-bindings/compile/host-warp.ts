@@ -16,7 +16,7 @@ import { onSurface } from './recorded-warp.js'
 
 type CpuResult = 'position' | 'offset'
 
-/** What a host needs to sample a surface finely enough: see `makePhases`. */
+/** The points at which waves and noises of the warped position are evaluated; they say how far apart samples may be. */
 export interface SurfacePhases {
   /** For each phase, its numbers per vertex, and how far it may move between samples. */
   readonly phases: readonly { readonly size: number; readonly step: number }[]
@@ -63,7 +63,7 @@ export class HostWarp extends OffsetWarp {
     this.runOn(this.running(), vertices, given, positionsAlone, sinks)
   }
 
-  /** What makes the surface wavy; `undefined` if nothing does that can be told. */
+  /** Returns the phases of the warped position; `undefined` if it has none, or if only the GPU can evaluate it. */
   readonly surfacePhases = lazily((): SurfacePhases | undefined => {
     const { module, inputs } = this.recorded
     const varying = Object.keys(vertexInputs).map((name) => inputs[name as InputName])

@@ -24,14 +24,11 @@ export interface DetailBase {
   readonly groups?: readonly number[]
 }
 
-/** How a mesh is seen: see `numbersPerView`. */
-export type DetailViews = number[]
-
 /**
- * Numbers per view: a matrix by columns from warped positions to clip space, half of the width and height of the viewport in pixels, and
+ * The views of a mesh, with 19 numbers each: a matrix by columns from warped positions to clip space, half of the width and height of the viewport in pixels, and
  * 1 if triangles that face away are not drawn, -1 if those that face the eye are not drawn, 0 if all are.
  */
-export const numbersPerView = 19
+export type DetailViews = number[]
 
 /** Brings samples into the space of the offset. It writes into `positions` and returns the other arrays. */
 export type ToSpace = (samples: Vertices, positions: Float32Array) => Vertices
@@ -72,7 +69,7 @@ export class DetailedMesh {
   }
 
   /**
-   * Divides the mesh for a frame. `given` are the values of the draw call. `place` is what the space of the offset depends on besides.
+   * Divides the mesh for a frame. `given` are the values of the draw call. `place` are numbers that `toSpace` depends on.
    * Returns `true` if the arrays changed.
    */
   update(

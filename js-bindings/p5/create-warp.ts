@@ -10,6 +10,7 @@ import { WarpError, describe } from '../errors/errors.js'
 import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
 import { callback } from '../options/kinds.js'
 import { Place } from '../options/place.js'
+import { useDetail } from './detail/detail.js'
 import { bakeIntoGeometry } from './geometry/bake.js'
 import { namesFor } from './hooks/hooks.js'
 import { targetOf } from './hooks/styles.js'
@@ -112,6 +113,14 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
       setInputs(each, shaders.inputs, canvas, frame)
       setUniforms(each, uniforms, warp, settings, values)
     }
+    if (settings.detail !== undefined && warp.runs)
+      useDetail(renderer, shader, {
+        canvas,
+        warp,
+        space: settings.space,
+        tolerance: settings.detail,
+        values,
+      })
     reapply.set(shader, () => apply(uniforms))
     bakeIntoGeometry({ canvas, warp, settings }, shader, uniforms, values)
   }

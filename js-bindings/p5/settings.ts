@@ -6,6 +6,7 @@ import {
   type UniformOptions,
   type UniformValues,
 } from '../compile/hosts.js'
+import { detailKind, type DetailOption } from '../detail/option.js'
 import { anything, boolean, oneOf, optional, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -41,6 +42,13 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * @default 'auto'
    */
   normals?: NormalsOption
+  /**
+   * The maximum distance, in pixels of the canvas, between the drawn triangles and the warped surface: shapes are divided as finely as
+   * they need it at present. `'auto'` is 1, or 2 on devices that are used by touch. `false` draws shapes with their own vertices, as do
+   * shapes between beginShape() and endShape(), instances, lines, and warps that only the GPU can evaluate.
+   * @default false
+   */
+  detail?: DetailOption
   /**
    * `false` keeps the full strength of noise where its waves cover fewer than four pixels; noise that is finer than a pixel sparkles
    * then. Normals at vertices are unaffected.
@@ -86,6 +94,8 @@ export interface GivenSettings {
   readonly space: WarpSpace
   readonly defs: string
   readonly normals: NormalsOption
+  /** In pixels; `undefined` without detail. */
+  readonly detail: number | undefined
   readonly fadeNoise: boolean
   readonly surfaceVariation: boolean | undefined
   readonly stroke: boolean | undefined
@@ -107,6 +117,7 @@ const createWarpOptions = object({
   space: oneOf(['local', 'world', 'camera'], 'local'),
   defs: text('a string of GLSL such as "uniform float size;"', undefined, { default: '' }),
   ...normalsKinds,
+  detail: detailKind,
   surfaceVariation: anything<boolean>(),
   stroke: optional(boolean()),
   returns: oneOf(['offset', 'position'], 'offset'),

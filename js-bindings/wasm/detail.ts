@@ -13,7 +13,7 @@ export const details = new WasmInstance<DetailModule>({
   inlined,
   fail: outOfMemory(
     (megabytes) =>
-      `There is not enough memory to draw so large a mesh with detail: meshes already take ${megabytes} MB.`,
+      `There is not enough memory to draw this mesh with detail: meshes already take ${megabytes} MB.`,
   ),
 })
 

@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// A cut mesh has at most about this number of triangles: what four evaluations of a warp per
+// The max number of triangles of a cut mesh, approximately: what four evaluations of a warp per
 // triangle can take in each frame.
 constexpr double maxCutTriangles = 1 << 16;
 
@@ -106,7 +106,7 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
     isCut |= isLong;
   }
   if (!isCut) return false;
-  division_.write(*base_, pieces, patterns_);
+  division_.write(*base_, pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
   use(BaseMesh(division_.attributes, division_.triangles));
   return true;
@@ -116,7 +116,7 @@ bool Detail::update(std::span<const float> numbers, float tolerance) {
   const std::vector<ScreenView> views = readViews(numbers);
   const bool isChanged = needs_.update(*base_, warped_, views, tolerance);
   if (!isChanged && !indices_.empty()) return false;
-  division_.write(*base_, needs_.pieces(), patterns_);
+  division_.write(*base_, needs_.pieces(), tessellations_);
   indices_.clear();
   for (const Corners& corners : division_.triangles)
     indices_.insert(indices_.end(), corners.begin(), corners.end());

@@ -10,7 +10,7 @@
 #include "detail/base_mesh.hpp"
 #include "detail/division.hpp"
 #include "detail/need.hpp"
-#include "detail/pattern.hpp"
+#include "detail/tessellation.hpp"
 
 namespace warpjet {
 
@@ -61,7 +61,7 @@ class Detail {
   std::vector<Attribute> samples_;
   std::vector<float> phases_, warped_;
   Needs needs_;
-  Patterns patterns_;
+  Tessellations tessellations_;
   Division division_;
   std::vector<std::uint32_t> indices_, groups_;
 };

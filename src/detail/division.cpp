@@ -3,7 +3,7 @@
 namespace warpjet {
 
 void Division::write(const BaseMesh& base, std::span<const std::uint32_t> pieces,
-                     Patterns& patterns) {
+                     Tessellations& tessellations) {
   attributes.resize(base.attributes().size());
   for (std::size_t i = 0; i < attributes.size(); ++i) {
     const auto& [size, isUnit, values] = base.attributes()[i];
@@ -12,7 +12,7 @@ void Division::write(const BaseMesh& base, std::span<const std::uint32_t> pieces
     attributes[i].values.assign(values.begin(), values.end());
   }
   writeSides(base, pieces);
-  writeTriangles(base, pieces, patterns);
+  writeTriangles(base, pieces, tessellations);
 }
 
 void Division::writeSides(const BaseMesh& base, std::span<const std::uint32_t> pieces) {
@@ -32,7 +32,7 @@ void Division::writeSides(const BaseMesh& base, std::span<const std::uint32_t> p
 }
 
 void Division::writeTriangles(const BaseMesh& base, std::span<const std::uint32_t> pieces,
-                              Patterns& patterns) {
+                              Tessellations& tessellations) {
   triangles.clear();
   firstTriangles.clear();
   std::vector<std::uint32_t> points;
@@ -40,7 +40,7 @@ void Division::writeTriangles(const BaseMesh& base, std::span<const std::uint32_
     firstTriangles.push_back(static_cast<std::uint32_t>(triangles.size()));
     const Corners& corners = base.triangles()[t];
     points.clear();
-    Pieces counts{};
+    SidePieces counts{};
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t side = base.sidesOf(t)[i], first = firstOfSides_[side];
       const std::uint32_t count = counts[i] = pieces[base.sides()[side].edge];
@@ -49,14 +49,14 @@ void Division::writeTriangles(const BaseMesh& base, std::span<const std::uint32_
       for (std::uint32_t k = 0; k + 1 < count; ++k)
         points.push_back(first + (isForward ? k : count - 2 - k));
     }
-    const Pattern& pattern = patterns.of(counts);
+    const Tessellation& tessellation = tessellations.of(counts);
     auto vertex = static_cast<std::uint32_t>(attributes[0].values.size() / 3);
-    for (const std::array<float, 3>& weights : pattern.inner) {
+    for (const std::array<float, 3>& weights : tessellation.inner) {
       points.push_back(vertex++);
       for (std::size_t k = 0; k < attributes.size(); ++k)
         blend(attributes[k], base.attributes()[k], corners, weights);
     }
-    for (const Corners& each : pattern.triangles)
+    for (const Corners& each : tessellation.triangles)
       triangles.push_back({points[each[0]], points[each[1]], points[each[2]]});
   }
   firstTriangles.push_back(static_cast<std::uint32_t>(triangles.size()));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "detail/base_mesh.hpp"
-#include "detail/pattern.hpp"
+#include "detail/tessellation.hpp"
 
 namespace warpjet {
 
@@ -15,16 +15,18 @@ namespace warpjet {
 struct Division {
   std::vector<Attribute> attributes;
   std::vector<Corners> triangles;
-  // By triangle of the base: its first triangle. Ends with the number of all.
+  // Maps a triangle of the base -> its first triangle here. The last entry is the number of
+  // triangles.
   std::vector<std::uint32_t> firstTriangles;
 
   // `pieces` are by edge, from `pieceCounts`.
-  void write(const BaseMesh& base, std::span<const std::uint32_t> pieces, Patterns& patterns);
+  void write(const BaseMesh& base, std::span<const std::uint32_t> pieces,
+             Tessellations& tessellations);
 
  private:
   void writeSides(const BaseMesh& base, std::span<const std::uint32_t> pieces);
   void writeTriangles(const BaseMesh& base, std::span<const std::uint32_t> pieces,
-                      Patterns& patterns);
+                      Tessellations& tessellations);
 
   std::vector<std::uint32_t> firstOfSides_;  // by side: its first vertex
 };

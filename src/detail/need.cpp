@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "detail/pattern.hpp"
+#include "detail/tessellation.hpp"
 
 namespace warpjet {
 
@@ -57,7 +57,7 @@ struct Quadratic {
   float along(vec2 v) const { return xx * v.x * v.x + 2 * xy * v.x * v.y + yy * v.y * v.y; }
 };
 
-// How strongly the surface bends on the screen: e' M e bounds the second derivative along e. M is
+// Returns M, by which e' M e bounds the second derivative along e. M is
 // the root of the sum of the squared Hessians of x and y on the screen, in the plane of the
 // triangle. The second derivatives along the sides alone would miss that of a saddle.
 Quadratic bendOf(const Flat& flat, const std::array<vec2, 3>& alongSides) {
@@ -158,9 +158,7 @@ vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& sampl
   return most * (4.0f / 3 / 8);
 }
 
-// Samples underestimate, so the aim is below the tolerance. With this share, 99.9% of the points of
-// a surface are within it; the largest error is about half as much again (npm run report --
-// detail).
+// Samples underestimate, so the aim is below the tolerance.
 constexpr float aim = 0.8f;
 
 // A number of pieces is lowered only if it would do for that many times the need.

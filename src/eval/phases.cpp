@@ -12,7 +12,7 @@ namespace warpjet {
 
 namespace {
 
-// Of the wavelength of a noise. Octaves after the second one are too small to matter so much.
+// The step of a noise, as a share of the wavelength of its second octave: later ones add little.
 constexpr double stepOfNoise = 0.36;
 constexpr int octavesOfNoise = 2;
 
@@ -32,7 +32,7 @@ std::optional<double> stepOfWave(Op op) {
   return found == std::end(waves) ? std::nullopt : std::optional(found->step);
 }
 
-// Tells how nodes depend on inputs. Nodes are added in ascending order.
+// Knows how nodes depend on inputs. Nodes are added in ascending order.
 class Dependence {
  public:
   Dependence(const Graph& graph, std::span<const std::uint32_t> varying)

@@ -107,6 +107,7 @@ test('offers every input and, in a function’s braces, every option, each with 
   const options = await completionsOf(stillSketch('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
   assert.deepEqual(Object.keys(options).sort(), [
     'defs',
+    'detail',
     'fadeNoise',
     'hooks',
     'normals',

@@ -1,4 +1,4 @@
-#include "detail/pattern.hpp"
+#include "detail/tessellation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ using glm::dvec2, glm::dvec3;
 
 // Returns lengths of sides that are those numbers, or nearly, if these contradict the triangle
 // inequality: the two shorter sides grow until they exceed the longest one by 2%.
-dvec3 lengthsOf(const Pieces& pieces, int longest) {
+dvec3 lengthsOf(const SidePieces& pieces, int longest) {
   dvec3 lengths(pieces[0], pieces[1], pieces[2]);
   double& next = lengths[(longest + 1) % 3];
   double& last = lengths[(longest + 2) % 3];
@@ -54,7 +54,7 @@ std::vector<dvec3> rowsOfPoints(const dvec3& lengths, double height, int longest
 
 }  // namespace
 
-Pattern makePattern(const Pieces& pieces) {
+Tessellation makeTessellation(const SidePieces& pieces) {
   const int longest =
       static_cast<int>(std::max_element(pieces.begin(), pieces.end()) - pieces.begin());
   const dvec3 lengths = lengthsOf(pieces, longest);
@@ -73,25 +73,25 @@ Pattern makePattern(const Pieces& pieces) {
     }
   }
   const std::size_t hull = points.size();
-  Pattern pattern;
+  Tessellation tessellation;
   for (const dvec3& w : rowsOfPoints(lengths, height, longest)) {
     points.push_back(corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2]);
-    pattern.inner.push_back(
+    tessellation.inner.push_back(
         {static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2])});
   }
-  pattern.triangles = triangulate(points, hull);
-  return pattern;
+  tessellation.triangles = triangulate(points, hull);
+  return tessellation;
 }
 
-const Pattern& Patterns::of(const Pieces& pieces) {
+const Tessellation& Tessellations::of(const SidePieces& pieces) {
   std::size_t number = 0;
   for (const std::uint32_t count : pieces) {
     const auto place = std::lower_bound(pieceCounts.begin(), pieceCounts.end(), count);
     number = number * pieceCounts.size() + static_cast<std::size_t>(place - pieceCounts.begin());
   }
-  Pattern& pattern = made_[number];
-  if (pattern.triangles.empty()) pattern = makePattern(pieces);
-  return pattern;
+  Tessellation& tessellation = made_[number];
+  if (tessellation.triangles.empty()) tessellation = makeTessellation(pieces);
+  return tessellation;
 }
 
 }  // namespace warpjet

@@ -14,27 +14,27 @@ namespace warpjet {
 inline constexpr std::array<std::uint32_t, 10> pieceCounts{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
 inline constexpr std::uint32_t maxPieces = pieceCounts.back();
 
-// By side: side i goes from corner i to the next one.
-using Pieces = std::array<std::uint32_t, 3>;
+// Has one number per side. Side i goes from corner i to the next one.
+using SidePieces = std::array<std::uint32_t, 3>;
 
-struct Pattern {
+struct Tessellation {
   // The weights of the corners for each inner point.
   std::vector<std::array<float, 3>> inner;
   // Corners are points: those of sides 0, 1 and 2, each without its end, and then the inner ones.
   std::vector<Corners> triangles;
 };
 
-// Makes the pattern with triangles of about equal sides, in the metric in which all pieces of the
-// sides have length 1. All pieces of sides are sides of triangles, so that neighbors fit.
-Pattern makePattern(const Pieces& pieces);
+// Makes the tessellation with triangles of about equal sides, in the metric in which all pieces of
+// the sides have length 1. All pieces of sides are sides of triangles, so that neighbors fit.
+Tessellation makeTessellation(const SidePieces& pieces);
 
-// Makes patterns when they are needed first. `pieces` are from `pieceCounts`.
-class Patterns {
+// Makes tessellations when they are needed first. `pieces` are from `pieceCounts`.
+class Tessellations {
  public:
-  const Pattern& of(const Pieces& pieces);
+  const Tessellation& of(const SidePieces& pieces);
 
  private:
-  std::array<Pattern, pieceCounts.size() * pieceCounts.size() * pieceCounts.size()> made_;
+  std::array<Tessellation, pieceCounts.size() * pieceCounts.size() * pieceCounts.size()> made_;
 };
 
 }  // namespace warpjet

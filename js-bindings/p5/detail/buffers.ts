@@ -1,0 +1,79 @@
+/** The buffers of a divided shape on the GPU. */
+import type { DetailedMesh } from '../../detail/detailed-mesh.js'
+import type { Renderer } from '../host.js'
+import type { ShapeBase } from './shape.js'
+
+/** The buffers that p5 keeps for a shape, by their name `dst`, and those of indices. */
+export type ShapeBuffers = Record<string, unknown>
+
+/** Writes arrays into buffers, which it makes if they are missing or too small. */
+interface Writer {
+  attribute(buffers: ShapeBuffers, name: string, values: Float32Array): void
+  indices(buffers: ShapeBuffers, values: Uint32Array): void
+}
+
+/** Uploads the present arrays of a mesh. */
+export function upload(
+  renderer: Renderer,
+  { positionBuffer, buffers: of }: ShapeBase,
+  mesh: DetailedMesh,
+  buffers: ShapeBuffers,
+) {
+  const writer = renderer.device ? writerOfGpu(renderer.device as Device) : writerOfGl(renderer)
+  writer.attribute(buffers, positionBuffer, mesh.values(-1))
+  of.forEach(({ dst }, i) => writer.attribute(buffers, dst, mesh.values(i)))
+  writer.indices(buffers, mesh.indices())
+}
+
+function writerOfGl(renderer: Renderer): Writer {
+  const gl = renderer.GL as unknown as WebGLRenderingContext
+  const write = (buffers: ShapeBuffers, name: string, target: number, values: ArrayBufferView) => {
+    buffers[name] ??= gl.createBuffer()
+    gl.bindBuffer(target, buffers[name] as WebGLBuffer)
+    gl.bufferData(target, values, gl.DYNAMIC_DRAW)
+  }
+  return {
+    attribute: (buffers, name, values) => write(buffers, name, gl.ARRAY_BUFFER, values),
+    indices(buffers, values) {
+      write(buffers, 'indexBuffer', gl.ELEMENT_ARRAY_BUFFER, values)
+      buffers.indexBufferType = gl.UNSIGNED_INT
+    },
+  }
+}
+
+/** The members of a GPUDevice that are used here. */
+interface Device {
+  createBuffer(settings: { size: number; usage: number }): Buffer
+  readonly queue: { writeBuffer(buffer: Buffer, at: number, values: ArrayBufferView): void }
+}
+
+interface Buffer {
+  readonly size: number
+  destroy(): void
+}
+
+/** The bits of GPUBufferUsage. */
+const usage = { copyTo: 8, index: 16, vertex: 32 }
+
+function writerOfGpu(device: Device): Writer {
+  const write = (buffers: ShapeBuffers, name: string, values: ArrayBufferView, kind: number) => {
+    const { byteLength } = values
+    let buffer = buffers[name] as Buffer | undefined
+    if (!buffer || buffer.size < byteLength) {
+      // p5 has submitted its draws when the next frame begins, and a buffer is written once per frame.
+      buffer?.destroy()
+      // Grows by half more than it must, so that it grows rarely.
+      const size = 4 * Math.ceil((1.5 * byteLength) / 4)
+      buffers[name] = buffer = device.createBuffer({ size, usage: kind | usage.copyTo })
+    }
+    device.queue.writeBuffer(buffer, 0, values)
+  }
+  return {
+    attribute: (buffers, name, values) => write(buffers, name, values, usage.vertex),
+    indices(buffers, values) {
+      write(buffers, 'indexBuffer', values, usage.index)
+      // p5 2.3 writes `indexBufferType` and reads `indexFormat`.
+      buffers.indexBufferType = buffers.indexFormat = 'uint32'
+    },
+  }
+}

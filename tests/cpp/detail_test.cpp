@@ -1,0 +1,260 @@
+// Detail: tessellations of triangles, the numbers of pieces that edges need, and divided meshes.
+#include "detail/detail.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "detail/tessellation.hpp"
+
+namespace warpjet {
+namespace {
+
+using glm::dvec2;
+
+// The points of a tessellation in the triangle (0, 0), (1, 0), (0, 1).
+std::vector<dvec2> pointsOf(const SidePieces& pieces, const Tessellation& tessellation) {
+  const std::array corners{dvec2(0), dvec2(1, 0), dvec2(0, 1)};
+  std::vector<dvec2> points;
+  for (int side = 0; side < 3; ++side) {
+    for (std::uint32_t i = 0; i < pieces[side]; ++i) {
+      const double t = static_cast<double>(i) / pieces[side];
+      points.push_back(corners[side] * (1 - t) + corners[(side + 1) % 3] * t);
+    }
+  }
+  for (const auto& w : tessellation.inner)
+    points.push_back(corners[0] * double{w[0]} + corners[1] * double{w[1]} +
+                     corners[2] * double{w[2]});
+  return points;
+}
+
+void expectCover(const SidePieces& pieces) {
+  SCOPED_TRACE(testing::Message() << pieces[0] << ", " << pieces[1] << ", " << pieces[2]);
+  const Tessellation tessellation = makeTessellation(pieces);
+  const std::vector<dvec2> points = pointsOf(pieces, tessellation);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+  double sum = 0;
+  for (const Corners& t : tessellation.triangles) {
+    const dvec2 u = points[t[1]] - points[t[0]], v = points[t[2]] - points[t[0]];
+    const double area = u.x * v.y - u.y * v.x;
+    EXPECT_GT(area, 1e-9);
+    sum += area;
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(sides.emplace(t[i], t[(i + 1) % 3]).second);
+  }
+  EXPECT_NEAR(sum, 1, 1e-6);
+  // Sides without a neighbor are the pieces of the triangle's sides, each from its point to the
+  // next.
+  const std::uint32_t around = pieces[0] + pieces[1] + pieces[2];
+  std::uint32_t open = 0;
+  for (const auto& [a, b] : sides) {
+    if (sides.count({b, a})) continue;
+    ++open;
+    EXPECT_EQ(b, (a + 1) % around);
+  }
+  EXPECT_EQ(open, around);
+}
+
+TEST(Detail, TessellationsCoverTheTriangleForAllNumbersOfPieces) {
+  for (const std::uint32_t a : pieceCounts)
+    for (const std::uint32_t b : pieceCounts)
+      for (const std::uint32_t c : pieceCounts)
+        if (b <= a && c <= a) expectCover({a, b, c});
+}
+
+TEST(Detail, EqualNumbersOfPiecesMakeTheirSquareOfTriangles) {
+  for (const std::uint32_t n : pieceCounts)
+    EXPECT_EQ(makeTessellation({n, n, n}).triangles.size(), std::size_t{n} * n);
+}
+
+TEST(Detail, TessellationsOfUnequalSidesAreNotAsFineAsTheirFinestSide) {
+  EXPECT_LE(makeTessellation({8, 8, 1}).triangles.size(), 20u);
+  EXPECT_LE(makeTessellation({32, 32, 1}).triangles.size(), 70u);
+}
+
+// Two triangles of the unit square.
+BaseMesh square() {
+  return BaseMesh({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}}}, {{0, 1, 2}, {0, 2, 3}});
+}
+
+// Looks along -x such that y and z are across the screen, with 100 pixels per unit.
+ScreenView viewAlongX() {
+  ScreenView view{};
+  view.clip = glm::mat4(0);
+  view.clip[1][0] = view.clip[2][1] = view.clip[3][3] = 1;
+  view.halfSize = {100, 100};
+  return view;
+}
+
+// Warps the samples of a mesh.
+template <class F>
+std::vector<float> warpedSamples(const BaseMesh& base, F&& f) {
+  std::vector<float> warped = base.samples()[0].values;
+  for (std::size_t i = 0; i < warped.size(); i += 3) f(&warped[i]);
+  return warped;
+}
+
+std::uint32_t piecesBetween(const BaseMesh& base, const Needs& needs, std::uint32_t a,
+                            std::uint32_t b) {
+  for (const auto& [ends, edge] : base.sides()) {
+    if (std::set{ends[0], ends[1]} == std::set{a, b}) return needs.pieces()[edge];
+  }
+  ADD_FAILURE() << "there is no such side";
+  return 0;
+}
+
+TEST(Detail, AFlatSurfaceNeedsNoPieces) {
+  const BaseMesh base = square();
+  Needs needs;
+  const auto sheared = warpedSamples(base, [](float* p) { p[2] = 3 * p[0] - p[1]; });
+  EXPECT_FALSE(needs.update(base, sheared, std::array{viewAlongX()}, 1));
+  for (const std::uint32_t pieces : needs.pieces()) EXPECT_EQ(pieces, 1u);
+}
+
+// z = c x y is straight along x and along y. Its Hessian is ((0, c), (c, 0)), whose absolute value
+// is c I. With 100 c pixels, an edge of length 1 needs the root of 100 c / 8 * 4 / 3 / 0.8 pieces
+// for an error of 0.8 pixels: 4.56 for c = 1.
+TEST(Detail, ASaddleNeedsPiecesAlongItsStraightLines) {
+  const BaseMesh base = square();
+  Needs needs;
+  const auto saddle = warpedSamples(base, [](float* p) { p[2] = p[0] * p[1]; });
+  EXPECT_TRUE(needs.update(base, saddle, std::array{viewAlongX()}, 1));
+  EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
+  // The diagonal is longer by a root of 2: 6.45.
+  EXPECT_EQ(piecesBetween(base, needs, 0, 2), 8u);
+  // Four times the tolerance halves the need: 2.28 and 3.23.
+  Needs fewer;
+  fewer.update(base, saddle, std::array{viewAlongX()}, 4);
+  EXPECT_EQ(piecesBetween(base, fewer, 0, 1), 3u);
+  EXPECT_EQ(piecesBetween(base, fewer, 0, 2), 4u);
+}
+
+// z = c x^2 / 2 bends along x only.
+TEST(Detail, ABendNeedsNoPiecesAcross) {
+  const BaseMesh base = square();
+  Needs needs;
+  needs.update(base, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
+               std::array{viewAlongX()}, 1);
+  EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
+  EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
+}
+
+TEST(Detail, ErrorsAlongTheSightNeedNoPieces) {
+  const BaseMesh base = square();
+  Needs needs;
+  needs.update(base, warpedSamples(base, [](float* p) { p[0] += 5 * p[1] * p[1]; }),
+               std::array{viewAlongX()}, 1);
+  EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
+}
+
+TEST(Detail, PiecesStayWhileTheyAreNotMuchMoreThanNeeded) {
+  const BaseMesh base = square();
+  Needs needs;
+  const auto bend = [&](float c) {
+    return needs.update(base, warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }),
+                        std::array{viewAlongX()}, 1);
+  };
+  EXPECT_TRUE(bend(1));      // needs 4.56, gets 6
+  EXPECT_FALSE(bend(0.7f));  // needs 3.8; 4 would do, but not for 1.25 times as much
+  EXPECT_TRUE(bend(0.4f));   // needs 2.9, and 3.6 with 1.25
+  EXPECT_EQ(piecesBetween(base, needs, 0, 1), 4u);
+}
+
+TEST(Detail, SamplesThatAreNotFiniteNeedNothing) {
+  const BaseMesh base = square();
+  Needs needs;
+  needs.update(base, warpedSamples(base, [](float* p) { p[2] = std::sqrt(-1 - p[0]); }),
+               std::array{viewAlongX()}, 1);
+  for (const std::uint32_t pieces : needs.pieces()) EXPECT_EQ(pieces, 1u);
+}
+
+// A tetrahedron whose faces have vertices of their own, as for facets: all edges are seams.
+Detail facettedTetrahedron() {
+  const float corners[4][3]{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const int faces[4][3]{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  Detail detail({{3, false, std::vector<float>(36)}}, 4, {0, 2});
+  std::size_t vertex = 0;
+  for (const auto& face : faces) {
+    for (const int corner : face) {
+      for (int i = 0; i < 3; ++i) detail.given(0)[3 * vertex + i] = corners[corner][i];
+      detail.givenIndices()[vertex] = static_cast<std::uint32_t>(vertex);
+      ++vertex;
+    }
+  }
+  detail.begin();
+  return detail;
+}
+
+// Tests that each side of a triangle is, with the same bits, that of exactly one neighbor.
+void expectClosed(const Detail& detail) {
+  const std::vector<float>& positions = detail.division().attributes[0].values;
+  const auto place = [&](std::uint32_t vertex) {
+    return std::array{positions[3 * vertex] + 0, positions[3 * vertex + 1] + 0,
+                      positions[3 * vertex + 2] + 0};
+  };
+  std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, int> sides;
+  for (const Corners& t : detail.division().triangles)
+    for (int i = 0; i < 3; ++i) ++sides[{place(t[i]), place(t[(i + 1) % 3])}];
+  for (const auto& [ends, count] : sides) {
+    EXPECT_EQ(count, 1);
+    EXPECT_TRUE(sides.count({ends.second, ends.first}));
+  }
+}
+
+TEST(Detail, DividedMeshesHaveNoCracksAtSeams) {
+  Detail detail = facettedTetrahedron();
+  std::vector<float>& warped = detail.warped();
+  warped = detail.samples()[0].values;
+  for (std::size_t i = 0; i < warped.size(); i += 3)
+    warped[i + 2] += 0.7f * std::sin(5 * warped[i] + 3 * warped[i + 1]);
+  const ScreenView view = viewAlongX();
+  std::vector<float> numbers;
+  for (int i = 0; i < 16; ++i) numbers.push_back(view.clip[i / 4][i % 4]);
+  numbers.insert(numbers.end(), {100, 100, 0});
+  EXPECT_TRUE(detail.update(numbers, 1));
+  EXPECT_GT(detail.division().triangles.size(), 20u);
+  expectClosed(detail);
+  EXPECT_EQ(detail.groups()[0], 0u);
+  EXPECT_GT(detail.groups()[1], 2u);
+  EXPECT_FALSE(detail.update(numbers, 1));
+}
+
+TEST(Detail, CutsSidesToAMaximumLengthWithoutCracks) {
+  Detail detail = facettedTetrahedron();
+  int passes = 0;
+  while (detail.cut(0.2f, {}, {}) && ++passes < 5) {
+  }
+  detail.warped() = detail.samples()[0].values;
+  detail.update({}, 1);
+  const std::vector<float>& p = detail.division().attributes[0].values;
+  for (const Corners& t : detail.division().triangles) {
+    for (int i = 0; i < 3; ++i) {
+      float square = 0;
+      for (int k = 0; k < 3; ++k)
+        square += std::pow(p[3 * t[i] + k] - p[3 * t[(i + 1) % 3] + k], 2.0f);
+      EXPECT_LE(std::sqrt(square), 0.2f * 1.11f);
+    }
+  }
+  expectClosed(detail);
+}
+
+// Along x a phase runs through six of its steps.
+TEST(Detail, CutsSidesByTheStepsOfPhases) {
+  Detail detail({{3, false, {0, 0, 0, 1, 0, 0, 0, 1, 0}}}, 1, {});
+  detail.givenIndices() = {0, 1, 2};
+  detail.begin();
+  std::vector<float>& phases = detail.phases(1);
+  for (std::size_t i = 0; i < phases.size(); ++i) phases[i] = 6 * detail.samples()[0].values[3 * i];
+  EXPECT_TRUE(detail.cut(10, {1}, {1}));
+  // Six pieces on two sides, one on the third.
+  EXPECT_GE(detail.sampleCount(), 6u);
+  std::vector<float>& again = detail.phases(1);
+  for (std::size_t i = 0; i < again.size(); ++i) again[i] = 6 * detail.samples()[0].values[3 * i];
+  EXPECT_FALSE(detail.cut(10, {1}, {1}));
+}
+
+}  // namespace
+}  // namespace warpjet

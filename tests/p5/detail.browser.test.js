@@ -1,0 +1,114 @@
+// The option `detail`: coarse shapes look like dense ones.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { openP5Hosts } from '../support/browser/p5-hosts.js'
+import { differingPixels, litPixels } from '../support/browser/pixels.js'
+
+const hosts = await openP5Hosts()
+
+const offsets = {
+  twist: `({ glsl, position }) => {
+    const angle = position.y().mult(1.8)
+    const [c, s] = [angle.cos(), angle.sin()]
+    const [x, y, z] = [position.x(), position.y(), position.z()]
+    return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c))).sub(position)
+  }`,
+  flag: `({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(9).sin().mult(uv.x()).mult(30))`,
+  bend: `({ glsl, position }) => glsl.vec3(0, position.x().mult(0.03).cos().mult(40), 0)`,
+  moving: `({ normal, position, uniforms }) =>
+    normal.mult(position.mult(4).add(uniforms.shift).simplex().mult(0.2))`,
+}
+
+const setup = Object.entries(offsets)
+  .map(([name, offset]) => {
+    const options = name === 'moving' ? 'uniforms: { shift: 0 }, ' : ''
+    return `warps.${name} = createWarp(${offset}, { ${options}normals: 'pixel' })
+      warps.${name}Fine = createWarp(${offset}, { ${options}normals: 'pixel', detail: 1 })`
+  })
+  .join('\n')
+
+const look =
+  'background(220); noStroke(); lights(); fill(255, 127, 80); rotateX(-0.4); rotateY(0.5);'
+
+/** Maps a name → the warp, the code of the coarse shape, and that of the dense one. */
+const shapes = {
+  'a box that is twisted': ['twist', 'box(120)', 'warpBox(120, 120, 120, 100)'],
+  'a plane of two triangles that waves by uv': [
+    'flag',
+    'plane(170, 170, 1, 1)',
+    'plane(170, 170, 120, 120)',
+  ],
+}
+
+for (const host of hosts) {
+  test(`${host.name}: coarse shapes with detail look like dense ones`, async () => {
+    const scenes = {}
+    for (const [name, [warp, coarse, dense]] of Object.entries(shapes)) {
+      scenes[`${name}, coarse`] = `${look} warps.${warp}(); ${coarse}`
+      scenes[`${name}, fine`] = `${look} warps.${warp}Fine(); ${coarse}`
+      scenes[`${name}, dense`] = `${look} warps.${warp}(); ${dense}`
+    }
+    const images = await host.draw({ size: 240, setup, scenes })
+    for (const name of Object.keys(shapes)) {
+      const expected = images[`${name}, dense`]
+      const before = differingPixels(images[`${name}, coarse`], expected, 24)
+      const after = differingPixels(images[`${name}, fine`], expected, 24)
+      assert.ok(before > 1000, `${name}: the coarse one differs at ${before} pixels`)
+      // Pixels at edges and silhouettes may differ.
+      assert.ok(after < 250, `${name}: the fine one differs at ${after} pixels`)
+    }
+  })
+
+  test(`${host.name}: the same shape several times in a frame, in each space`, async () => {
+    const spaces = ['local', 'world', 'camera']
+    const bends = spaces
+      .map(
+        (space) => `warps.${space} = createWarp(${offsets.bend}, { space: '${space}' })
+        warps.${space}Fine = createWarp(${offsets.bend}, { space: '${space}', detail: 1 })`,
+      )
+      .join('\n')
+    const boxes = (draw) => `translate(-60, 40, 0); ${draw}
+      translate(120, 0, -100); rotateZ(0.6); ${draw}
+      translate(-60, -90, 50); scale(0.5); ${draw}`
+    const scenes = {}
+    for (const space of spaces) {
+      scenes[`${space}, fine`] = `${look} warps.${space}Fine(); ${boxes('box(80)')}`
+      scenes[`${space}, dense`] = `${look} warps.${space}(); ${boxes('warpBox(80, 80, 80, 100)')}`
+    }
+    const images = await host.draw({ size: 240, setup: bends, scenes })
+    for (const space of spaces) {
+      const differing = differingPixels(images[`${space}, fine`], images[`${space}, dense`], 24)
+      assert.ok(differing < 250, `${space}: ${differing} pixels differ`)
+    }
+  })
+
+  test(`${host.name}: a moving closed surface has no holes`, async () => {
+    const shifts = Array.from({ length: 10 }, (_, i) => i / 7)
+    const scenes = Object.fromEntries(
+      shifts.map((shift) => [
+        shift,
+        `background(0); noStroke(); fill(255); ambientLight(255)
+        scale(70); warps.movingFine({ shift: ${shift} }); sphere(1, 24, 16)`,
+      ]),
+    )
+    const images = await host.draw({ size: 240, setup, scenes })
+    for (const [shift, image] of Object.entries(images)) {
+      assert.ok(litPixels(image).length > 10_000)
+      assert.equal(holesIn(image), 0, `holes at ${shift}`)
+    }
+  })
+}
+
+/**
+ * Counts black pixels within this distance of the middle, in pixels. All of the surface is further from the center of the sphere, and
+ * light that falls there must meet it.
+ */
+function holesIn({ width, height, data }, radius = 54) {
+  let holes = 0
+  for (let y = 0; y < height; y++)
+    for (let x = 0; x < width; x++) {
+      const isNear = Math.hypot(x + 0.5 - width / 2, y + 0.5 - height / 2) < radius
+      if (isNear && data[4 * (y * width + x)] < 20) holes++
+    }
+  return holes
+}
