@@ -66,6 +66,18 @@ for (const { name, version, script, settings } of hosts)
       assert.ok(found.without > 1000, `${found.without} pixels without detail`)
     })
 
+    test('only the side that is seen is divided', async (t) => {
+      for (const side of ['FrontSide', 'BackSide'])
+        for (const scale of [1, -1]) {
+          const found = await measure('side', { side, scale })
+          t.diagnostic(`${side}, ${scale}: ${JSON.stringify(found)}`)
+          assert.deepEqual(messages, [])
+          // A thousandth of the picture: the corners of the squares are details, too.
+          assert.ok(found.beyond < 65, `${found.beyond} pixels`)
+          assert.ok(found.triangles < 0.8 * found.both, `${found.triangles} of ${found.both}`)
+        }
+    })
+
     test('a closed sphere has no holes while it moves', async (t) => {
       const found = await measure('holes')
       t.diagnostic(JSON.stringify(found))

@@ -82,6 +82,39 @@ export async function instances({ draw }) {
   }
 }
 
+/** A texture of squares, which show where the inside of a side is wrong. */
+function squares() {
+  const cells = 16
+  const isDark = (i) => (i + Math.floor(i / cells)) % 2
+  const bytes = Array.from({ length: cells * cells }, (_, i) =>
+    isDark(i) ? [255, 0, 0, 255] : [0, 0, 255, 255],
+  )
+  const texture = new THREE.DataTexture(new Uint8Array(bytes.flat()), cells, cells)
+  texture.needsUpdate = true
+  return texture
+}
+
+/** One side of a box that is mirrored or not, seen closely, since only triangles that face the camera are divided. */
+export async function side({ draw, triangles }, { side, scale }) {
+  const material = new THREE.MeshBasicMaterial({ side: THREE[side], map: squares() })
+  const view = camera()
+  view.position.setLength(2.2)
+  const pictureOf = async (shape, detail) => {
+    const { scene, mesh } = sceneOf(shape, { material })
+    mesh.scale.x = scale
+    const warped = warpBy(mesh, 'twist', detail)
+    const picture = await draw(scene, view)
+    warped.dispose()
+    return picture
+  }
+  const expected = await pictureOf('fine')
+  const picture = await pictureOf('box', 1)
+  const drawn = triangles()
+  material.side = THREE.DoubleSide
+  await pictureOf('box', 1)
+  return { beyond: countBeyond(picture, expected), triangles: drawn, both: triangles() }
+}
+
 /** Two materials, of which each has its own sides of the box. */
 export async function groups({ draw }) {
   const materials = [0xff0000, 0x00ff00, 0x0000ff].map(
