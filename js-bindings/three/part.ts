@@ -1,6 +1,7 @@
 // One warped object: what renderers, culling, rays and clones meet while it is warped.
 import type { BatchedMesh, Box3, InstancedMesh, Mesh, Object3D } from 'three'
 import { batchProperties } from './batch.js'
+import { DetailedPart } from './detail/detailed-part.js'
 import { extentOf } from './extent.js'
 import { isInstancedMesh2 } from './instances.js'
 import type { Warpable } from './pose.js'
@@ -24,13 +25,15 @@ export function warpPart(
   adopt: (clone: Object3D) => void,
 ): Part {
   const { warp } = variants
-  const extent = extentOf(warp, object)
+  const detail = warp.settings.detail === undefined ? undefined : new DetailedPart(warp, object)
+  const extent = extentOf(warp, detail?.undivided ?? object)
   const around = () => extent().sphere
   const restore = [
     ...['onBeforeRender', 'onBeforeShadow'].map((name) =>
       wrapMethod<Mesh['onBeforeRender']>(object, name, (own) => {
         return function (this: Mesh, renderer, ...others) {
           prepareRenderer(renderer, warp, object)
+          detail?.enterScene()
           own?.call(this, renderer, ...others)
         }
       }),
@@ -54,6 +57,7 @@ export function warpPart(
     isInstancedMesh2(object) ? showAllInstances(object as never) : () => {},
     carryByNodes(object, warp),
     () => unregister(object),
+    detail ? drawDivided(detail) : () => {},
   ]
   register(object, variants)
   return {
@@ -64,6 +68,24 @@ export function warpPart(
     release() {
       for (const each of restore.splice(0).reverse()) each()
     },
+  }
+}
+
+/** Divides an object in the scene that it is in whenever matrices are updated, which three.js does before it calls the scene's hooks. */
+function drawDivided(detail: DetailedPart) {
+  const stop = wrapMethod<Object3D['updateMatrixWorld']>(
+    detail.object,
+    'updateMatrixWorld',
+    (own) =>
+      function (this: Object3D, force) {
+        own.call(this, force)
+        detail.enterScene()
+      },
+  )
+  detail.enterScene()
+  return () => {
+    stop()
+    detail.dispose()
   }
 }
 

@@ -6,6 +6,8 @@ import {
   type Vec3,
   type WarpInputs,
 } from '../compile/hosts.js'
+import { detailKind, type DetailOption } from '../detail/option.js'
+import { WarpError } from '../errors/errors.js'
 import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -37,6 +39,14 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
    * @default true
    */
   fadeNoise?: boolean
+  /**
+   * Draws meshes with as many triangles as their warped surface needs, so that it is at most this many pixels from the true one: a number,
+   * or `'auto'`, which is 1, or 2 on devices that are used by touch. `false` draws the vertices of the geometry. Of `warp` only. Meshes with
+   * bones or morph targets, batches, points and lines keep their vertices, as do instances in the space `'world'`, and all meshes
+   * outside of a `Scene`.
+   * @default false
+   */
+  detail?: DetailOption
   /** `true` warps the material on every mesh that uses it. */
   share?: boolean
   /** `false` accepts that normal and uv count as constant over the surface, without a note. */
@@ -63,6 +73,8 @@ export interface Settings {
   normals: NormalsOption
   fadeNoise: boolean
   isShared: boolean
+  /** In pixels; `undefined` without detail. */
+  detail?: number | undefined
   surfaceVariation: false | undefined
 }
 
@@ -70,6 +82,7 @@ const options = object({
   space: oneOf(['local', 'rest', 'world'], 'local'),
   uniforms: anything<object>(),
   ...normalsKinds,
+  detail: detailKind,
   share: boolean(false),
   surfaceVariation: optional(
     kind<false>('only false', (given) => given === false, {
@@ -80,5 +93,9 @@ const options = object({
 
 export function readOptions(method: string, given?: WarpOptions<object>): Settings {
   const { uniforms, share, ...others } = options.read(given, new Place(method))
+  if (others.detail !== undefined && method !== 'warp')
+    throw new WarpError(
+      `${method}: the option detail divides meshes, of which a material knows nothing; use warp(mesh, offset, { detail }).`,
+    )
   return { method, ...others, uniforms: uniforms as never, isShared: share }
 }

@@ -111,7 +111,8 @@ export class ThreeWarp extends HostWarp {
       : this.text(target, resultsOf[stage], { names })
   }
 
-  private get given() {
+  /** The values of a draw call now. */
+  get given() {
     return { millis: this.millis.value }
   }
 

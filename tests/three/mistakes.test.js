@@ -54,6 +54,14 @@ describe('warp throws a message, and changes nothing, for', () => {
       /^warp: this Sprite always faces the camera/,
     ],
     'a group of sprites': [() => warp(group, none), /^warp: this Sprite /],
+    'a detail of 0': [
+      () => warp(mesh, none, { detail: 0 }),
+      /^warp: .*expected a number of pixels above 0, 'auto' or false.* got the number 0/,
+    ],
+    'a detail of a material': [
+      () => warpMaterial(material, none, { detail: 1 }),
+      /^warpMaterial: the option detail divides meshes/,
+    ],
     nothing: [() => warp(undefined, none), /^warp: expected a Mesh, .* got undefined\.$/],
     'an empty group': [
       () => warp(new THREE.Group(), none),

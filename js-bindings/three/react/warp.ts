@@ -36,17 +36,27 @@ function WarpOf(
   { children, ...props }: PropsWithChildren<WarpProps<ThreeUniforms>>,
   ref: ForwardedRef<WarpedObject>,
 ) {
-  const { offset, uniforms, space, normals, fadeNoise, share, surfaceVariation } = props
+  const { offset, uniforms, space, normals, fadeNoise, detail, share, surfaceVariation } = props
   const group = useRef<Group>(null)
   const warped = useRef<WarpedObject>(null)
   const isAround = children !== undefined && children !== null && children !== false
   const kinds = JSON.stringify(Object.entries(uniforms ?? {}).map(kindOf))
   // New values are set below.
-  const causes = [offset, space, normals, fadeNoise, share, surfaceVariation, isAround, kinds]
+  const causes = [
+    offset,
+    space,
+    normals,
+    fadeNoise,
+    detail,
+    share,
+    surfaceVariation,
+    isAround,
+    kinds,
+  ]
   useLayoutEffect(() => {
     const object = isAround ? group.current : group.current?.parent
     if (!object) return
-    const options = { uniforms, space, normals, fadeNoise, share, surfaceVariation }
+    const options = { uniforms, space, normals, fadeNoise, detail, share, surfaceVariation }
     const made = warp(object, offset as never, withoutGaps(options) as never) as WarpedObject
     warped.current = made
     return () => {

@@ -1,0 +1,94 @@
+/** A geometry of three.js as the base of a `DetailedMesh`, and how the divided arrays become buffers again. */
+import type { BufferAttribute, BufferGeometry, InterleavedBuffer, Mesh } from 'three'
+import { attributeNumbers } from '../../compile/hosts.js'
+import type { DetailAttribute, DetailBase } from '../../detail/detailed-mesh.js'
+import { verticesOf, type Attribute } from '../pose.js'
+import { fillOf } from '../surface.js'
+import type { ThreeWarp } from '../three-warp.js'
+
+/** An attribute in a buffer. */
+export interface Column {
+  readonly name: string
+  readonly size: number
+  /** Its place in `DetailBase.attributes`; -1 is positions. */
+  readonly attribute: number
+}
+
+/** A group of triangles with a material. */
+export interface Group {
+  readonly materialIndex: number | undefined
+}
+
+export interface GeometryBase extends DetailBase {
+  /** The columns of each buffer. Those that share one in the user's geometry do here: WebGPU allows 8 buffers. */
+  readonly buffers: readonly (readonly Column[])[]
+  /** The attributes of instances, which stay as they are. */
+  readonly ofInstances: Readonly<Record<string, Attribute>>
+  /** One for each entry of `groups`; empty for a mesh with one material. */
+  readonly materials: readonly Group[]
+}
+
+/** The numbers per vertex that all shaders expect. */
+const sizes: Record<string, number> = { position: 3, normal: 3, uv: 2 }
+
+const inputs: Record<string, DetailAttribute['input']> = { normal: 'normals', uv: 'uvs' }
+
+/** Reads the arrays of a mesh. All numbers become floats; a tangent is interpolated as four plain numbers, as shaders give it length 1. */
+export function baseOf(warp: ThreeWarp, object: Mesh): GeometryBase {
+  const { geometry, material } = object
+  const positions = attributeNumbers(geometry.attributes.position!, 3)
+  const attributes: DetailAttribute[] = []
+  const buffers = new Map<object, Column[]>()
+  const ofInstances: Record<string, Attribute> = {}
+  for (const [name, attribute] of Object.entries(geometry.attributes)) {
+    if (isOfInstances(attribute)) {
+      ofInstances[name] = attribute
+      continue
+    }
+    const size = sizes[name] ?? attribute.itemSize
+    const shared = 'data' in attribute ? attribute.data : attribute
+    if (!buffers.has(shared)) buffers.set(shared, [])
+    const isPosition = name === 'position'
+    buffers.get(shared)!.push({ name, size, attribute: isPosition ? -1 : attributes.length })
+    if (isPosition) continue
+    const values = attributeNumbers(attribute, size)
+    attributes.push({ input: inputs[name], size, values, isUnit: name === 'normal' })
+  }
+  if (warp.reads('color')) {
+    const { colors } = verticesOf(object, false, fillOf(material))
+    attributes.push({ input: 'colors', size: 4, values: colors! })
+  }
+  return {
+    positions,
+    attributes,
+    buffers: [...buffers.values()],
+    ofInstances,
+    ...trianglesOf(geometry, Array.isArray(material)),
+  }
+}
+
+export const isOfInstances = (attribute: Attribute) =>
+  'data' in attribute
+    ? (attribute.data as InterleavedBuffer & Flags).isInstancedInterleavedBuffer === true
+    : (attribute as BufferAttribute & Flags).isInstancedBufferAttribute === true
+
+type Flags = Partial<Record<`isInstanced${'Interleaved' | ''}Buffer${'Attribute' | ''}`, boolean>>
+
+/** The triangles that three.js draws: of each group if there are several materials, which may overlap. */
+function trianglesOf({ index, attributes, groups, drawRange }: BufferGeometry, hasGroups: boolean) {
+  const all = index ? attributeNumbers(index, 1) : undefined
+  const count = all?.length ?? attributes.position!.count
+  const drawn = { ...drawRange, materialIndex: undefined }
+  const indices: number[] = []
+  const starts: number[] = []
+  const materials: Group[] = []
+  for (const range of hasGroups ? groups : [drawn]) {
+    const start = Math.max(range.start, drawRange.start, 0)
+    const end = Math.min(range.start + range.count, drawRange.start + drawRange.count, count)
+    starts.push(indices.length / 3)
+    materials.push({ materialIndex: range.materialIndex })
+    for (let i = start; i + 3 <= end; i += 3)
+      for (let k = i; k < i + 3; k++) indices.push(all ? all[k]! : k)
+  }
+  return hasGroups ? { indices, groups: starts, materials } : { indices, materials: [] }
+}

@@ -1,0 +1,121 @@
+/** The geometry that is drawn in place of the user's: buffers with room for more vertices, which are written when the division changes. */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  InterleavedBuffer,
+  InterleavedBufferAttribute,
+} from 'three'
+import type { DetailedMesh } from '../../detail/detailed-mesh.js'
+import type { Column, GeometryBase } from './base.js'
+
+/** What holds the numbers of one buffer of the GPU. */
+type Buffer = BufferAttribute | InterleavedBuffer
+
+export class DividedGeometry {
+  geometry = new BufferGeometry()
+  private buffers: { readonly columns: readonly Column[]; readonly buffer: Buffer }[] = []
+  private index = new BufferAttribute(new Uint32Array(), 1)
+  private vertices = 0
+
+  /** `own` is the user's geometry. */
+  constructor(
+    private readonly base: GeometryBase,
+    private readonly own: BufferGeometry,
+  ) {}
+
+  get isEmpty(): boolean {
+    return this.vertices === 0
+  }
+
+  /** Takes over the arrays of the divided mesh. */
+  write(mesh: DetailedMesh) {
+    const vertices = mesh.values(-1).length / 3
+    const triangles = mesh.indices()
+    const indices = triangles.length
+    if (vertices > this.vertices || indices > this.index.count) this.grow(vertices, indices)
+    for (const { columns, buffer } of this.buffers) {
+      const stride = sizeOf(columns)
+      let offset = 0
+      for (const { attribute, size } of columns) {
+        copy(mesh.values(attribute), size, buffer.array as Float32Array, offset, stride)
+        offset += size
+      }
+      changed(buffer, stride * vertices)
+    }
+    ;(this.index.array as Uint32Array).set(mesh.indices())
+    changed(this.index, indices)
+    this.geometry.setDrawRange(0, indices)
+    this.writeGroups(mesh, indices)
+  }
+
+  dispose() {
+    // Disposing of a geometry frees its attributes, and those of instances are the user's.
+    for (const name of Object.keys(this.base.ofInstances)) this.geometry.deleteAttribute(name)
+    this.geometry.dispose()
+    this.vertices = 0
+    this.index = new BufferAttribute(new Uint32Array(), 1)
+  }
+
+  /** Makes larger buffers. Those of a geometry cannot grow, so there is another geometry then. */
+  private grow(vertices: number, indices: number) {
+    this.dispose()
+    this.vertices = capacityFor(vertices)
+    const { base, own } = this
+    const geometry = (this.geometry = new BufferGeometry())
+    if (!own.boundingSphere) own.computeBoundingSphere()
+    Object.assign(geometry, { name: own.name, userData: own.userData })
+    Object.assign(geometry, { boundingSphere: own.boundingSphere, boundingBox: own.boundingBox })
+    this.buffers = base.buffers.map((columns) => {
+      const stride = sizeOf(columns)
+      const array = new Float32Array(stride * this.vertices)
+      const buffer =
+        columns.length > 1
+          ? new InterleavedBuffer(array, stride)
+          : new BufferAttribute(array, stride)
+      let offset = 0
+      for (const { name, size } of columns) {
+        geometry.setAttribute(
+          name,
+          buffer instanceof InterleavedBuffer
+            ? new InterleavedBufferAttribute(buffer, size, offset)
+            : buffer,
+        )
+        offset += size
+      }
+      return { columns, buffer: buffer.setUsage(DynamicDrawUsage) }
+    })
+    for (const [name, attribute] of Object.entries(base.ofInstances))
+      geometry.setAttribute(name, attribute)
+    this.index = new BufferAttribute(new Uint32Array(capacityFor(indices)), 1)
+    geometry.setIndex(this.index.setUsage(DynamicDrawUsage))
+  }
+
+  private writeGroups(mesh: DetailedMesh, indices: number) {
+    const { geometry } = this
+    const starts = mesh.groups()
+    geometry.clearGroups()
+    this.base.materials.forEach(({ materialIndex }, i) => {
+      const start = 3 * starts[i]!
+      const end = i + 1 < starts.length ? 3 * starts[i + 1]! : indices
+      geometry.addGroup(start, end - start, materialIndex)
+    })
+  }
+}
+
+const sizeOf = (columns: readonly Column[]) => columns.reduce((sum, { size }) => sum + size, 0)
+
+const capacityFor = (count: number) => 2 ** Math.ceil(Math.log2(Math.max(count, 1)))
+
+function copy(from: Float32Array, size: number, to: Float32Array, offset: number, stride: number) {
+  if (size === stride) return void to.set(from)
+  for (let i = 0, at = offset; i < from.length; i += size, at += stride)
+    for (let k = 0; k < size; k++) to[at + k] = from[i + k]!
+}
+
+/** Uploads the first `count` numbers. */
+function changed(buffer: Buffer, count: number) {
+  buffer.clearUpdateRanges()
+  buffer.addUpdateRange(0, count)
+  buffer.needsUpdate = true
+}

@@ -1,0 +1,112 @@
+/** How an object is seen in a render call: the views of a `DetailedMesh`. */
+import {
+  BackSide,
+  FrontSide,
+  Matrix4,
+  Vector2,
+  Vector3,
+  type ArrayCamera,
+  type Camera,
+  type InstancedMesh,
+  type Material,
+  type Mesh,
+  type PerspectiveCamera,
+  type Scene,
+} from 'three'
+import type { DetailViews } from '../../detail/detailed-mesh.js'
+import type { ThreeWarp } from '../three-warp.js'
+
+/** What both renderers have. */
+export interface Renderer {
+  getDrawingBufferSize(target: Vector2): Vector2
+  getPixelRatio(): number
+  readonly shadowMap: { readonly enabled: boolean }
+  readonly isWebGPURenderer?: boolean
+}
+
+/** The arguments of `scene.onBeforeRender`. */
+export interface Render {
+  readonly renderer: Renderer
+  readonly scene: Scene
+  readonly camera: Camera
+  readonly target: { readonly width: number; readonly height: number } | null
+}
+
+/** More instances of a mesh share the division that the nearest ones need. One far away may need more, if it is seen from another side. */
+const maxInstances = 16
+
+const size = new Vector2()
+const matrix = new Matrix4()
+const ofInstance = new Matrix4()
+const place = new Vector3()
+const eye = new Vector3()
+
+export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailViews {
+  const { camera } = render
+  const instances = nearestInstances(object, camera)
+  const facing = facingOf(warp, object, render, instances)
+  const views: DetailViews = []
+  for (const { seen, width, height } of camerasOf(render))
+    for (const instance of instances) {
+      matrix.multiplyMatrices(seen.projectionMatrix, seen.matrixWorldInverse)
+      if (warp.settings.space !== 'world') {
+        matrix.multiply(object.matrixWorld)
+        if (instance !== undefined) {
+          ;(object as InstancedMesh).getMatrixAt(instance, ofInstance)
+          matrix.multiply(ofInstance)
+        }
+      }
+      views.push(...matrix.elements, width / 2, height / 2, facing)
+    }
+  return views
+}
+
+/** The cameras of a render call, and the sizes of their pictures in pixels. */
+function camerasOf({ renderer, camera, target }: Render) {
+  if (target) size.set(target.width, target.height)
+  else renderer.getDrawingBufferSize(size)
+  const { x: width, y: height } = size
+  const { isArrayCamera, cameras } = camera as ArrayCamera
+  if (!isArrayCamera) return [{ seen: camera, width, height }]
+  const ratio = renderer.isWebGPURenderer && !target ? renderer.getPixelRatio() : 1
+  return cameras.map((seen) => {
+    const { viewport } = seen as PerspectiveCamera & { viewport?: { z: number; w: number } }
+    return viewport
+      ? { seen, width: ratio * viewport.z, height: ratio * viewport.w }
+      : { seen, width, height }
+  })
+}
+
+/** The numbers of up to 16 instances; one that is `undefined` for a mesh without instances. */
+function nearestInstances(object: Mesh, camera: Camera): (number | undefined)[] {
+  const { isInstancedMesh, count } = object as InstancedMesh
+  if (!isInstancedMesh) return [undefined]
+  const all = Array.from({ length: count }, (_, i) => i)
+  if (count <= maxInstances) return all
+  eye.setFromMatrixPosition(camera.matrixWorld)
+  const distances = all.map((i) => {
+    ;(object as InstancedMesh).getMatrixAt(i, ofInstance)
+    place.setFromMatrixPosition(ofInstance).applyMatrix4(object.matrixWorld)
+    // A larger instance is seen as a nearer one is.
+    return place.distanceToSquared(eye) / Math.abs(ofInstance.determinant()) ** (2 / 3)
+  })
+  return all.sort((a, b) => distances[a]! - distances[b]!).slice(0, maxInstances)
+}
+
+/** 1 or -1 if triangles on one side are never drawn: see `DetailViews`. */
+function facingOf(
+  warp: ThreeWarp,
+  object: Mesh,
+  { renderer, scene }: Render,
+  instances: readonly unknown[],
+): number {
+  if (object.castShadow && renderer.shadowMap.enabled) return 0
+  if (instances.length < ((object as InstancedMesh).count ?? 1)) return 0
+  const sides = [scene.overrideMaterial ?? object.material]
+    .flat()
+    .map((each: Material) => each.side)
+  const isOnly = (side: number) => sides.every((each) => each === side)
+  const facing = isOnly(FrontSide) ? 1 : isOnly(BackSide) ? -1 : 0
+  const isReversed = object.matrixWorld.determinant() < 0
+  return warp.isMirroredNow() === isReversed ? facing : -facing
+}

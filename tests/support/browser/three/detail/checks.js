@@ -1,0 +1,229 @@
+// What the tests measure, for either renderer.
+import * as THREE from 'three'
+import { camera, countBeyond, countHoles, covered, sceneOf, warpBy } from './pictures.js'
+
+/** A coarse box with and without detail against a fine one. */
+export async function compare({ draw, triangles }, { name, hasShadow = false, space }) {
+  const pictureOf = async (shape, detail) => {
+    const { scene, mesh } = sceneOf(shape, { hasShadow })
+    if (space === 'world') mesh.rotation.z = 0.5
+    const warped = warpBy(mesh, name, detail, { space })
+    const picture = await draw(scene, camera())
+    const drawn = triangles()
+    warped.dispose()
+    return { picture, drawn }
+  }
+  const expected = await pictureOf('fine')
+  const coarse = await pictureOf('box')
+  const divided = await pictureOf('box', 1)
+  return {
+    beyond: countBeyond(divided.picture, expected.picture),
+    without: countBeyond(coarse.picture, expected.picture),
+    covered: covered(expected.picture),
+    triangles: divided.drawn,
+    fine: expected.drawn,
+  }
+}
+
+/** Frames of a closed sphere that moves → the pixels of the background inside it. One vertex of one triangle moves if `isBroken`. */
+export async function holes({ draw, triangles }, { frames = 60, isBroken = false }) {
+  const geometry = new THREE.IcosahedronGeometry(1, 2)
+  const { position } = geometry.attributes
+  const view = camera()
+  if (isBroken) {
+    const towards = view.position.clone().normalize()
+    const place = new THREE.Vector3()
+    const ahead = (i) => place.fromBufferAttribute(position, i).dot(towards)
+    const nearest = Array.from({ length: position.count }, (_, i) => i).reduce((a, b) =>
+      ahead(a) > ahead(b) ? a : b,
+    )
+    place.fromBufferAttribute(position, nearest).addScalar(0.05)
+    position.setXYZ(nearest, ...place)
+  }
+  const { scene, mesh } = sceneOf(geometry)
+  const warped = warpBy(mesh, 'noise', 1)
+  let count = 0
+  const seen = new Set()
+  for (let i = 0; i < frames; i++) {
+    warped.update(33 * i)
+    mesh.rotation.y = i / 40
+    view.position.setLength(3 + 2 * Math.sin(i / 9) ** 2)
+    count += countHoles(await draw(scene, view))
+    seen.add(triangles())
+  }
+  warped.dispose()
+  return { holes: count, divisions: seen.size, triangles: Math.max(...seen) }
+}
+
+/** Instances of different sizes against the same as meshes of their own. */
+export async function instances({ draw }) {
+  const matrices = [0, 1, 2].map((i) =>
+    new THREE.Matrix4()
+      .makeRotationY(i)
+      .scale(new THREE.Vector3().setScalar(0.3 + 0.2 * i))
+      .setPosition(i - 1.2, 0.6 * (i - 1), 0),
+  )
+  const { scene, mesh } = sceneOf('fine')
+  const pictureOf = async (shape, detail) => {
+    const { geometry } = sceneOf(shape).mesh
+    const many = new THREE.InstancedMesh(geometry, mesh.material, 3)
+    matrices.forEach((matrix, i) => many.setMatrixAt(i, matrix))
+    geometry.setAttribute('mine', new THREE.InstancedBufferAttribute(new Float32Array(3), 1))
+    scene.clear().add(many)
+    const warped = warpBy(many, 'twist', detail)
+    const picture = await draw(scene, camera())
+    warped.dispose()
+    return picture
+  }
+  const expected = await pictureOf('fine')
+  return {
+    beyond: countBeyond(await pictureOf('box', 1), expected),
+    without: countBeyond(await pictureOf('box'), expected),
+  }
+}
+
+/** A texture of squares, which show where the inside of a side is wrong. */
+function squares() {
+  const cells = 16
+  const isDark = (i) => (i + Math.floor(i / cells)) % 2
+  const bytes = Array.from({ length: cells * cells }, (_, i) =>
+    isDark(i) ? [255, 0, 0, 255] : [0, 0, 255, 255],
+  )
+  const texture = new THREE.DataTexture(new Uint8Array(bytes.flat()), cells, cells)
+  texture.needsUpdate = true
+  return texture
+}
+
+/** One side of a box that is mirrored or not, seen closely, since only triangles that face the camera are divided. */
+export async function side({ draw, triangles }, { side, scale }) {
+  const material = new THREE.MeshBasicMaterial({ side: THREE[side], map: squares() })
+  const view = camera()
+  view.position.setLength(2.2)
+  const pictureOf = async (shape, detail) => {
+    const { scene, mesh } = sceneOf(shape, { material })
+    mesh.scale.x = scale
+    const warped = warpBy(mesh, 'twist', detail)
+    const picture = await draw(scene, view)
+    warped.dispose()
+    return picture
+  }
+  const expected = await pictureOf('fine')
+  const picture = await pictureOf('box', 1)
+  const drawn = triangles()
+  material.side = THREE.DoubleSide
+  await pictureOf('box', 1)
+  return { beyond: countBeyond(picture, expected), triangles: drawn, both: triangles() }
+}
+
+/** Two materials, of which each has its own sides of the box. */
+export async function groups({ draw }) {
+  const materials = [0xff0000, 0x00ff00, 0x0000ff].map(
+    (color) => new THREE.MeshBasicMaterial({ color }),
+  )
+  const pictureOf = async (shape, detail) => {
+    const { scene, mesh } = sceneOf(shape, { material: materials[0] })
+    mesh.material = [0, 1, 2, 0, 1, 2].map((i) => materials[i])
+    const warped = warpBy(mesh, 'twist', detail)
+    const picture = await draw(scene, camera())
+    warped.dispose()
+    return picture
+  }
+  const expected = await pictureOf('fine')
+  return {
+    beyond: countBeyond(await pictureOf('box', 1), expected),
+    without: countBeyond(await pictureOf('box'), expected),
+  }
+}
+
+/** The numbers of triangles while things change, and what is left in the end. */
+export async function life({ draw, triangles, geometries }) {
+  const { scene, mesh } = sceneOf('box')
+  const own = mesh.geometry
+  const plain = await draw(scene, camera())
+  const before = { geometries: geometries(), triangles: triangles() }
+  const calls = []
+  scene.onBeforeRender = () => calls.push('before', mesh.geometry === own)
+  const warped = warpBy(mesh, 'twist', 1)
+  const drawn = async (view = camera()) => {
+    await draw(scene, view)
+    return triangles()
+  }
+  const near = await drawn()
+  scene.onAfterRender = () => calls.push('after', mesh.geometry === own)
+  const far = camera()
+  far.position.setLength(30)
+  const counts = { near, far: await drawn(far), again: await drawn() }
+  // Both a geometry that changes and another one are seen.
+  own.attributes.position.setXYZ(0, 3, 3, 3)
+  own.attributes.position.needsUpdate = true
+  counts.changed = await drawn()
+  own.attributes.position.setXYZ(0, 0.7, 0.9, 0.7)
+  own.attributes.position.needsUpdate = true
+  mesh.geometry = new THREE.SphereGeometry(1, 8, 4)
+  counts.sphere = await drawn()
+  mesh.geometry.dispose()
+  counts.disposed = await drawn()
+  mesh.geometry.dispose()
+  mesh.geometry = own
+  const clone = mesh.clone()
+  scene.add(clone)
+  counts.clone = await drawn()
+  scene.remove(clone)
+  counts.removed = await drawn()
+  // Outside of a scene.
+  scene.remove(mesh)
+  const group = new THREE.Group().add(mesh)
+  await draw(group, camera())
+  counts.outside = triangles()
+  scene.add(mesh)
+  counts.back = await drawn()
+  warped.dispose()
+  const after = await draw(scene, camera())
+  return {
+    counts,
+    calls: calls.slice(0, 6),
+    before,
+    after: { geometries: geometries(), triangles: triangles() },
+    isSame: countBeyond(plain, after) === 0,
+    isRestored: mesh.geometry === own && Object.keys(mesh).includes('geometry'),
+    hooks: ['onBeforeRender', 'onAfterRender'].map(
+      (name) => typeof Object.getOwnPropertyDescriptor(scene, name)?.value,
+    ),
+  }
+}
+
+/** A render call that throws leaves nothing exchanged, and the next one is divided. */
+export async function throwing({ draw, triangles }) {
+  const { scene, mesh } = sceneOf('box')
+  const own = mesh.geometry
+  const warped = warpBy(mesh, 'twist', 1)
+  await draw(scene, camera())
+  const expected = triangles()
+  mesh.onBeforeRender = () => {
+    throw new Error('on purpose')
+  }
+  const error = await draw(scene, camera()).catch(({ message }) => message)
+  await Promise.resolve()
+  const isRestored = mesh.geometry === own
+  mesh.onBeforeRender = () => {}
+  await draw(scene, camera())
+  const found = triangles()
+  warped.dispose()
+  return { error, isRestored, isSame: found === expected }
+}
+
+/** Objects that keep their vertices, and why. */
+export async function kept({ draw, triangles }) {
+  const { scene, mesh } = sceneOf('box')
+  await draw(scene, camera())
+  const own = triangles()
+  const { position } = mesh.geometry.attributes
+  mesh.geometry.morphAttributes.position = [position.clone()]
+  mesh.updateMorphTargets()
+  const warped = warpBy(mesh, 'twist', 1)
+  await draw(scene, camera())
+  await draw(scene, camera())
+  const found = triangles()
+  warped.dispose()
+  return { own, found }
+}

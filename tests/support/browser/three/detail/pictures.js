@@ -1,0 +1,121 @@
+// Scenes with the option `detail`, and how their pictures differ. `draw(scene, camera)` returns RGBA bytes, and `triangles()` how many it drew.
+import * as THREE from 'three'
+import { warp } from 'warpjet/three'
+
+export const size = 256
+
+const swirl = (glsl, { x, y, z }, angle) => {
+  const [c, s] = [angle.cos(), angle.sin()]
+  return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c)))
+}
+
+const partsOf = (position) => ({ x: position.x(), y: position.y(), z: position.z() })
+
+export const offsets = {
+  twist: ({ glsl, position, uniforms }) =>
+    swirl(glsl, partsOf(position), position.y().mult(uniforms.amount)).sub(position),
+  bend({ glsl, position, uniforms }) {
+    const { x, y, z } = partsOf(position)
+    const angle = y.mult(uniforms.amount)
+    const radius = glsl.val(1).div(uniforms.amount).sub(x)
+    const along = angle.sin().mult(radius)
+    const bent = glsl.val(1).div(uniforms.amount).sub(angle.cos().mult(radius))
+    return glsl.vec3(bent, along, z).sub(position)
+  },
+  noise: ({ glsl, position, millis, uniforms }) =>
+    glsl
+      .normalize(position)
+      .mult(
+        glsl.simplex(position.mult(2).add(glsl.vec3(0, 0, millis.div(1000)))).mult(uniforms.amount),
+      ),
+}
+
+const amounts = { twist: 1.1, bend: 0.8, noise: 0.25 }
+
+export const uniformsOf = (name) => ({ amount: amounts[name] })
+
+const geometries = {
+  box: () => new THREE.BoxGeometry(1.4, 1.8, 1.4),
+  fine: () => new THREE.BoxGeometry(1.4, 1.8, 1.4, 64, 64, 64),
+  sphere: () => new THREE.IcosahedronGeometry(1, 2),
+}
+
+export function camera() {
+  const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50)
+  camera.position.set(2.2, 2, 4)
+  camera.lookAt(0, 0, 0)
+  return camera
+}
+
+/** A scene with one object → { scene, mesh, sun }; with a shadow on a floor if `hasShadow`. */
+export function sceneOf(geometry, { hasShadow = false, material } = {}) {
+  const scene = new THREE.Scene()
+  const mesh = new THREE.Mesh(
+    typeof geometry === 'string' ? geometries[geometry]() : geometry,
+    material ?? (hasShadow ? new THREE.MeshLambertMaterial() : new THREE.MeshNormalMaterial()),
+  )
+  scene.add(mesh)
+  if (!hasShadow) return { scene, mesh }
+  const floor = new THREE.Mesh(new THREE.PlaneGeometry(12, 12), new THREE.MeshLambertMaterial())
+  floor.rotation.x = -Math.PI / 2
+  floor.position.y = -1.2
+  floor.receiveShadow = mesh.castShadow = true
+  const sun = new THREE.DirectionalLight(0xffffff, 3)
+  sun.position.set(3, 5, 2)
+  sun.castShadow = true
+  sun.shadow.mapSize.set(1024, 1024)
+  scene.add(floor, sun, new THREE.AmbientLight(0xffffff, 0.6))
+  return { scene, mesh }
+}
+
+export const warpBy = (mesh, name, detail, others) =>
+  warp(mesh, offsets[name], { uniforms: uniformsOf(name), detail, ...others })
+
+/** Counts the pixels of `a` whose color is that of no pixel of `b` at most one pixel away. */
+function beyondPixel(a, b, tolerance = 24) {
+  let count = 0
+  const isNear = (i, x, y) => {
+    if (x < 0 || y < 0 || x >= size || y >= size) return false
+    const j = 4 * (y * size + x)
+    return [0, 1, 2, 3].every((k) => Math.abs(a[i + k] - b[j + k]) <= tolerance)
+  }
+  for (let y = 0; y < size; y++)
+    for (let x = 0; x < size; x++) {
+      const i = 4 * (y * size + x)
+      const steps = [0, -1, 1]
+      if (!steps.some((dy) => steps.some((dx) => isNear(i, x + dx, y + dy)))) count++
+    }
+  return count
+}
+
+/** Counts pixels of either picture that the other one shows nowhere within a pixel. */
+export const countBeyond = (a, b) => beyondPixel(a, b) + beyondPixel(b, a)
+
+export const covered = (picture) => {
+  let count = 0
+  for (let i = 3; i < picture.length; i += 4) if (picture[i] > 0) count++
+  return count
+}
+
+/** Counts the pixels of the background that are not connected to the border of the picture, not even by corners as notches of an outline are. */
+export function countHoles(picture) {
+  const isOpen = (i) => picture[4 * i + 3] === 0
+  const seen = new Uint8Array(size * size)
+  const waiting = []
+  const visit = (i) => {
+    if (seen[i] || !isOpen(i)) return
+    seen[i] = 1
+    waiting.push(i)
+  }
+  for (let k = 0; k < size; k++)
+    for (const i of [k, size * (size - 1) + k, size * k, size * k + size - 1]) visit(i)
+  while (waiting.length) {
+    const i = waiting.pop()
+    const [x, y] = [i % size, Math.floor(i / size)]
+    for (let v = Math.max(y - 1, 0); v <= Math.min(y + 1, size - 1); v++)
+      for (let u = Math.max(x - 1, 0); u <= Math.min(x + 1, size - 1); u++) visit(v * size + u)
+  }
+  let holes = 0
+  for (let i = 0; i < size * size; i++) if (isOpen(i) && !seen[i]) holes++
+  return holes
+}

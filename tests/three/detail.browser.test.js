@@ -1,0 +1,143 @@
+// The option `detail` of `warp`: coarse meshes against fine ones, on both renderers.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { leavePage, webgpuFlags } from '../support/browser/browser.js'
+import { threePages, versions } from '../support/browser/three/open.js'
+
+const hosts = [
+  ...(isRun('three 0.159') ? versions : versions.slice(0, 1)).map((version) => ({
+    name: `WebGLRenderer, ${version}`,
+    version,
+    script: 'detail/page-webgl.js',
+    settings: {},
+  })),
+  ...['webgl', 'webgpu'].map((backend) => ({
+    name: `WebGPURenderer, ${backend}`,
+    version: 'three',
+    script: 'detail/page-webgpu.js',
+    settings: { backend },
+  })),
+]
+
+let pages
+before(async () => {
+  pages = await threePages(webgpuFlags)
+})
+after(() => pages.close())
+
+for (const { name, version, script, settings } of hosts)
+  describe(name, () => {
+    let page, messages
+    before(async () => {
+      ;({ page, messages } = await pages.open(version, script))
+    })
+    after(() => leavePage(page))
+
+    async function measure(check, more = {}) {
+      messages.length = 0
+      return page.evaluate(
+        ([check, settings]) => detail[check](settings),
+        [check, { ...settings, ...more }],
+      )
+    }
+
+    for (const [warp, least] of [
+      ['twist', 1000],
+      ['bend', 300],
+    ])
+      test(`a box of 12 triangles under a ${warp} looks like a fine one`, async (t) => {
+        for (const more of [{}, { space: 'world' }]) {
+          const found = await measure('compare', { name: warp, ...more })
+          t.diagnostic(JSON.stringify(found))
+          assert.deepEqual(messages, [])
+          assert.ok(found.beyond <= 3, `${found.beyond} pixels`)
+          assert.ok(found.without > least, `${found.without} pixels without detail`)
+          assert.ok(found.triangles > 100 && found.triangles < found.fine / 10)
+        }
+      })
+
+    test('the shadow follows', async (t) => {
+      const found = await measure('compare', { name: 'twist', hasShadow: true })
+      t.diagnostic(JSON.stringify(found))
+      assert.deepEqual(messages, [])
+      // The tolerance is that of the camera; the light sees the surface from the side.
+      assert.ok(found.beyond < 60, `${found.beyond} pixels`)
+      assert.ok(found.without > 1000, `${found.without} pixels without detail`)
+    })
+
+    test('only the side that is seen is divided', async (t) => {
+      for (const side of ['FrontSide', 'BackSide'])
+        for (const scale of [1, -1]) {
+          const found = await measure('side', { side, scale })
+          t.diagnostic(`${side}, ${scale}: ${JSON.stringify(found)}`)
+          assert.deepEqual(messages, [])
+          // A thousandth of the picture: the corners of the squares are details, too.
+          assert.ok(found.beyond < 65, `${found.beyond} pixels`)
+          assert.ok(found.triangles < 0.8 * found.both, `${found.triangles} of ${found.both}`)
+        }
+    })
+
+    test('a closed sphere has no holes while it moves', async (t) => {
+      const found = await measure('holes')
+      t.diagnostic(JSON.stringify(found))
+      assert.deepEqual([messages, found.holes], [[], 0])
+      assert.ok(found.divisions > 10, `${found.divisions} divisions`)
+      assert.ok((await measure('holes', { frames: 3, isBroken: true })).holes > 0)
+    })
+
+    test('instances and groups look like fine ones', async (t) => {
+      for (const check of ['instances', 'groups']) {
+        const found = await measure(check)
+        t.diagnostic(`${check}: ${JSON.stringify(found)}`)
+        assert.deepEqual(messages, [], check)
+        assert.ok(found.beyond <= 3, `${check}: ${found.beyond} pixels`)
+        assert.ok(found.without > 300, `${found.without} pixels without detail`)
+      }
+    })
+
+    test('hooks, cameras, geometries and clones may change, and dispose() frees all', async (t) => {
+      const found = await measure('life')
+      t.diagnostic(JSON.stringify(found))
+      assert.deepEqual(messages, [])
+      const { counts, before, after } = found
+      assert.equal(before.triangles, 12)
+      assert.ok(counts.near > 100)
+      assert.ok(counts.far < counts.near, `${counts.far} far away`)
+      assert.equal(counts.again, counts.near)
+      assert.notEqual(counts.changed, counts.near)
+      assert.ok(counts.sphere > 48)
+      assert.equal(counts.disposed, counts.sphere)
+      assert.equal(counts.clone, 2 * counts.removed)
+      assert.equal(counts.outside, 12)
+      assert.equal(counts.back, counts.removed)
+      assert.deepEqual(found.calls, ['before', true, 'before', true, 'after', true])
+      assert.deepEqual(after, before)
+      assert.ok(found.isSame && found.isRestored)
+      assert.deepEqual(found.hooks, ['function', 'function'])
+    })
+
+    test('a frame that throws leaves the geometry as it was', async () => {
+      assert.deepEqual(await measure('throwing'), {
+        error: 'on purpose',
+        isRestored: true,
+        isSame: true,
+      })
+    })
+
+    test('a mesh with morph targets keeps its vertices, with one message', async () => {
+      const { own, found } = await measure('kept')
+      assert.equal(found, own)
+      assert.equal(messages.length, 1)
+      assert.match(messages[0], /although the option detail asks for more: .* morph targets/)
+    })
+
+    if (!settings.backend)
+      test('a larger canvas gets more triangles, beside a second renderer', async (t) => {
+        const counts = await page.evaluate(() => detail.canvases([128, 512, 128]))
+        t.diagnostic(JSON.stringify(counts))
+        const [[small, other], [large]] = counts
+        assert.ok(large > 1.5 * small, `${large} and ${small}`)
+        assert.ok(other > 12)
+      })
+  })
