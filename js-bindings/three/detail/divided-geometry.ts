@@ -9,7 +9,7 @@ import {
 import type { DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { Column, GeometryBase } from './base.js'
 
-/** What holds the numbers of one buffer of the GPU. */
+/** One buffer of the GPU. */
 type Buffer = BufferAttribute | InterleavedBuffer
 
 export class DividedGeometry {
@@ -108,7 +108,10 @@ const sizeOf = (columns: readonly Column[]) => columns.reduce((sum, { size }) =>
 const capacityFor = (count: number) => 2 ** Math.ceil(Math.log2(Math.max(count, 1)))
 
 function copy(from: Float32Array, size: number, to: Float32Array, offset: number, stride: number) {
-  if (size === stride) return void to.set(from)
+  if (size === stride) {
+    to.set(from)
+    return
+  }
   for (let i = 0, at = offset; i < from.length; i += size, at += stride)
     for (let k = 0; k < size; k++) to[at + k] = from[i + k]!
 }
