@@ -1,5 +1,4 @@
-// Rules of WGSL that source may break, each case as a whole source with a function `offset`. It does not say which of them the
-// language allows: tests ask a browser.
+// Sources that obey or break a rule of WGSL, each complete, with a function `offset`. The tests ask a browser which of them are valid.
 const offset = 'fn offset(p: vec3f) -> vec3f { return p; }'
 const above = (text) => `${text}\n${offset}`
 const body = (statements, text = '') =>
@@ -8,7 +7,7 @@ const body = (statements, text = '') =>
 /** Makes cases of one kind: calls `make` with each piece of source. */
 const each = (kind, pieces, make) => pieces.map((piece) => [`${kind}: ${piece}`, make(piece)])
 
-/** Words of other languages, keywords, reserved words and names that are fine. */
+/** Keywords, reserved words, words of other languages, and valid names. */
 export const words = `
   alias break case const const_assert continue continuing default diagnostic discard else enable false fn for if let loop override
   requires return struct switch true var while NULL Self abstract active as asm attribute auto class common compile const_cast do

@@ -1,12 +1,12 @@
 // A page that measures exact normals of displacements against differences in double precision.
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
-import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused } from './cases.js'
+import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, unsupported } from './cases.js'
 import { habits, measureHabit } from './habits.js'
 import { measure } from './measure.js'
 import * as meshes from './meshes.js'
 
-const tables = { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused }
+const tables = { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, unsupported }
 
 globalThis.THREE = THREE
 globalThis.exact = {
@@ -19,8 +19,8 @@ globalThis.exact = {
   measure: (table, name, normals) =>
     measure(tables[table][name], normals, table !== 'ofShaderMaterial'),
   /** → whether the material shows the same as without `exactNormals`. */
-  async refused(name) {
-    const { material, message, kind } = refused[name]
+  async unsupported(name) {
+    const { material, message, kind } = unsupported[name]
     const shown = []
     for (const each of [material(), exactNormals(material())])
       shown.push(
