@@ -316,7 +316,10 @@ for (const backend of ['webgl', 'webgpu'])
         const still = await draw(backend, kind, 'still')
         const moved = await draw(backend, kind, 'moved')
         const warpedPicture = await draw(backend, kind, 'warped')
-        assert.ok(countDiffering(still, moved) > 300, `${countDiffering(still, moved)} pixels are moved`)
+        assert.ok(
+          countDiffering(still, moved) > 300,
+          `${countDiffering(still, moved)} pixels are moved`,
+        )
         assert.equal(countDiffering(warpedPicture, moved), 0)
         assert.equal(countDiffering(await draw(backend, kind, 'warped at pixel'), moved), 0)
         for (const without of ['without its normals', 'without its shadow']) {
@@ -336,7 +339,11 @@ for (const backend of ['webgl', 'webgpu'])
         const expected = await draw(backend, kind, 'mirrored')
         assert.ok(countDiffering(still, expected) > 300)
         for (const how of ['constant', 'uniform', 'constant, at pixel', 'uniform, at pixel'])
-          assert.equal(countDiffering(await draw(backend, kind, `mirroring, ${how}`), expected), 0, how)
+          assert.equal(
+            countDiffering(await draw(backend, kind, `mirroring, ${how}`), expected),
+            0,
+            how,
+          )
         assert.equal(countDiffering(await draw(backend, kind, 'mirroring, switched off'), still), 0)
         assert.deepEqual(takeMessages(), [])
       })
@@ -345,7 +352,10 @@ for (const backend of ['webgl', 'webgpu'])
       const expected = await draw(backend, 'Standard', 'wave by exact phase')
       const shown = await draw(backend, 'Standard', 'wave by millis')
       assert.equal(countDiffering(shown, expected), 0)
-      const rounded = countDiffering(await draw(backend, 'Standard', 'wave by rounded phase'), expected)
+      const rounded = countDiffering(
+        await draw(backend, 'Standard', 'wave by rounded phase'),
+        expected,
+      )
       assert.ok(rounded > 30, `${rounded} pixels differ where the phase is a float32`)
       assert.deepEqual(takeMessages(), [])
     })
