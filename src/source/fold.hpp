@@ -13,7 +13,7 @@ namespace warpjet::source {
 // result.
 std::optional<double> fold(Code code, std::span<const double> x);
 
-// Includes functions whose accuracy is left open by shaders.
+// Also computes functions for which shader languages do not specify the accuracy.
 std::optional<double> foldFunction(Code code, std::span<const double> x);
 
 }  // namespace warpjet::source

@@ -15,10 +15,10 @@ globalThis.exact = {
   names: Object.fromEntries(
     Object.entries(tables).map(([table, rows]) => [table, Object.keys(rows)]),
   ),
-  /** → the largest differences from the oracle. `normals` is the option; without it the material stays as it is. */
+  /** Returns the largest differences from the oracle. `normals` is the option; without it, the material is not changed. */
   measure: (table, name, normals) =>
     measure(tables[table][name], normals, table !== 'ofShaderMaterial'),
-  /** → whether the material shows the same as without `exactNormals`. */
+  /** Returns the expected message, and whether the material looks the same as without `exactNormals`. */
   async unsupported(name) {
     const { material, message, kind } = unsupported[name]
     const shown = []
