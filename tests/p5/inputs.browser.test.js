@@ -281,13 +281,13 @@ void main() {
           image: `shader(warps.show); warps.show.setUniform('picture', warps.image); plane(${side}, ${side})`,
         },
       })
-      const moved = (u, v) => [u + 0.1 * Math.sin(5 * v), v + 0.1 * Math.sin(5 * u)]
+      const warpUv = (u, v) => [u + 0.1 * Math.sin(5 * v), v + 0.1 * Math.sin(5 * u)]
       const options = { wrap: 'mirror', filter: 'bicubic' }
       // A pixel shows the value at its centre.
       for (const [u, v] of grid(20).map((place) =>
         place.map((t) => (Math.floor(t * side) + 0.5) / side),
       )) {
-        const color = sample(image, ...moved(u, v), options).slice(0, 3)
+        const color = sample(image, ...warpUv(u, v), options).slice(0, 3)
         const wanted = color.map((channel) => 255 * Math.min(Math.max(channel, 0), 1))
         assertColor(pictures.image, [u, v], wanted, 1.5, 'color')
       }

@@ -1,7 +1,7 @@
 // Statements in fragment shaders.
 import { body, each } from './sources.js'
 
-/** The same kinds of cases for fragment shaders. */
+/** Maps the title of a case → statements of a fragment shader. */
 export const rulesOfFragments = Object.fromEntries(
   each(
     'a fragment',
