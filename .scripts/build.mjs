@@ -23,7 +23,7 @@ const sources = (pattern) =>
 
 // The modules of .cmake/wasm.cmake.
 const wasm = ['core', 'evaluation', 'mesh', 'glsl', 'detail']
-// The wasm of a package, for which js-bindings/wasm/mikktspace.ts is the binding: the package's own loads it by `import` or from a file.
+// The wasm of the package mikktspace. js-bindings/wasm/mikktspace.ts replaces the package's own binding, which imports the wasm or reads it from a file.
 const mikktspace = 'node_modules/mikktspace/dist/module/mikktspace_module_bg.wasm'
 const compiled = wasm.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`])
 

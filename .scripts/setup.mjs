@@ -7,7 +7,7 @@ import { Stop, bad, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { onPath } from './lib/which.mjs'
 
 // Vite 8 needs it.
-const minNode = '20.13'
+const minNode = '20.19'
 
 /** Installs everything that is missing → { chromium }, the path of Chromium. */
 export async function setup() {

@@ -2,16 +2,16 @@
 // warp waits for warpjet to load. The input is p5.warp's "complex" stress test: sines of random coordinates with random constants, added
 // to random components.
 import { compile, compileWarp } from '../../dist/warpjet.js'
-import { stackedSines as randomSines } from '../../tests/warps/stress.js'
+import { stackedSines } from '../../tests/warps/stress.js'
 import { median, medianTime, time, timesInTurn } from '../lib/median.mjs'
-import { plainGraph, stackedSines } from './generate/plain-graph.mjs'
+import { plainGraph, sineWarp } from './generate/plain-graph.mjs'
 import { measureStartUp } from './generate/start-up.mjs'
 
 /** The number of builder nodes per sine, counted as in the paper. */
 const nodesOfASine = 5
 
 function measureSize(sines, runs) {
-  const { warp } = randomSines(sines)
+  const { warp } = stackedSines(sines)
   const { code } = compileWarp(warp)
   const nodes = nodesOfASine * sines
   const median = medianTime(runs, () => compileWarp(warp))
@@ -27,7 +27,7 @@ function measureSize(sines, runs) {
 
 function compareSize(sines, runs) {
   const works = {
-    warpjet: () => time(() => compileWarp(stackedSines(sines))),
+    warpjet: () => time(() => compileWarp(sineWarp(sines))),
     plain: () => time(() => plainGraph(sines)),
   }
   const { warpjet, plain } = timesInTurn(works, runs, 12)
@@ -39,7 +39,7 @@ function compareSize(sines, runs) {
   }
 }
 
-/** Returns an offset-like function that applies `step` to x some times, and derives the result. */
+/** Returns a function that applies `step` to x `count` times, and differentiates the result. */
 const repeat = (count, step) => (glsl) => {
   let v = glsl.param('x')
   for (let i = 0; i < count; i++) v = step(v)
@@ -53,7 +53,7 @@ const singles = {
   'a chain of 100,000 sines': [5, () => compile(repeat(100_000, (v) => v.sin()))],
 }
 
-/** Prints a row for each number of sines in `runs`, which has the number of runs. */
+/** Prints a row per size. `runs` maps a number of sines → how many times it is measured. */
 const printSizes = (measureRow, runs) =>
   console.table(Object.entries(runs).map(([sines, count]) => measureRow(Number(sines), count)))
 

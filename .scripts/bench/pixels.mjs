@@ -1,4 +1,4 @@
-// npm run bench -- pixels: what normals at pixels cost in p5, beside normals at vertices. The bench `gpu` times the shaders alone.
+// npm run bench -- pixels: times p5 with normals at pixels, and with normals at vertices. The bench `gpu` times only the shaders.
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { servePages } from '../../tests/support/browser/server.js'
 
@@ -13,7 +13,7 @@ export const warps = {
   'fbm of fbm': `({ glsl, position: p }) => p.mult(glsl.fbm(p.add(glsl.fbm(p.mult(2)))).mult(0.3))`,
 }
 
-/** The page: `frames(source, size, count)` returns milliseconds, medians. */
+/** The page. Its function `frames(source, size, count)` returns medians of `count` frames, in milliseconds. */
 const html = `<!doctype html><meta charset="utf-8"><body>
 <script src="/node_modules/p5/lib/p5.min.js"></script><script src="/dist/p5.warpjet.min.js"></script>
 <script type="module">

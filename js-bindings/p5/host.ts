@@ -159,7 +159,7 @@ export function setState(renderer: Renderer, name: keyof MaterialState, value: u
 /** Returns the shader of points on 1.11; `undefined` on 2.x, which draws points as lines. */
 export const pointShaderOf = (renderer: Renderer) => renderer._getPointShader?.()
 
-/** Maps a warp's shader that draws normals to the other fields of the material at the time it was applied. */
+/** Maps a shader of a warp that draws normals → the other fields of the material when the shader was applied. */
 const materialBesideNormals = new WeakMap<Shader, unknown[]>()
 
 /** Records that a warp's shader was applied under `normalMaterial()`. */

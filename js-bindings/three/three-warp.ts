@@ -17,10 +17,10 @@ import { handlesOf, type UniformHandle } from './uniforms.js'
 import { three } from './values.js'
 
 /** The last of position, normal and tangent that a text computes. */
-export type Turned = 'position' | 'normal' | 'tangent'
+export type VertexStage = 'position' | 'normal' | 'tangent'
 
 /** The results of a text in the vertex stage, or in the fragment stage. */
-export type Stage = Turned | 'normal of pixel' | 'tangent of pixel'
+export type Stage = VertexStage | 'normal of pixel' | 'tangent of pixel'
 
 const resultsOf: Record<Stage, readonly Result[]> = {
   position: ['offset', 'position'],
@@ -74,10 +74,10 @@ export class ThreeWarp extends HostWarp {
     this.normals = this.stageOfNormals(settings.normals)
   }
 
-  textFor(target: Target, turned: Stage, names: Record<string, string>): HostText {
-    const key = JSON.stringify([target, turned, names])
+  textFor(target: Target, stage: Stage, names: Record<string, string>): HostText {
+    const key = JSON.stringify([target, stage, names])
     let text = this.texts.get(key)
-    if (!text) this.texts.set(key, (text = this.writeText(target, turned, names)))
+    if (!text) this.texts.set(key, (text = this.writeText(target, stage, names)))
     return text
   }
 

@@ -8,7 +8,7 @@ import {
 } from '../compile/hosts.js'
 import { declareOrientation } from './faces.js'
 import { byTangent, uniformsInGlsl } from './glsl.js'
-import type { ThreeWarp, Turned } from './three-warp.js'
+import type { ThreeWarp, VertexStage } from './three-warp.js'
 
 /** A normal and a tangent in the units of the object, before the warp. */
 export interface Surface {
@@ -37,7 +37,7 @@ interface CodeOptions {
 
 export class WarpCode {
   readonly isWorld: boolean
-  /** With tangents and without, or only the position. */
+  /** The code that computes tangents and normals, and that for geometries without tangents; or one that computes only the position. */
   private readonly texts: readonly HostText[]
 
   constructor(
@@ -45,7 +45,7 @@ export class WarpCode {
     readonly options: CodeOptions,
   ) {
     this.isWorld = warp.settings.space === 'world'
-    this.texts = turnedBy(options).map((turned) => this.textFor(turned))
+    this.texts = stagesFor(options).map((stage) => this.textFor(stage))
   }
 
   /** `true` if the place of a vertex depends on its normal. */
@@ -75,7 +75,7 @@ export class WarpCode {
     return `${color}${this.isWorld ? toWorld : ''}`
   }
 
-  /** Wraps statements after `preparation`: an instance that is scaled to nothing has no way back, and needs none. */
+  /** Skips the statements, which follow `preparation`, for an instance that is scaled to zero: its matrix has no inverse, and it is invisible. */
   guard(statements: string): string {
     return this.isWorld
       ? `if ( determinant( warpjetLinear ) != 0.0 ) {\n${statements}\n}`
@@ -103,7 +103,7 @@ export class WarpCode {
 
   private restNormal(normal: string) {
     if (!this.isWorld) return `vec3 warpjetRestNormal = ${normal};`
-    // Normals arrive with length 1; how they vary follows from that.
+    // The offset reads normals of length 1. Their gradients are adapted to that length in `gradientsInWorld`.
     return `vec3 warpjetRestNormal = warpjetCovariant * ( ${normal} );
 float warpjetLength = length( warpjetRestNormal );
 if ( warpjetLength > 0.0 ) warpjetRestNormal /= warpjetLength;`
@@ -130,8 +130,8 @@ if ( warpjetLength > 0.0 ) warpjetRestNormal /= warpjetLength;`
     return this.texts.some(({ attributes }) => attributes.some(({ name }) => name === input))
   }
 
-  private textFor(turned: Turned): HostText {
-    return this.warp.textFor(this.options.target ?? 'glsl300', turned, this.names)
+  private textFor(stage: VertexStage): HostText {
+    return this.warp.textFor(this.options.target ?? 'glsl300', stage, this.names)
   }
 
   /** Maps an input → its expression in the statements. */
@@ -151,7 +151,7 @@ if ( warpjetLength > 0.0 ) warpjetRestNormal /= warpjetLength;`
   }
 }
 
-function turnedBy({ isLit, mayHaveTangents }: CodeOptions): Turned[] {
+function stagesFor({ isLit, mayHaveTangents }: CodeOptions): VertexStage[] {
   if (!isLit) return ['position']
   return mayHaveTangents ? ['tangent', 'normal'] : ['normal']
 }
@@ -175,7 +175,7 @@ const results = {
   tangent: `${shaderNames.tangent}.xyz`,
 }
 
-/** Leads back from the world, so that the rest of the shader stays what it is. */
+/** Transforms the results from world space to the object's, which the rest of the shader expects. */
 const backFromWorld = {
   position: `( inverse( warpjetToWorld ) * vec4( ${shaderNames.position}, 1.0 ) ).xyz`,
   normal: `${shaderNames.normal} * warpjetLinear`,

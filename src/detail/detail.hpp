@@ -30,7 +30,7 @@ class Detail {
   // Vertices of the cut mesh and middles of its sides.
   std::uint32_t sampleCount() const;
   std::span<const Attribute> samples() const { return samples_; }
-  // The array for `size` numbers at each sample.
+  // The array for the phases of the samples, `size` numbers each, to be filled before `cut`.
   std::vector<float>& phases(std::uint32_t size);
   // The array for warped positions of the samples.
   std::vector<float>& warped() { return warped_; }

@@ -13,7 +13,7 @@ namespace warpjet {
 using Corners = std::array<std::uint32_t, 3>;
 
 // Returns a Delaunay triangulation, counterclockwise. The first `hull` points are the corners of a
-// convex polygon, counterclockwise, that contains the others in its inside.
+// convex polygon, counterclockwise, and the others lie inside it.
 std::vector<Corners> triangulate(std::span<const glm::dvec2> points, std::size_t hull);
 
 }  // namespace warpjet

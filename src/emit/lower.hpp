@@ -17,9 +17,9 @@ bool lacksAny(const Graph& graph, ops::Language language);
 std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
                                  ops::Language language);
 
-// Returns nodes with the values of `roots` that the language can express; a replacement inherits
-// the comment of its node. Take derivatives before: those of a row are shorter than those of its
-// replacement.
+// Returns nodes of the same values as `roots` that the language can express. A replacement inherits
+// the comment of its node. Differentiate before lowering: the derivative of an operation is shorter
+// than that of its replacement.
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
                           Comments& comments);
 

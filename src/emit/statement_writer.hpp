@@ -1,4 +1,4 @@
-// Writes the statements of shader code in order: takes the decisions about them, returns lines.
+// Decides which statements the shader code needs and how each is written, and returns their lines.
 #pragma once
 
 #include <optional>

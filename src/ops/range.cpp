@@ -21,8 +21,8 @@ auto operandAs(const Interval& x) {
 
 template <std::size_t Row>
 Interval rangeOfRow(const Operands<Interval>& operands) {
-  constexpr auto value =
-      std::get<Row>(table).value;  // a copy, so that the strings stay out of the program
+  // Copies the lambda: a reference to the row would link the row's strings into the program.
+  constexpr auto value = std::get<Row>(table).value;
   constexpr auto types = declarations[Row].signature.operands;
   return withIndices<declarations[Row].arity>([&](auto... i) {
     using Value = decltype(value);

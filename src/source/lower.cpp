@@ -1,4 +1,4 @@
-// The lowering as a whole, and calls.
+// Lowers whole functions and their calls.
 #include "source/lower.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace warpjet::source {
 
 namespace {
 
-// More than any shader needs; takes half a second.
+// No real shader needs that many; lowering them takes half a second.
 constexpr std::size_t maxSteps = 250'000;
 constexpr int maxDepth = 600;
 
@@ -40,7 +40,7 @@ Lowered Lowering::lower(FunctionId number) {
     if (recorder_.isUndefined(result)) result = recorder_.constant(Base::Float, 0);
     result = recorder_.convert(result, Base::Float);
   }
-  if (!problems_.any()) isTooMuch(function.place);
+  if (!problems_.any()) exceedsLimits(function.place);
   return {std::move(recorder_), std::move(results), function.type, std::move(externals_),
           std::move(routines_)};
 }
@@ -128,7 +128,7 @@ void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
   }
 }
 
-bool Lowering::isTooMuch(Location place) {
+bool Lowering::exceedsLimits(Location place) {
   if (problems_.any()) return true;
   if (++steps_ > maxSteps || recorder_.isFull()) {
     problems_.add(place, "this needs more than 250,000 steps once its loops are unrolled");

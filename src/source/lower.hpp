@@ -90,7 +90,7 @@ class Lowering {
              Location place);
   Value inlineCall(FunctionId function, std::vector<Value> arguments);
   Value inlineOnce(FunctionId function, const std::vector<Value>& arguments);
-  bool isTooMuch(Location place);
+  bool exceedsLimits(Location place);
   Slot slotOf(VariableId variable) const { return slots_[variable]; }
   int sizeOf(Type type) const { return tree_.types.size(type); }
   Value get(Slot first, int count) const;

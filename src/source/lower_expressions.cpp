@@ -5,7 +5,7 @@ namespace warpjet::source {
 
 Lowering::Value Lowering::evaluate(ExpressionId number) {
   const Expression& node = tree_.expressions[number];
-  if (isTooMuch(node.place)) return undefined(node.type);
+  if (exceedsLimits(node.place)) return undefined(node.type);
   ++depth_;
   Value value = evaluateInner(node);
   --depth_;

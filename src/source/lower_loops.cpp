@@ -45,7 +45,7 @@ void Lowering::unroll(const Statement& statement) {
   // Iterations that only the shader can end. The first one of a `do` is one of them.
   int unknown = statement.isLate;
   const bool isEndless = hasNoEnd(statement);
-  for (int iteration = 0; !isTooMuch(statement.place); ++iteration) {
+  for (int iteration = 0; !exceedsLimits(statement.place); ++iteration) {
     if (iteration > maxUnrolledIterations) {
       problems_.add(statement.place, "this loop has not ended after " +
                                          std::to_string(maxUnrolledIterations) + " iterations");

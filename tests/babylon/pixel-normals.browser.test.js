@@ -52,7 +52,7 @@ const turnDirection = (matrix, d) => matrix.slice(0, 3).map((row) => m.dot(row, 
 const inThrees = (list) =>
   Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3))
 
-/** Returns { median, most, count, share } for a shape: angles between shown and exact normals, in the space of the world. */
+/** Returns { median, max, count, share } for a shape: angles between shown and exact normals, in the space of the world. */
 async function compare(backend, what) {
   const { pictures, world, toClip, mesh, normals } = await draw(backend, {
     shows: ['normal', ...rest],
@@ -85,9 +85,9 @@ async function compare(backend, what) {
   return { ...anglesOf(inWorld, (pixel) => at(pictures.normal, pixel)), share, normals }
 }
 
-function assertExact(name, { most, count, share }) {
+function assertExact(name, { max, count, share }) {
   assert.ok(count > 500 && share > 0.97, `${name}: ${count} pixels, ${share} of all`)
-  assert.ok(most < bound, `${name}: ${most} degrees off`)
+  assert.ok(max < bound, `${name}: ${max} degrees off`)
 }
 
 const at = (picture, pixel, count = 3) => [...picture.subarray(4 * pixel, 4 * pixel + count)]
@@ -182,8 +182,8 @@ for (const backend of ['webgl', 'webgpu'])
             ),
           }
         })
-        const { most } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
-        assert.ok(most < bound, `${most} degrees off`)
+        const { max } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
+        assert.ok(max < bound, `${max} degrees off`)
         const off = await draw(backend, { ...what, normals: 'pixel', shows, isOff: true })
         const still = await draw(backend, { ...what, warp: 'still', normals: 'vertex', shows })
         assert.equal(countDiffering(off.pictures.normal, still.pictures.normal), 0)
@@ -295,7 +295,7 @@ for (const backend of ['webgl', 'webgl without uniform buffers', 'webgpu'])
         const n = m.cross(columns[0], columns[1]).map((each) => -each)
         return { pixel, normal: m.turnNormal(fromBabylon(world), n) }
       })
-    const { most, count } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
-    assert.ok(count > 200 && most < bound, `${most} degrees off at ${count} pixels`)
+    const { max, count } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
+    assert.ok(count > 200 && max < bound, `${max} degrees off at ${count} pixels`)
     assert.deepEqual(takeMessages(), [])
   })

@@ -1,5 +1,5 @@
-// The formulas of noise in the docs. The test evaluates their text in double precision, from corners, points and octaves of plain
-// noise, and compares derivatives with differences of plain noise, and both with results of warpjet.
+// Tests the formulas of noise in the docs. Their text is evaluated in double precision, with the corners, feature points and octaves of the
+// plain noise of tests/support. Values must equal those of the plain noise, derivatives its central differences, and both those of warpjet.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { noiseFormulas } from '../../.scripts/reference/noise-formulas.mjs'
@@ -80,7 +80,7 @@ function octaves(p, dp) {
 }
 
 /** The gradients of the three noises, and their derivatives, which the docs write as quotients, `∂N₃/∂y`. */
-function three(p, dp) {
+function threeNoises(p, dp) {
   const gradients = [1, 2, 3].map((i) => (q) => bases.noise(q, hash(seed, i)).gradient)
   const parts = (i) => gradients.map((gradient) => gradient(p)[i])
   const changes = (i) => gradients.map((gradient) => slope(gradient, p, dp)[i])
@@ -98,7 +98,7 @@ const partsOf = {
   valueNoise: corners,
   simplex: triangle,
   worley: nearest,
-  curl: three,
+  curl: threeNoises,
   ...Object.fromEntries(fractals.map((name) => [name, octaves])),
 }
 

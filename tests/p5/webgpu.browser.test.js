@@ -1,5 +1,5 @@
 // createWarp on a WebGPU canvas: draws the same pictures as in WebGL, which other tests check. Materials, spaces, inputs and uniforms are
-// tested on each host in p5.browser.test.js and uniforms.browser.test.js.
+// tested on each host in p5.browser.test.js and inputs.browser.test.js.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as deformers from '../../dist/deformers.js'

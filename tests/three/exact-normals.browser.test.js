@@ -97,10 +97,10 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     })
 
     test('what cannot be read stays as it is, with a message', async (t) => {
-      for (const name of names.refused)
+      for (const name of names.unsupported)
         await t.test(name, async () => {
           messages.length = 0
-          const { message, isSame } = await page.evaluate((name) => exact.refused(name), name)
+          const { message, isSame } = await page.evaluate((name) => exact.unsupported(name), name)
           assert.ok(isSame)
           const own = messages.filter((text) => text.startsWith('exactNormals: '))
           assert.equal(own.length, 1, messages.join('\n'))

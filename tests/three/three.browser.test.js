@@ -163,7 +163,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     const manyTimes = isRun('every material of three') && version === versions[0] ? 1000 : 100
     for (const [title, times, settings] of [
       ['30 times', 30, {}],
-      [`${manyTimes} times beside another warped mesh`, manyTimes, { isBeside: true }],
+      [`${manyTimes} times beside another warped mesh`, manyTimes, { hasTwin: true }],
     ])
       test(`warping and disposing ${title} leaks nothing`, async () => {
         const { before, after } = await page.evaluate(

@@ -18,7 +18,7 @@ vec3 warpedPosition = vec3(x, y, height);
 vec3 warpedNormal = sign(normal.z) * normalize(vec3(-slopeX, -slopeY, 1.0));`,
 })
 
-/** The pipelines of the tests pass no images to warps; tests/p5/texture.browser.test.js does. */
+/** The pipelines of the tests pass no images to warps; tests/p5/inputs.browser.test.js does. */
 const readsImage = ({ warp }) => warp && /sampler2D/.test(compileWarp(warp).declarations)
 
 /** Compiles a sketch's warp like createWarp on p5 2, where normals vary over the surface unless the options say otherwise. */

@@ -3,7 +3,7 @@ const { sin, cos, floor, exp, hypot, min, abs, sqrt, pow, PI } = Math
 const mod = (x, y) => x - y * floor(x / y)
 const mix = (a, b, t) => a + (b - a) * t
 
-/** A hash of whole numbers, whose bits floats have, too. */
+/** A hash of integers. Float32 represents all of them exactly. */
 const scramble = (x) => mod((x * 34 + 1) * x, 289)
 const cell = (x, y, z) => scramble(scramble(scramble(mod(x, 289)) + mod(y, 289)) + mod(z, 289))
 

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs'
 import { createServer } from 'vite'
 import { path } from '../../lib/files.mjs'
 
-/** The gallery's server provides what its examples load; only the benchmark also loads p5 1.x. */
+/** The benchmark also loads p5 1.x, which the gallery's server does not serve. */
 const p5v1 = 'node_modules/p5-v1/lib/p5.min.js'
 const oldP5 = {
   name: 'old-p5',
@@ -14,7 +14,7 @@ const oldP5 = {
     }),
 }
 
-/** Starts it → { url, close() }. */
+/** Starts the server → { url, close() }. */
 export async function serveBench() {
   const server = await createServer({
     configFile: path('web/vite.config.js'),

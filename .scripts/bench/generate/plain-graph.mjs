@@ -9,7 +9,7 @@ const random = (low, high) => {
 }
 
 /** The offset function of the same warp, for compileWarp. */
-export const stackedSines = (count) => {
+export const sineWarp = (count) => {
   state = 7
   return ({ glsl, position, millis }) => {
     const axes = [position.x(), position.y(), position.z()]

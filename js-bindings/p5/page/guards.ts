@@ -8,12 +8,13 @@ import { WarpError } from '../../errors/errors.js'
 import { guardedKey } from '../../errors/operators.js'
 import { sketchOf, type Canvas } from '../host.js'
 
-const alike =
+/** Functions that expressions have as methods of the same name. */
+const methods =
   'sin cos tan asin acos atan sinh cosh tanh abs floor ceil round sign trunc sqrt exp log log2 fract degrees radians'
 
 /** Maps a function's name to what to write instead. */
 const instead: Record<string, string> = {
-  ...Object.fromEntries(alike.split(' ').map((name) => [name, `x.${name}()`])),
+  ...Object.fromEntries(methods.split(' ').map((name) => [name, `x.${name}()`])),
   atan2: 'glsl.atan(y, x)',
   pow: 'glsl.pow(x, 2)',
   sq: 'x.mult(x)',

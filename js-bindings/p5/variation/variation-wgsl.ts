@@ -14,7 +14,7 @@ const isOfNormal = (name: string) => name.startsWith('normal')
 export const privatesFor = (names: readonly VariationInput[]) =>
   names.map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`)
 
-/** Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if they are. */
+/** Adds the attributes to the struct and copies them into the globals. Throws a `WarpError` with the message `tooMany` if there are too many. */
 export function addAttributes(
   shader: Pick<Shader, '_vertSrc'>,
   names: readonly VariationInput[],
@@ -39,11 +39,13 @@ interface InSpace {
   space: WarpSpace
 }
 
-/** Returns the attributes that the code reads; outside the shape's own space it needs all gradients of the normal, if any. */
+/** Returns the attributes that the code reads. Outside the shape's own space, one gradient of the normal depends on all of them. */
 export function attributesOf({ text, space }: InSpace) {
   const read = variationIn(text)
-  const isWhole = space !== 'local' && read.some(isOfNormal)
-  return variationNames.filter((name) => read.includes(name) || (isWhole && isOfNormal(name)))
+  const needsWholeNormal = space !== 'local' && read.some(isOfNormal)
+  return variationNames.filter(
+    (name) => read.includes(name) || (needsWholeNormal && isOfNormal(name)),
+  )
 }
 
 /** Does the same as `variationInGlsl`. The matrix `ofCamera` transforms normals to view space. */

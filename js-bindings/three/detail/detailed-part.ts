@@ -17,7 +17,7 @@ import { fillOf, inWorld } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
 import { baseOf, isOfInstances } from './base.js'
 import { DividedGeometry } from './divided-geometry.js'
-import { join, sceneOf, type Divisible } from './scenes.js'
+import { addToScene, sceneOf, type Divisible } from './scenes.js'
 import { viewsOf, type Render } from './views.js'
 
 /** The object with its own vertices, also while it is drawn with others. */
@@ -58,7 +58,7 @@ export class DetailedPart implements Divisible {
     if (scene === this.scene) return
     this.leave?.()
     this.scene = scene
-    this.leave = scene && join(scene, this)
+    this.leave = scene && addToScene(scene, this)
   }
 
   divide(render: Render) {

@@ -24,8 +24,8 @@ type Hook = (
 
 const hooksOf = new WeakMap<Scene, SceneHooks>()
 
-/** Divides an object whenever the scene is rendered; call the result to end that. */
-export function join(scene: Scene, part: Divisible): () => void {
+/** Divides an object whenever the scene is rendered, until the returned function is called. */
+export function addToScene(scene: Scene, part: Divisible): () => void {
   let hooks = hooksOf.get(scene)
   if (!hooks) hooksOf.set(scene, (hooks = new SceneHooks(scene)))
   hooks.parts.add(part)
@@ -73,7 +73,7 @@ class SceneHooks {
     this.release = () => stops.forEach((stop) => stop())
   }
 
-  /** Render calls inside of another one, such as those of shadows and mirrors, draw what that one has divided. */
+  /** Nested render calls, such as those of shadows and mirrors, draw what the outer one has divided. */
   private begin(render: Render) {
     if (this.current) return
     this.current = render

@@ -71,7 +71,7 @@ function beforeNormals({ context }: Builder, work: () => void) {
   }
 }
 
-/** Returns the maximum number of varyings that the material's own nodes have, or an estimate if there are nodes of the user. */
+/** Returns how many varyings the material's own nodes have at most. If the user added nodes, this is an estimate. */
 function varyingsOfThree(material: NormalMaterial, hasTangents: boolean): number {
   const textures = Object.values(material).filter((value) => (value as Partial<Texture>)?.isTexture)
   const channels = new Set(textures.map(({ channel }: Texture) => channel))
@@ -106,7 +106,7 @@ export class PixelNormals {
   readonly hasTangents: boolean
   /** The inputs. The normal has its length as the fourth component: interpolation shortens it. */
   private readonly varyings: PackedVaryings
-  /** The columns of an instance's matrix, which is constant in each. */
+  /** The columns of the matrix of an instance. Every vertex of the instance passes the same ones. */
   private readonly matrix: PackedVaryings | undefined
 
   constructor(
@@ -168,7 +168,7 @@ export class PixelNormals {
     )
   }
 
-  /** Replaces the normals of the geometry in front of the material's own nodes for normals. */
+  /** Replaces the normals of the geometry before the material's own nodes for normals run. */
   replaceNormals() {
     const { builder, material } = this
     const { context } = builder

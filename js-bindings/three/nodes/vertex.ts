@@ -3,7 +3,7 @@
 import { shaderNames, variationAttribute, variationNames } from '../../compile/hosts.js'
 import { nameOf } from '../describe.js'
 import { warnOfVertices } from '../notes.js'
-import type { ThreeWarp, Turned } from '../three-warp.js'
+import type { ThreeWarp, VertexStage } from '../three-warp.js'
 import type { Builder } from './builder.js'
 import { parameterNames, parametersOf } from './function.js'
 import { instancesOf, isPosed, isSkinned, withoutInstances } from './instances.js'
@@ -105,7 +105,7 @@ export function moveVertex(
 ) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
-  const turned: Turned = geometry.hasAttribute('tangent')
+  const stage: VertexStage = geometry.hasAttribute('tangent')
     ? 'tangent'
     : geometry.hasAttribute('normal')
       ? 'normal'
@@ -115,18 +115,18 @@ export function moveVertex(
     ...uniforms,
     ...inputsOf(builder, uniforms, space.isLocal),
     [parameterNames.position!]: position,
-    ...(turned !== 'position' && { [parameterNames.normal!]: space.normal() }),
-    ...(turned === 'tangent' && { [parameterNames.tangent!]: space.tangent() }),
+    ...(stage !== 'position' && { [parameterNames.normal!]: space.normal() }),
+    ...(stage === 'tangent' && { [parameterNames.tangent!]: space.tangent() }),
   })
   const resultFor = (position: AnyNode, uniforms: NodesByName) => {
     const inputs = inputsFor(position, uniforms)
-    const names = parametersOf(warp, turned, isWebGPU).map(([name]) => name)
+    const names = parametersOf(warp, stage, isWebGPU).map(([name]) => name)
     return nodes.call(
-      turned,
+      stage,
       isWebGPU,
     )(Object.fromEntries(names.map((name) => [name, inputs[name]])))
   }
-  const positionOf = (result: AnyNode) => (turned === 'position' ? result : result.element(0))
+  const positionOf = (result: AnyNode) => (stage === 'position' ? result : result.element(0))
   if (builder.needsPreviousData()) {
     const uniforms = { ...nodes.previousUniforms, ...outer.before }
     space.assignPrevious(positionOf(resultFor(space.previous(), uniforms)))
@@ -134,14 +134,14 @@ export function moveVertex(
   const uniforms = { ...nodes.uniforms, ...outer.now }
   pixel?.pass(inputsFor(space.position, uniforms))
   // Pixels compute their own normals.
-  if (position && (pixel || turned === 'position')) return space.assign(position)
-  const rest = turned === 'position' ? undefined : space.normal().toVar()
+  if (position && (pixel || stage === 'position')) return space.assign(position)
+  const rest = stage === 'position' ? undefined : space.normal().toVar()
   const result = resultFor(space.position, uniforms)
   if (rest) vertex?.mark(result.element(1), rest)
   space.assign(
     position ?? positionOf(result),
-    turned === 'position' ? undefined : result.element(1),
-    turned === 'tangent' ? result.element(2) : undefined,
+    stage === 'position' ? undefined : result.element(1),
+    stage === 'tangent' ? result.element(2) : undefined,
   )
 }
 

@@ -40,7 +40,7 @@ StatementId Parser::declaration(const Qualifiers& given, Type type, const Token&
   const Variable::Kind kind = isGlobal || global.kind == Constant ? global.kind : Local;
   ExpressionId start = nothing;
   if (accept("=")) {
-    // The scope of a variable starts here; it isn't visible in its own initializer.
+    // The variable is added below, since it isn't visible in its own initializer.
     start = assignment();
     if (problems_.any()) return nothing;
     if (tree_.types.hasArray(typeOf(start))) requireVersion("an assignment of arrays", name.place);
@@ -83,11 +83,11 @@ void Parser::checkStart(Variable::Kind kind, ExpressionId start, const Token& na
                                 " is const, but its value is known only when the "
                                 "shader runs; remove const");
   if (kind != Global) return;
-  const auto isFromBefore = [&](VariableId other) {
+  const auto isAllowed = [&](VariableId other) {
     const Variable::Kind of = tree_.variables[other].kind;
     return text_.version != 300 && (of == Global || of == Uniform);
   };
-  if (!constants_.isConstant(start, isFromBefore))
+  if (!constants_.isConstant(start, isAllowed))
     fail(name.place,
          "the initial value of a global variable must be known before the shader runs; "
          "assign " +

@@ -6,7 +6,8 @@ import { leavePage } from './browser.js'
  * Runs each statement of a table in a sketch, and compares the message of its WarpError:
  * - `files`: the scripts. Default: those of the host.
  * - `head`: statements before setup(). `setup`: statements of setup(), which may await on p5 2.x. `drawing`: statements of draw().
- * - `cases`: maps a statement, which may await, to a pattern. The sketch then draws again, unless `isRemoved`.
+ * - `cases`: maps a statement, which may await, to a pattern of the message.
+ * - `isRemoved`: `true` if the cases remove the sketch. Otherwise it must still draw after them.
  */
 export async function checkMistakes(host, table) {
   const { files, head = '', setup = '', drawing = '', cases, isRemoved } = table

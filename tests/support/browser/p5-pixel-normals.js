@@ -86,8 +86,8 @@ export const describeShape = `(shape) => {
 export function checkNormals(warp, shape, mesh, { restAt, shownAt }) {
   const { exact, share } = exactNormals(warp, mesh, { toScreen, restAt, width: size, height: size })
   const inView = exact.map(({ pixel, normal }) => ({ pixel, normal: m.turnNormal(turn, normal) }))
-  const { median, most, count } = anglesOf(inView, shownAt)
+  const { median, max, count } = anglesOf(inView, shownAt)
   assert.ok(count > 500 && share > 0.97, `${shape}: ${count} pixels, ${share} of them compared`)
-  assert.ok(most < 0.1, `${shape}: ${most} degrees off at 99.9%, ${median} in the median`)
-  return most
+  assert.ok(max < 0.1, `${shape}: ${max} degrees off at 99.9%, ${median} in the median`)
+  return max
 }

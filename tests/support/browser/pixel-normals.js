@@ -124,5 +124,5 @@ export function anglesOf(exact, shownAt) {
   const angles = exact.map(({ pixel, normal }) => angleBetween(shownAt(pixel), normal))
   angles.sort((a, b) => a - b)
   const at = (share) => angles[Math.min(angles.length - 1, Math.floor(share * angles.length))]
-  return { median: at(0.5), most: at(0.999), count: angles.length }
+  return { median: at(0.5), max: at(0.999), count: angles.length }
 }

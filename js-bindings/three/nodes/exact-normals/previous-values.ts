@@ -19,7 +19,7 @@ const copyOf = (value: Value): Value => (isCopied(value) ? value.clone() : value
 /** Maps a uniform node → the node of its value in the frame before. */
 const known = new WeakMap<AnyNode, AnyNode>()
 
-/** Returns the nodes with the uniforms among them replaced; others count as constant in time. */
+/** Returns the nodes, with uniforms replaced by their previous values. Other nodes count as constant in time. */
 export const previousValues = (now: NodesByName): NodesByName =>
   Object.fromEntries(Object.entries(now).map(([name, node]) => [name, previousOf(node)]))
 
@@ -38,7 +38,7 @@ interface Recorded {
   before: Value
 }
 
-/** The values differ by object, as the matrix of its place in the world does. */
+/** Records the values per object, since a value can depend on the object, as its world matrix does. */
 function makePrevious(node: UniformNode): AnyNode {
   const recorded = new WeakMap<Object3D, Recorded>()
   return tsl.uniform(copyOf(node.value as Value)).onObjectUpdate(({ frameId, object }: Frame) => {

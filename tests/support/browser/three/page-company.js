@@ -2,7 +2,7 @@
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { addSurfaceVariation, warpMaterial, warpNode } from 'warpjet/three/webgpu'
-import { differing } from './pixels.js'
+import { countDiffering } from './pixels.js'
 import * as scenes from './scenes.js'
 import * as velocities from './velocities.js'
 import * as torus from './wavy-torus.js'
@@ -225,7 +225,7 @@ async function compare(name, backend) {
   const pictures = []
   for (const scene of all) pictures.push(await draw(renderer, scene))
   const [shown, wanted, before] = pictures
-  return { differing: differing(shown, wanted), moved: differing(wanted, before) }
+  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
 }
 
 window.company = {

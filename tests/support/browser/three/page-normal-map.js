@@ -3,7 +3,7 @@ import * as THREE from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 const size = 300
-/** The samples of a pixel, along each axis: the normals of noise differ within a pixel, which the map's mipmaps average. */
+/** Samples per pixel along each axis. Normals of noise vary within a pixel, and the map's mipmaps average them, so we average them too. */
 const samples = 4
 const resolution = size * samples
 
@@ -87,7 +87,7 @@ const changes = {
   },
 }
 
-/** Returns how many pixels are drawn, and how many of them differ by each number in some channel. */
+/** Returns how many pixels are drawn, and a histogram of the max difference of their channels. */
 async function compare(glb, exact, change) {
   const expected = await draw(exact.glb, withExactNormals(exact))
   const shown = await draw(glb, changes[change])

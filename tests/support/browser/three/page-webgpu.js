@@ -4,7 +4,7 @@ import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import { warpNode } from 'warpjet/three/webgpu'
 import { settledHeap } from './heap.js'
-import { differing } from './pixels.js'
+import { countDiffering } from './pixels.js'
 import { samplings, scenesOf } from './sampling.js'
 import * as scenes from './scenes.js'
 import * as wave from './wave.js'
@@ -36,9 +36,9 @@ async function compare(name, { backend, light = 'directional', space, sabotage, 
   warped.dispose()
   const after = await draw(renderer, scene)
   return {
-    differing: differing(shown, expected),
-    moved: differing(shown, before),
-    afterwards: differing(after, before, 0),
+    differing: countDiffering(shown, expected),
+    moved: countDiffering(shown, before),
+    afterwards: countDiffering(after, before, 0),
   }
 }
 
@@ -57,7 +57,7 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
   warped.update(1000)
   const shown = await pictureOf(object)
   warped.dispose()
-  return { differing: differing(shown, expected), moved: differing(shown, before) }
+  return { differing: countDiffering(shown, expected), moved: countDiffering(shown, before) }
 }
 
 /** Does the same as `normals` in page.js, with a float target, for which three.js converts colours to linear ones. */
@@ -105,8 +105,8 @@ async function image({ backend }) {
   const before = await draw(renderer, scene)
   object.matrix.multiply(scenes.shiftMatrix())
   return {
-    differing: differing(shown, await draw(renderer, scene)),
-    moved: differing(shown, before),
+    differing: countDiffering(shown, await draw(renderer, scene)),
+    moved: countDiffering(shown, before),
   }
 }
 
@@ -133,7 +133,7 @@ async function sampling(name, kind, { backend }) {
   const pictures = []
   for (const scene of [warped, expected, still]) pictures.push(await draw(renderer, scene))
   const [shown, wanted, before] = pictures
-  return { differing: differing(shown, wanted), moved: differing(wanted, before) }
+  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
 }
 
 /** Compares two planes scaled by 2: a warp moves one along its normal in world space, the other is placed there. */
@@ -155,7 +155,7 @@ async function alongNormal({ backend }) {
   const warped = warp(object, offset, { space: 'world', surfaceVariation: false })
   const shown = await draw(renderer, scene)
   warped.dispose()
-  return { differing: differing(shown, expected), moved: differing(shown, before) }
+  return { differing: countDiffering(shown, expected), moved: countDiffering(shown, before) }
 }
 
 /** Warps an object once, draws it with both renderers, and compares each picture with the motion without a warp in the same renderer. */
@@ -187,8 +187,8 @@ async function both({ backend }) {
   ]) {
     const [shown, wanted] = [await show(scene), await show(expected)]
     found[name] = {
-      differing: differing(shown, wanted),
-      moved: differing(wanted, await show(before)),
+      differing: countDiffering(shown, wanted),
+      moved: countDiffering(wanted, await show(before)),
     }
   }
   warped.dispose()

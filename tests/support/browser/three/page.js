@@ -2,7 +2,7 @@
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
 import { settledHeap } from './heap.js'
-import { differing } from './pixels.js'
+import { countDiffering } from './pixels.js'
 import { samplings, scenesOf } from './sampling.js'
 import * as scenes from './scenes.js'
 import * as wave from './wave.js'
@@ -87,9 +87,9 @@ export function compare(
   const after = draw(scene)
   free(scene)
   return {
-    differing: differing(shown, expected),
-    moved: differing(shown, before),
-    afterwards: differing(after, before, 0),
+    differing: countDiffering(shown, expected),
+    moved: countDiffering(shown, before),
+    afterwards: countDiffering(after, before, 0),
   }
 }
 
@@ -115,7 +115,7 @@ export function mirror(name, { light = 'directional', space, normals, isKnown = 
   warped.update(1000)
   const shown = pictureOf(object)
   warped.dispose()
-  return { differing: differing(shown, expected), moved: differing(shown, before) }
+  return { differing: countDiffering(shown, expected), moved: countDiffering(shown, before) }
 }
 
 /** Measures the error of the shown normals of a wave, in 255ths → { worst, unwarped }, the latter without the warp. */
@@ -159,7 +159,7 @@ export function image() {
   warped.dispose()
   const before = draw(scene)
   object.matrix.multiply(scenes.shiftMatrix())
-  return { differing: differing(shown, draw(scene)), moved: differing(shown, before) }
+  return { differing: countDiffering(shown, draw(scene)), moved: countDiffering(shown, before) }
 }
 
 /** Compares a sphere whose heights a warp reads from a texture with vertices moved in double precision. */
@@ -167,7 +167,7 @@ export function sampling(name, kind) {
   renderer = rendererFor({})
   const { warped, expected, still } = scenesOf(name, kind)
   const [shown, wanted, before] = [warped, expected, still].map((scene) => draw(scene))
-  return { differing: differing(shown, wanted), moved: differing(wanted, before) }
+  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
 }
 
 /** Compares the example for three-custom-shader-material of web/docs/three.md with the motion by three.js. */
@@ -210,27 +210,27 @@ export async function custom() {
   const moved = scenes.moved(scenes.shapes.plain)
   const reference = scenes.sceneOf(moved, 'directional')
   moved.castShadow = false
-  return { differing: differing(shown, draw(reference)), moved: differing(shown, before) }
+  return { differing: countDiffering(shown, draw(reference)), moved: countDiffering(shown, before) }
 }
 
 /**
- * Warps and disposes a mesh many times → the counts of three.js and the size of the heap, before and after. With `isBeside`, another
+ * Warps and disposes a mesh many times → the counts of three.js and the size of the heap, before and after. With `hasTwin`, another
  * mesh stays warped and shares its programs, which otherwise are compiled each time, for a tenth of a second. Draws few pixels.
  */
-export async function churn(times, { isBeside = false } = {}) {
+export async function churn(times, { hasTwin = false } = {}) {
   renderer = rendererFor({})
   const object = scenes.shapes.plain()
   const scene = scenes.sceneOf(object, 'directional')
   renderer.setSize(8, 8)
   scene.traverse((part) => part.shadow?.mapSize.set(8, 8))
-  const beside = isBeside ? scenes.shapes.plain() : null
-  if (beside) {
-    beside.castShadow = beside.receiveShadow = true
-    scene.add(beside)
+  const twin = hasTwin ? scenes.shapes.plain() : null
+  if (twin) {
+    twin.castShadow = twin.receiveShadow = true
+    scene.add(twin)
   }
   // In the first frame of a scene, three.js compiles shadow programs without its lights, which are not shared later.
   renderer.render(scene, scenes.camera())
-  const besideWarp = beside && warp(beside, scenes.offset, { uniforms: scenes.uniforms() })
+  const twinWarp = twin && warp(twin, scenes.offset, { uniforms: scenes.uniforms() })
   const once = () => {
     const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
     warped.update(1000)
@@ -248,7 +248,7 @@ export async function churn(times, { isBeside = false } = {}) {
   const before = await state()
   for (let i = 0; i < times; i++) once()
   const after = await state()
-  besideWarp?.dispose()
+  twinWarp?.dispose()
   renderer.setSize(size, size)
   return { before, after }
 }

@@ -1,7 +1,7 @@
 // A torus whose vertices a warp moves along their normals by a wave over uv, compared with vertices moved in double precision.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
-import { differing } from './pixels.js'
+import { countDiffering } from './pixels.js'
 import * as scenes from './scenes.js'
 import { draw, rendererFor } from './webgpu-renderer.js'
 
@@ -82,5 +82,5 @@ export async function compare(backend, { hasTangents, exact = true }, addSurface
   ])
     pictures.push(await draw(renderer, scenes.sceneOf(mesh, 'directional')))
   const [shown, wanted, before] = pictures
-  return { differing: differing(shown, wanted), moved: differing(wanted, before) }
+  return { differing: countDiffering(shown, wanted), moved: countDiffering(wanted, before) }
 }

@@ -10,7 +10,7 @@ const target = new THREE.RenderTarget(size, size)
 async function hostFor(backend) {
   const renderer = await rendererFor(backend)
   renderer.setClearColor(0, 0)
-  // It would be reset by each animation frame, too.
+  // Each animation frame would reset the counts, too.
   renderer.info.autoReset = false
   return {
     async draw(scene, view) {

@@ -464,7 +464,7 @@ export const objects = {
 }
 
 /** Shaders that stay as they are, each with a part of the message. */
-export const refused = {
+export const unsupported = {
   'mvPosition on a mesh with bones': {
     kind: 'skin',
     message: /moves mvPosition on a mesh with bones or morph targets/,

@@ -449,7 +449,7 @@ export const displacements = {
 }
 
 /** Displacements that have no derivative by the position, each with a part of the message. */
-export const refused = {
+export const unsupported = {
   'a jitter by vertexIndex': {
     shape: 'plane',
     position: () => positionLocal.add(vec3(0, 0, TSL.hash(TSL.vertexIndex).mul(0.1))),

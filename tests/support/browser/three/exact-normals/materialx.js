@@ -53,7 +53,7 @@ export const fractal = (p, octaves) =>
     (a, b) => a + b,
   )
 
-/** The generator PCG as three's `hash` has it: of a whole number, a number from 0 to 1. */
+/** Maps an integer to a number from 0 to 1, by the generator PCG as in three's `hash`. */
 export function hash(seed) {
   const state = (Math.imul(seed, 747796405) + 2891336453) >>> 0
   const word = Math.imul((state >>> ((state >>> 28) + 4)) ^ state, 277803737) >>> 0

@@ -55,6 +55,6 @@ async function measure(name, backend, side, frames) {
 }
 
 window.bench = { measure }
-// Without somebody who holds it, the browser loses the device.
+// The browser drops the device if nothing refers to it.
 window.gpu = navigator.gpu
 document.title = 'ready'

@@ -2,9 +2,9 @@
 import * as THREE from 'three/webgpu'
 import { exactNormals } from 'warpjet/three/webgpu'
 import { degreesBetween, exactVertex, quantile } from '../pixel-normals/exact.js'
-import { camera, objectFor, parts, seenOf, size } from '../pixel-normals/scenes.js'
+import { camera, objectFor, parts, restPart, size } from '../pixel-normals/scenes.js'
 import { rendererFor } from '../webgpu-renderer.js'
-import { displacements, refused } from './displacements.js'
+import { displacements, unsupported } from './displacements.js'
 import { showcases } from './showcases.js'
 import { warpBeside } from './warp-beside.js'
 
@@ -31,7 +31,7 @@ async function picture(renderer, scene, view, side = size) {
   return renderer.readRenderTargetPixelsAsync(target, 0, 0, side, side)
 }
 
-/** MeshNormalMaterial takes its colours for sRGB, and writes linear ones. */
+/** Converts a linear colour back to sRGB: MeshNormalMaterial takes the normal for an sRGB colour and writes it linearly. */
 const decode = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055)
 
 function draw(renderer, object, view) {
@@ -41,7 +41,7 @@ function draw(renderer, object, view) {
 }
 
 /** Draws a case with `exactNormals`, or without → the picture and everything that drew it. */
-async function draws(
+async function drawCase(
   { kind = 'plain', shape, first, position, prepare },
   { backend, normals = 'pixel', isExact = true },
 ) {
@@ -65,7 +65,7 @@ async function draws(
 async function measure(name, settings) {
   const given = displacements[name]
   const { move, isOfGeometry } = given
-  const { renderer, material, object, geometry, view, shown } = await draws(given, settings)
+  const { renderer, material, object, geometry, view, shown } = await drawCase(given, settings)
   const seen = {}
   const shows = positionShowing(material.positionNode, isOfGeometry)
   object.material = new THREE.MeshBasicNodeMaterial()
@@ -74,7 +74,7 @@ async function measure(name, settings) {
     if (part === 'tangent') continue
     object.material.fragmentNode = shows[part] ?? attribute('seen', 'vec4')
     object.material.needsUpdate = true
-    const numbers = seenOf('plain', geometry, part)
+    const numbers = restPart('plain', geometry, part)
     object.geometry.setAttribute('seen', new THREE.BufferAttribute(numbers, 4))
     seen[part] = await draw(renderer, object, view)
   }
@@ -103,12 +103,12 @@ async function measure(name, settings) {
     covered: angles.length + skipped,
     skipped,
     median: quantile(angles, 0.5),
-    most: quantile(angles, 0.999),
+    max: quantile(angles, 0.999),
     finite: angles.every(Number.isFinite),
   }
 }
 
-/** A positionNode that shows the vertex that the other one moves, as three.js has posed it; a normal with its length. */
+/** Wraps a positionNode: the varyings `position` and `normal` are those of the posed vertex before it moves; the fourth component of `normal` is its length. */
 function positionShowing(positionNode, isOfGeometry) {
   const [position, normal] = [0, 1].map((i) => varyingProperty('vec4', `seen${i}`))
   const [p, n] = isOfGeometry ? [positionGeometry, normalGeometry] : [positionLocal, normalLocal]
@@ -121,18 +121,19 @@ function positionShowing(positionNode, isOfGeometry) {
 }
 
 /** Counts pixels that `exactNormals` changes. */
-async function changes(name, settings) {
+async function countChanges(name, settings) {
   const pictures = []
   for (const isExact of [true, false])
-    pictures.push((await draws(refused[name], { ...settings, isExact })).shown)
+    pictures.push((await drawCase(unsupported[name], { ...settings, isExact })).shown)
   return pictures[0].filter((x, i) => x !== pictures[1][i]).length
 }
 
-/** The half side of a showcase's plane, all of which is seen from above, and the side of its picture in pixels. */
+/** Half the side of each showcase's plane, which the view from above shows whole. */
 const halves = { sea: 1, terrain: 5 }
+/** The side of a picture of a showcase, in pixels. */
 const wide = 320
 
-/** Shows the normals of a showcase, `by`: 'hand', 'us' or 'nobody' → degrees from those of differences of its height, by quantiles. */
+/** Measures the normals of a showcase, computed `by` 'hand', 'us' or 'nobody' → quantiles of degrees from those by differences of its height. */
 async function measureShowcase(name, { backend, by, normals = 'pixel', pieces }) {
   const renderer = await rendererFor(backend)
   const { geometry, parameters, material: make, heightNear } = showcases[name]
@@ -182,7 +183,7 @@ async function measureShowcase(name, { backend, by, normals = 'pixel', pieces })
     skipped,
     mean: angles.reduce((a, b) => a + b, 0) / angles.length,
     worst: angles.reduce((a, b) => Math.max(a, b), 0),
-    most: quantile(angles, 0.999),
+    max: quantile(angles, 0.999),
     median: quantile(angles, 0.5),
     shaders,
   }
@@ -248,9 +249,9 @@ window.exact = {
   velocities,
   names: Object.keys(displacements),
   measure,
-  refused: Object.entries(refused).map(([name, { message }]) => [name, message.source]),
-  changes,
+  unsupported: Object.entries(unsupported).map(([name, { message }]) => [name, message.source]),
+  countChanges,
 }
-// Without somebody who holds it, the browser loses the device.
+// The browser drops the device if nothing refers to it.
 window.gpu = navigator.gpu
 document.title = 'ready'

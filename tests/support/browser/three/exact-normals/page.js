@@ -1,12 +1,12 @@
 // A page that measures exact normals of displacements against differences in double precision.
 import * as THREE from 'three'
 import { addSurfaceVariation, exactNormals } from 'warpjet/three'
-import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused } from './cases.js'
+import { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, unsupported } from './cases.js'
 import { habits, measureHabit } from './habits.js'
 import { measure } from './measure.js'
 import * as meshes from './meshes.js'
 
-const tables = { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, refused }
+const tables = { chunks, objects, ofCustomShaderMaterial, ofShaderMaterial, unsupported }
 
 globalThis.THREE = THREE
 globalThis.exact = {
@@ -15,12 +15,12 @@ globalThis.exact = {
   names: Object.fromEntries(
     Object.entries(tables).map(([table, rows]) => [table, Object.keys(rows)]),
   ),
-  /** → the largest differences from the oracle. `normals` is the option; without it the material stays as it is. */
+  /** Returns the largest differences from the oracle. `normals` is the option; without it, the material is not changed. */
   measure: (table, name, normals) =>
     measure(tables[table][name], normals, table !== 'ofShaderMaterial'),
-  /** → whether the material shows the same as without `exactNormals`. */
-  async refused(name) {
-    const { material, message, kind } = refused[name]
+  /** Returns the expected message, and whether the material looks the same as without `exactNormals`. */
+  async unsupported(name) {
+    const { material, message, kind } = unsupported[name]
     const shown = []
     for (const each of [material(), exactNormals(material())])
       shown.push(

@@ -4,7 +4,7 @@
 import * as THREE from 'three'
 import { addSurfaceVariation, warp } from 'warpjet/three'
 import { degreesBetween, exactVertex, mover, quantile } from './exact.js'
-import { camera, kinds, objectFor, parts, seenOf, size } from './scenes.js'
+import { camera, kinds, objectFor, parts, restPart, size } from './scenes.js'
 import { heights, warps } from './warps.js'
 
 /** A normal map of one direction, in floats. */
@@ -59,7 +59,7 @@ export async function measure(
   for (const part of parts) {
     if (!geometry.attributes[part] && !(varies && part.endsWith('Gradient'))) continue
     const all = new Float32Array(4 * object.geometry.attributes.position.count)
-    const numbers = seenOf(kind, geometry, part)
+    const numbers = restPart(kind, geometry, part)
     all.set(space === 'world' ? moveIntoWorld(part, numbers, object) : numbers)
     object.geometry.setAttribute('seen', new THREE.BufferAttribute(all, 4))
     seen[part] = await draw(scene, view)
@@ -135,7 +135,7 @@ function compare(all) {
     skipped,
     facing: facing / angles.length,
     median: quantile(angles, 0.5),
-    most: quantile(angles, 0.999),
+    max: quantile(angles, 0.999),
     finite: angles.every(Number.isFinite) && shown.every(Number.isFinite),
   }
 }

@@ -70,21 +70,21 @@ function sources(normals, kind = 'standard') {
 /** Materials in which normals cannot be computed at pixels. */
 const obstacles = {
   'normals changed after the warp': () =>
-    makeMaterialChangedBy((shader) => {
+    makeMaterialWithHook((shader) => {
       shader.vertexShader = shader.vertexShader.replace(
         '#include <project_vertex>',
         '#include <project_vertex>\nvNormal = normalize( vNormal + vec3( 0.3, 0.0, 0.0 ) );',
       )
     }),
   'normals changed before the warp': () =>
-    makeMaterialChangedBy((shader) => {
+    makeMaterialWithHook((shader) => {
       shader.vertexShader = shader.vertexShader.replace(
         '#include <begin_vertex>',
         '#include <begin_vertex>\nvNormal = normalize( vNormal + vec3( 0.3, 0.0, 0.0 ) );',
       )
     }),
   'a fragment shader without the line': () =>
-    makeMaterialChangedBy((shader) => {
+    makeMaterialWithHook((shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
         '#include <normal_fragment_begin>',
         THREE.ShaderChunk.normal_fragment_begin.replace('normalize( vNormal )', 'vNormal'),
@@ -110,14 +110,14 @@ const obstacles = {
 
 const { maxVaryings } = renderer.capabilities
 
-function makeMaterialChangedBy(change) {
+function makeMaterialWithHook(change) {
   const material = new THREE.MeshStandardMaterial()
   material.onBeforeCompile = change
   material.customProgramCacheKey = () => String(change)
   return material
 }
 
-/** A material that has an obstacle → how many pixels differ from normals of vertices. */
+/** Draws a material that has an obstacle → how many pixels differ from those with normals at vertices. */
 function obstacle(name, normals) {
   const pictures = ['vertex', normals].map((normals) => {
     const { scene, warped } = litScene(obstacles[name](), warps.simplex, { normals })
@@ -129,7 +129,7 @@ function obstacle(name, normals) {
   return { differing: countDifferences(...pictures), ...summarize(pictures[1]) }
 }
 
-/** The stage that `auto` chooses for each warp, and one of a shift. */
+/** Returns the stage that `auto` chooses for each warp, and for a constant shift. */
 function stages() {
   const shift = ({ glsl }) => glsl.vec3(1, 0, 0)
   return Object.fromEntries(
@@ -144,7 +144,7 @@ function stages() {
   )
 }
 
-/** A sphere of noise with normals of a kind, as a page of its own shows it. */
+/** Shows a sphere of noise with the given `normals`, on a page that somebody looks at. */
 function show(normals, name = 'simplex', pixels = 400) {
   renderer.setSize(pixels, pixels)
   const { scene } = litScene(

@@ -19,10 +19,10 @@ import { warps } from './warps.js'
 
 const floats = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
 
-/** Transmission reads the picture behind, in levels of detail, which WebGPU does not filter in floats. A row has 256 bytes. */
+/** A target of bytes for transmission, which reads mipmaps of the background: WebGPU cannot filter those of floats. A row must have 256 bytes. */
 const bytes = new THREE.RenderTarget(64, 64, { type: THREE.UnsignedByteType })
 
-/** MeshNormalMaterial takes its colours for sRGB, and writes linear ones. */
+/** Converts linear colours back to sRGB: MeshNormalMaterial takes the normal for an sRGB colour and writes it linearly. */
 const decode = (picture) =>
   picture.map((x, i) =>
     i % 4 === 3 ? x : x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055,
@@ -77,7 +77,7 @@ async function ownNode(backend, normals) {
   return worst
 }
 
-/** A reflection of MeshBasicMaterial, which follows the pixel too → how many pixels differ from normals of vertices. */
+/** Draws a reflection by MeshBasicMaterial, with normals at pixels and at vertices → how many pixels differ. */
 async function reflection(backend) {
   const { draw } = await hostFor(backend)
   const pictures = []
@@ -93,7 +93,7 @@ async function reflection(backend) {
   return { differing: countDifferences(...pictures), ...summarize(pictures[1]) }
 }
 
-/** A warp in front of bones, whose normals stay those of vertices. */
+/** Draws a warp before skinning, whose normals stay those of vertices. */
 async function obstacle(backend, normals) {
   const { draw } = await hostFor(backend)
   const pictures = []
@@ -126,6 +126,6 @@ window.pixels = {
   obstacle,
   stage: () => warp(new THREE.Mesh(new THREE.SphereGeometry()), warps.simplex).normals,
 }
-// Without somebody who holds it, the browser loses the device.
+// The browser drops the device if nothing refers to it.
 window.gpu = navigator.gpu
 document.title = 'ready'

@@ -1,8 +1,8 @@
-// What the tests of normals at pixels draw: objects, and the vertices that the warp moves.
+// The objects that the tests of normals at pixels draw, and their vertices before the warp.
 import * as THREE from 'three'
 import { variationAttributes } from './attributes.js'
 
-/** A row of floats is a multiple of 256 bytes, as WebGPU wants it. */
+/** A row of floats is a multiple of 256 bytes, as WebGPU requires. */
 export const size = 80
 
 export const camera = () => {
@@ -21,7 +21,7 @@ const shapeGeometries = {
   plane: () => new THREE.PlaneGeometry(2, 2),
 }
 
-/** An object in a place of its own, which is neither even nor the origin, unless it is a plane. */
+/** Rotates and scales an object unevenly, unless it is a plane. */
 function place(object, isPlane) {
   if (!isPlane) {
     object.rotation.set(0.5, -0.4, 0.2)
@@ -97,7 +97,10 @@ function makeBatchedMesh(geometry, material) {
   return mesh
 }
 
-/** Maps the name of a case → what it draws, and how the vertices are before the warp where that is not the geometry itself. */
+/**
+ * Maps the name of a case → a function that makes its object. `pose` returns the vertices before the warp, if they are not those of the
+ * geometry; `matrices` are those of the instances.
+ */
 export const kinds = {
   plain: { make: (geometry, material) => new THREE.Mesh(geometry, material) },
   'negative scale': {
@@ -140,8 +143,8 @@ export function objectFor(kind, shape, material) {
   return { object, geometry: object.isBatchedMesh ? geometry : object.geometry }
 }
 
-/** The vectors of four numbers that a picture shows of the vertices before the warp. */
-export function seenOf(kind, geometry, part) {
+/** Returns a part of the vertices before the warp, as a vec4 per vertex, for a picture of it. */
+export function restPart(kind, geometry, part) {
   const { count } = geometry.attributes.position
   const numbers = new Float32Array(4 * count)
   const attribute = geometry.attributes[variationAttributes[part] ?? part]
@@ -163,7 +166,7 @@ export function seenOf(kind, geometry, part) {
   return numbers
 }
 
-/** Collapse the surface, so that its normal is zero. */
+/** Offsets that collapse the surface, so that its normal is zero. */
 export const collapses = {
   floor: ({ position }) => position.mult(3).floor().div(3).sub(position),
   pinch: ({ glsl, position }) =>

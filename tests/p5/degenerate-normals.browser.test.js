@@ -1,12 +1,14 @@
-// Warps that end where their mesh ends, on antialiased canvases: the centers of some pixels there are outside of the mesh, where the offset
-// is undefined. On WEBGPU, nothing flashed in SwiftShader before borders were reflected.
+// Normals where an offset has no usable derivatives: at the border of its domain, and where it collapses the surface.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { lookFromAfar, shaderOfNormals } from '../support/browser/p5-shown-normals.js'
-import { drawScenes, openHost, p5InThisRun } from '../support/browser/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun, p5InThisRun } from '../support/browser/sketch.js'
 
 const size = 120
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
+// Warps that end where their mesh ends, on antialiased canvases: the centers of some pixels there are outside of the mesh, where the offset
+// is undefined. On WEBGPU, nothing flashed in SwiftShader before borders were reflected.
 /**
  * At the right edge of the plane, where x is 0.5, slopes are infinite or, for those that end 0.004 beyond, steep: the normal is nearly the
  * x axis there. It is nearly the z axis on the left and, without care, outside.
@@ -33,8 +35,6 @@ const border = Array.from({ length: size * size }, (_, pixel) => {
   return { pixel, x: (cosine * x + sine * y) / 60, y: (cosine * y - sine * x) / 60 }
 }).filter(({ x, y }) => Math.abs(x - 0.5) < 0.7 / 60 && Math.abs(y) < 0.45)
 
-const { browser, server } = await openHost()
-
 /** Draws the plane with each offset, turned so that its edges cross pixels at all distances. The background has the color of the border. */
 function drawBorders(version, p5, attributes) {
   const draw = (name) => `background(249, 165, 128); warps.${name}(); noStroke()
@@ -45,7 +45,7 @@ function drawBorders(version, p5, attributes) {
     (name) =>
       `warps.${name} = createWarp(${offsets[name]}, { shader: ${shaderOfNormals(version, 'WEBGL')}, normals: 'pixel' })`,
   )
-  return drawScenes(browser, server, [p5, '/dist/p5.warpjet.min.js'], {
+  return drawScenes(browsers.WEBGL, server, [p5, '/dist/p5.warpjet.min.js'], {
     size,
     setup: [`setAttributes({ ${attributes} })`, ...made].join('\n'),
     scenes: Object.fromEntries(names.map((name) => [name, draw(name)])),
@@ -75,3 +75,56 @@ for (const [version, p5] of p5InThisRun)
         assert.ok(color[2] > 120, `${name} at ${x}, ${y}: ${color}`)
       }
   })
+
+// The normal of a surface that a warp collapses is the geometric normal of the triangle, on the side of the eye. In a parallel projection,
+// the direction from a position to the origin of view space may lead to the other side of a steep triangle.
+/** Leaves the four vertices of the plane where they are, with derivatives that press all surfaces into a point. */
+const collapse = ({ position }) => position.mult(2).round().div(2).sub(position)
+
+for (const [version, renderer, scripts] of p5HostsInThisRun)
+  for (const projection of [`ortho(-60, 60, -60, 60, -500, 500)`, 'perspective(1, 1, 10, 2000)'])
+    test(`p5 ${version} on ${renderer}: a collapsed surface has the geometric normal, ${projection}`, async () => {
+      const turns = [-1.3, 1.3].flatMap((angle) => [-40, 40].map((x) => [angle, x]))
+      const names = ['pixel', 'vertex']
+      const images = await drawScenes(
+        browsers[renderer],
+        server,
+        [...scripts, '/dist/p5.warpjet.min.js'],
+        {
+          size,
+          renderer,
+          setup: names
+            .map(
+              (name) =>
+                `warps.${name} = createWarp(${collapse}, { shader: ${shaderOfNormals(version, renderer)}, normals: '${name}' })`,
+            )
+            .join('\n'),
+          scenes: Object.fromEntries(
+            names.flatMap((name) =>
+              turns.map(([angle, x]) => [
+                [name, angle, x],
+                `${projection}; camera(0, 0, 100, 0, 0, 0, 0, 1, 0); noStroke()
+                warps.${name}(); translate(${x}, 0); rotateY(${angle}); scale(30); plane(1, 1, 1, 1)`,
+              ]),
+            ),
+          ),
+        },
+      )
+      for (const [name, { data }] of Object.entries(images)) {
+        // Without the edges, where colors are mixed with the background.
+        const isSeen = (pixel) => data[4 * pixel] + data[4 * pixel + 1] + data[4 * pixel + 2] > 0
+        const seen = [...Array(size * size).keys()].filter((pixel) =>
+          [0, 1, -1, size, -size].every((step) => isSeen(pixel + step)),
+        )
+        assert.ok(seen.length > 50, `${name}: ${seen.length} pixels`)
+        const [angle, x] = name.split(',').slice(1).map(Number)
+        const toEye = projection.startsWith('ortho') ? [0, 0, 1] : [-x, 0, 100]
+        const normal = [Math.sin(angle), 0, Math.cos(angle)]
+        const side = Math.sign(normal[0] * toEye[0] + normal[2] * toEye[2])
+        const expected = normal.map((value) => 127.5 * (side * value + 1))
+        const colors = seen.map((pixel) => [...data.subarray(4 * pixel, 4 * pixel + 3)])
+        const isNear = (color) => expected.every((value, i) => Math.abs(value - color[i]) < 4)
+        for (const color of colors)
+          assert.ok(isNear(color), `${name}: ${color} instead of ${expected}`)
+      }
+    })

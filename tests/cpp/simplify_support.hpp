@@ -1,0 +1,45 @@
+// Shared by the tests of graph/simplify.hpp.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace warpjet {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// All NaN are equal; zeros of different sign are not.
+inline bool same(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+
+// The number of doubles from one number to the other.
+inline std::uint64_t distance(double a, double b) {
+  const auto place = [](double x) {
+    std::int64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  };
+  if (std::isnan(a) || std::isnan(b)) return ~std::uint64_t{0};
+  const std::int64_t low = std::min(place(a), place(b)), high = std::max(place(a), place(b));
+  return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+}
+
+// Deterministic on all machines, unlike the distributions of the standard library.
+class Chance {
+ public:
+  std::size_t below(std::size_t end) { return random_() % end; }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
+
+ private:
+  std::mt19937 random_{1};
+};
+
+}  // namespace warpjet
