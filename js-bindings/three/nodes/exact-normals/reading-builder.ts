@@ -38,6 +38,8 @@ export interface ReadingBuilder extends Builder {
   addSequentialNode(node: ReadNode): void
   format(snippet: string, from: string, to: string | null): string
   getPropertyName(node: unknown, stage?: string): string
+  getVaryingFromNode(node: unknown, ...others: unknown[]): unknown
+  getVarFromNode(node: unknown, ...others: unknown[]): unknown
 }
 
 /** The parts of three's nodes that we use. */
@@ -81,6 +83,8 @@ export class NodeReading {
   /** Textures by name. */
   readonly textures = new Map<string, { value: Texture }>()
   readonly builder: ReadingBuilder
+  /** Maps nodes → the variables of the source that they are. */
+  readonly variables = new Map<unknown, unknown>()
   private readonly names = new Map<unknown, string>()
   private readonly patched: ReadNode[] = []
 
@@ -127,13 +131,22 @@ export class NodeReading {
 
   /** The methods of the builder by which nodes read what is outside. */
   private methods(builder: ReadingBuilder) {
-    const { addNode, getPropertyName } = builder
+    const { addNode, getPropertyName, getVaryingFromNode, getVarFromNode } = builder
+    const recording =
+      (method: (node: unknown, ...others: unknown[]) => unknown) =>
+      (node: unknown, ...others: unknown[]) => {
+        const variable = method.call(builder, node, ...others)
+        this.variables.set(node, variable)
+        return variable
+      }
     const isWebGPU = builder.renderer.backend.isWebGPUBackend === true
     const sample = (name: string, uv: string) =>
       isWebGPU
         ? `textureSampleLevel( ${name}, ${name}_sampler, ${uv}, 0.0 )`
         : `texture( ${name}, ${uv} )`
     return {
+      getVaryingFromNode: recording(getVaryingFromNode),
+      getVarFromNode: recording(getVarFromNode),
       getAttribute: (name: string, type: string) => ({
         name: knownAttributes.has(name) ? name : this.attribute(name, type),
         type,
