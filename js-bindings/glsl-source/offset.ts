@@ -56,7 +56,8 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
 
 /**
  * Makes an offset function from source in WGSL, like `glslOffset` from GLSL. A uniform is an input by its name in the shader, such
- * as `time` of `var<uniform> time: f32` or `scene.time` of a structure; so is an element of a storage buffer, by a constant index.
+ * as `time` of `var<uniform> time: f32` or `scene.time` of a structure; so is an element of a storage buffer, by a constant
+ * index or the counter of a loop with constant bounds.
  * Attributes, entry points and functions for fragments may stay in the source; they are ignored unless the function uses them.
  *
  * Throws a `WarpError` with the line and column of a mistake in the source.

@@ -12,7 +12,7 @@ import { tsl, type AnyNode } from '../tsl.js'
 export interface OuterValue {
   type: string
   node: AnyNode
-  /** Present for an array: the number of its elements, or `undefined` for one of any length. */
+  /** Present for an array. */
   array?: { elementType: string; count: number | undefined; isStorage: boolean }
 }
 
@@ -230,8 +230,7 @@ export class NodeReading {
       if (!node.isBufferNode) return { type: type === 'color' ? 'vec3' : type, node }
       const elementType = node.getPaddedType?.(this.builder) ?? node.bufferType!
       const isStorage = /storage/i.test(type)
-      const count = isStorage ? undefined : node.bufferCount
-      return { type, node, array: { elementType, count, isStorage } }
+      return { type, node, array: { elementType, count: node.bufferCount, isStorage } }
     })
   }
 
