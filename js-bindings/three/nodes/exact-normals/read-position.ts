@@ -18,7 +18,7 @@ export interface PositionSource {
   language: SourceLanguage
   /** A function `name` that returns the new position. */
   text: string
-  /** The same with the numbers of `effects` behind the position in a mat4; `undefined` if there are none, or too many. */
+  /** A function that also returns the numbers of `effects`, behind the position in a mat4; `undefined` if there are none, or too many. */
   textWithEffects: string | undefined
   /** Maps names in the source → values that the shader passes. */
   values: ReadonlyMap<string, OuterValue>

@@ -132,7 +132,7 @@ export class NodeReading {
   /** The methods of the builder by which nodes read what is outside. */
   private methods(builder: ReadingBuilder) {
     const { addNode, getPropertyName, getVaryingFromNode, getVarFromNode } = builder
-    const recording =
+    const record =
       (method: (node: unknown, ...others: unknown[]) => unknown) =>
       (node: unknown, ...others: unknown[]) => {
         const variable = method.call(builder, node, ...others)
@@ -145,8 +145,8 @@ export class NodeReading {
         ? `textureSampleLevel( ${name}, ${name}_sampler, ${uv}, 0.0 )`
         : `texture( ${name}, ${uv} )`
     return {
-      getVaryingFromNode: recording(getVaryingFromNode),
-      getVarFromNode: recording(getVarFromNode),
+      getVaryingFromNode: record(getVaryingFromNode),
+      getVarFromNode: record(getVarFromNode),
       getAttribute: (name: string, type: string) => ({
         name: knownAttributes.has(name) ? name : this.attribute(name, type),
         type,
