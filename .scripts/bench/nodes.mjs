@@ -1,22 +1,89 @@
-// npm run bench -- nodes: compares frames, and the first one, of two of three's showcases with normals by hand and by exactNormals.
+// npm run bench -- nodes [--size 1200] [--pieces N] [--pages 5] [--rounds 15] [--batch 50] [--software] [--backend webgl|webgpu]:
+// two of three's showcases on both backends of WebGPURenderer: as they are, with normals by hand, and by exactNormals. A row has the
+// median frame and its ratio to the original's (in turn, one pixel read after each batch), the median first frame of `pages` new pages
+// and how much longer it takes than the original's, and evaluations of the height in the vertex + in the fragment shader: a loop of
+// octaves counts once for each call. The colour of the sea needs one in each fragment shader. `pieces` are those of a plane's side.
+import { parseArgs } from 'node:util'
+import { chromium } from 'playwright-core'
 import { webgpuFlags } from '../../tests/support/browser/browser.js'
-import { threePages } from '../../tests/support/browser/three/open.js'
+import { threePagesIn } from '../../tests/support/browser/three/open.js'
+import { median } from '../lib/median.mjs'
+import { Stop, good, say } from '../lib/terminal.mjs'
+import { chooseRenderer } from './frames/browsers.mjs'
 
-/** The side of the picture in pixels, and the number of frames of each kind in each of four rounds. */
-const [side, frames] = [400, 6]
+const wholeNumbers = { size: '1200', pieces: undefined, pages: '5', rounds: '15', batch: '50' }
 
-export async function measure() {
-  const pages = await threePages(webgpuFlags)
+function readOptions(args) {
+  const { values } = parseArgs({
+    args,
+    options: {
+      ...Object.fromEntries(
+        Object.entries(wholeNumbers).map(([name, standard]) => [
+          name,
+          { type: 'string', ...(standard && { default: standard }) },
+        ]),
+      ),
+      software: { type: 'boolean', default: false },
+      backend: { type: 'string' },
+    },
+  })
+  for (const name of Object.keys(wholeNumbers).filter((name) => values[name] !== undefined)) {
+    const number = Number(values[name])
+    if (!(Number.isInteger(number) && number > 0))
+      throw new Stop(`Expected a positive whole number for --${name}, got ${values[name]}.`)
+    values[name] = number
+  }
+  return values
+}
+
+const round = (x) => Number(x.toPrecision(3))
+
+export async function measure(args) {
+  const { software, backend: only, ...options } = readOptions(args)
+  const launch = (flags) =>
+    chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args: flags })
+  const { flags, renderer, isSoftware } = await chooseRenderer(launch, software)
+  good(`${isSoftware ? 'No GPU' : 'GPU'}: ${renderer}`)
+  const browser = await launch([
+    ...flags,
+    ...(isSoftware ? webgpuFlags : ['--enable-unsafe-webgpu', '--enable-features=Vulkan']),
+  ])
+  const pages = await threePagesIn(browser)
   try {
-    const { page } = await pages.open('three', 'exact-normals/page-bench.js')
-    for (const name of ['sea', 'terrain'])
-      for (const backend of ['webgl', 'webgpu']) {
-        console.log(`${name}, ${backend}, milliseconds`)
-        console.table(
-          await page.evaluate((given) => bench.measure(...given), [name, backend, side, frames]),
-        )
+    for (const backend of only ? [only] : ['webgl', 'webgpu'])
+      for (const name of ['sea', 'terrain']) {
+        say(`${name}, ${backend}, milliseconds:`)
+        console.table(await rowsOf(pages, name, backend, options))
       }
   } finally {
     await pages.close()
   }
+}
+
+async function rowsOf(pages, name, backend, { size, pieces, pages: count, rounds, batch }) {
+  let salt = 0
+  async function inNewPage(work, ...given) {
+    const { page } = await pages.open('three', 'exact-normals/page-bench.js')
+    try {
+      await page.evaluate((given) => bench.open(...given), [backend, size])
+      return await page.evaluate(work, given)
+    } finally {
+      await page.close()
+    }
+  }
+  const rows = await inNewPage((given) => bench.frames(...given), name, { pieces, rounds, batch })
+  const firsts = rows.map(() => [])
+  for (let i = 0; i < count; i++)
+    for (const [k, { mode }] of rows.entries()) {
+      const options = { pieces, salt: 1e-6 * ++salt }
+      firsts[k].push(await inNewPage((given) => bench.first(...given), name, mode, options))
+    }
+  return rows.map(({ mode, frame, ratio, heights }, k) => ({
+    mode,
+    frame: round(frame),
+    ratio: round(ratio),
+    'first frame': round(median(firsts[k])),
+    'more than the original': round(median(firsts[k]) - median(firsts[0])),
+    'heights, vertex + fragment': heights,
+  }))
 }

@@ -2,7 +2,9 @@
 export { HostWarp } from './host-warp.js'
 export type { Host } from './host.js'
 export type { FrameConstants } from './frame.js'
-export type { HostText } from './warp-text.js'
+export { type HostText, otherName } from './warp-text.js'
+export type { HostOptions } from './offset-warp.js'
+export type { Expression } from '../core/expression/expression.js'
 export type { HostUniform } from './host-uniforms.js'
 export {
   type ImageSampling,

@@ -24,20 +24,26 @@ export interface RecordedWarp {
   isApproximate: boolean
   /** The number of the offset's Jacobian among the results, if the settings ask for it. */
   jacobian: number | undefined
+  /** The number of the first of the results `other0`, `other1` … */
+  firstOther: number
+  otherCount: number
 }
 
 /** A result of shader code. The Jacobian J of the offset transforms a direction t into t + J t. */
-export type Result = 'offset' | 'position' | 'normal' | 'tangent' | 'jacobian'
+export type Result = 'offset' | 'position' | 'normal' | 'tangent' | 'jacobian' | `other${number}`
 
 /** Returns the number of a result in the module. `knowsVariation` selects normals and tangents that take into account how normal and uv vary over the surface. */
 export function resultNumber(
-  { jacobian }: Pick<RecordedWarp, 'jacobian'>,
+  { jacobian, firstOther }: Pick<RecordedWarp, 'jacobian' | 'firstOther'>,
   result: Result,
   knowsVariation: boolean,
 ): number {
   if (result === 'jacobian') return jacobian!
+  if (isOther(result)) return firstOther + Number(result.slice('other'.length))
   return knowsVariation ? onSurface(warpResults[result]) : warpResults[result]
 }
+
+const isOther = (result: Result): result is `other${number}` => result.startsWith('other')
 
 /** Returns the number of the variant of a result that takes into account how normal and uv vary over the surface. */
 export const onSurface = (result: number) =>
@@ -63,9 +69,13 @@ export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): 
     ) as RecordedWarp['inputs']
     const isApproximate = varies && !surfaceVariation && !isAccepted
     if (settings.jacobian) addJacobian(session, offset, given.position!)
+    const others = settings.others()
+    for (const [i, each] of others.entries()) session.output(`other${i}`, each, place)
     const module = session.finish()
-    const jacobian = settings.jacobian ? resultsOf(module).length - 1 : undefined
-    return { module, settings, inputs, varies, isApproximate, jacobian }
+    const firstOther = resultsOf(module).length - others.length
+    const jacobian = settings.jacobian ? firstOther - 1 : undefined
+    const numbers = { jacobian, firstOther, otherCount: others.length }
+    return { module, settings, inputs, varies, isApproximate, ...numbers }
   }
   return withSession(target, record, { debug })
 }

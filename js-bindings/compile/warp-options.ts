@@ -1,4 +1,5 @@
 // The options of `compileWarp`: types, schema and defaults.
+import type { Expression } from '../core/expression/expression.js'
 import { inputSizes, variationInputs, type InputName } from '../core/inputs/inputs.js'
 import type { CompileOptions } from '../core/module/result.js'
 import { targetKind, targets, type Target } from '../core/module/serialized-module.js'
@@ -81,6 +82,8 @@ export interface RecordOptions extends TextOptions {
   debug?: boolean | undefined
   /** `true` also records the Jacobian of the offset. */
   jacobian?: boolean | undefined
+  /** Returns more numbers that the call of the offset function has computed, which become the results `other0`, `other1` … */
+  others?: (() => readonly Expression[]) | undefined
 }
 
 const variableName = optional(text('the name of a shader variable'))
@@ -134,13 +137,15 @@ export function settingsOf(place: Place, options: RecordOptions, defaults = publ
   const normals = options.normals !== false
   const isAccepted = options.surfaceVariation === false
   const results = { normals, tangents, surfaceVariation }
+  const { others = () => [] } = options
   const names = namesOf(results, options.names)
   const outputs: Record<keyof typeof shaderNames | keyof OutputNames, string> = {
     ...shaderNames,
     ...defaults,
     ...withoutGaps(options.outputs),
   }
-  return { place, target, debug, jacobian, fadeNoise, ...results, isAccepted, names, outputs }
+  const recorded = { jacobian, others, ...results }
+  return { place, target, debug, fadeNoise, ...recorded, isAccepted, names, outputs }
 }
 
 /** Names of results in texts that the user reads. */

@@ -51,7 +51,7 @@ export function writeWarp(
     inputs: renamed,
     results: results.map((result) => [
       resultNumber(recorded, result, surfaceVariation),
-      outputs[result],
+      result in outputs ? outputs[result as keyof typeof outputs] : otherName(result),
     ]),
     isFrameConstant: options.isFrameConstant,
     fadesNoise: options.fadesNoise,
@@ -78,6 +78,9 @@ export function writeWarp(
     frame: frame.map(({ name }) => name),
   }
 }
+
+/** Returns the name that a result `other0` has in shader code. */
+export const otherName = (result: string) => `warpjet${result[0]!.toUpperCase()}${result.slice(1)}`
 
 /** Throws for a parameter that has the name of an input which has another name in the shader: both would be one uniform. */
 function rejectNamesakes(

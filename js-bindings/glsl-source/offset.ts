@@ -1,5 +1,6 @@
 // `glslOffset` and `wgslOffset`: make an offset function from source.
 import type { Builder } from '../core/expression/builder.js'
+import type { Expression } from '../core/expression/expression.js'
 import type { UniformValues, Vec3, WarpInputs } from '../core/types/types.js'
 import { nearest } from '../errors/nearest.js'
 import { asOwn } from '../errors/operators.js'
@@ -55,7 +56,8 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
 
 /**
  * Makes an offset function from source in WGSL, like `glslOffset` from GLSL. A uniform is an input by its name in the shader, such
- * as `time` of `var<uniform> time: f32` or `scene.time` of a structure; so is an element of a storage buffer, by a constant index.
+ * as `time` of `var<uniform> time: f32` or `scene.time` of a structure; so is an element of a storage buffer, by a constant
+ * index or the counter of a loop with constant bounds.
  * Attributes, entry points and functions for fragments may stay in the source; they are ignored unless the function uses them.
  *
  * Throws a `WarpError` with the line and column of a mistake in the source.
@@ -81,26 +83,59 @@ export function readOffset<Uniforms extends UniformValues>(
   source: string,
   options: GlslOffsetOptions | undefined,
 ): { offset: GlslOffset<Uniforms>; externals: readonly External[] } {
+  const { returns } = offsetOptions.read(options, place)
+  const { numbersFor, externals } = readNumbers(place, language, source, options, 'vec3')
+  const offset: GlslOffset<Uniforms> = asOwn((inputs) => {
+    const result = vectorOf(inputs, numbersFor(inputs as unknown as WarpInputs))
+    return returns === 'position' ? result.sub(inputs.position) : result
+  })
+  return { offset, externals }
+}
+
+/** Like `readOffset` of a source whose function returns a mat4: the new position in the first three numbers, `others` behind them. */
+export function readPositionWithOthers(
+  language: SourceLanguage,
+  source: string,
+  options: GlslOptions,
+): (inputs: WarpInputs) => { offset: Vec3; others: readonly Expression[] } {
+  const place = new Place(`${language}Offset`)
+  const { numbersFor } = readNumbers(place, language, source, options, 'mat4')
+  return (inputs) => {
+    const numbers = numbersFor(inputs)
+    return {
+      offset: vectorOf(inputs, numbers.slice(0, 3)).sub(inputs.position),
+      others: numbers.slice(3),
+    }
+  }
+}
+
+const vectorOf = ({ glsl }: Pick<WarpInputs, 'glsl'>, numbers: readonly Expression[]) =>
+  pack(glsl as unknown as Builder, 'vec3', numbers) as unknown as WarpInputs['position']
+
+/** Reads a source whose function returns `type` → a function from inputs to the numbers of the result. */
+function readNumbers(
+  place: Place,
+  language: SourceLanguage,
+  source: string,
+  options: GlslOffsetOptions | undefined,
+  type: 'vec3' | 'mat4',
+) {
   const text = sourceKinds[language].read(source, place.part('the source'))
-  const { function: name, maxIterations, returns } = offsetOptions.read(options, place)
+  const { function: name, maxIterations } = offsetOptions.read(options, place)
   const listing = withSource(place, { text, language }, (open) => {
     const head = open.find(name)
-    rejectOtherHead(place, language, head)
+    rejectOtherHead(place, language, head, type)
     return open.list(head, maxIterations)
   })
-  const { head } = listing
-  const offset: GlslOffset<Uniforms> = asOwn((inputs) => {
-    const given = inputs as unknown as WarpInputs
-    const glsl = inputs.glsl as unknown as Builder
-    const operands = head.parameters.map(({ name }) =>
+  const numbersFor = (given: WarpInputs): Expression[] => {
+    const glsl = given.glsl as unknown as Builder
+    const operands = listing.head.parameters.map(({ name }) =>
       inputNamed(given, isInput(name) ? name : 'position')!,
     )
     const externals = bindExternals(place, glsl, listing.externals, given)
-    const numbers = replay(glsl, listing, { arguments: operands, ...externals })
-    const result = pack(glsl, head.type, numbers) as unknown as WarpInputs['position']
-    return returns === 'position' ? result.sub(inputs.position) : result
-  })
-  return { offset, externals: listing.externals }
+    return replay(glsl, listing, { arguments: operands, ...externals })
+  }
+  return { numbersFor, externals: listing.externals }
 }
 
 const isInput = (name: string) => name in inputTypes
@@ -125,9 +160,10 @@ function rejectOtherHead(
   place: Place,
   language: SourceLanguage,
   { name, type, parameters }: FunctionHead,
+  expected: string,
 ) {
   const article = (type: string) => articleIn(language, type)
-  if (type !== 'vec3')
+  if (type !== expected)
     throw place.error(
       `${name}: expected a function that returns ${article('vec3')}, the offset of a vertex, got one that returns ${type === 'void' ? 'nothing' : article(type)}; ${
         type === 'void' ? 'return the offset' : 'differentiate accepts other functions'

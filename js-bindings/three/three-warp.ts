@@ -1,8 +1,10 @@
 // A warp for three.js, whatever it is put on: texts for both renderers, and the same warp on the CPU, at the time of `update`.
 import {
   HostWarp,
+  otherName,
   shaderNames,
   type FrameConstants,
+  type HostOptions,
   type HostText,
   type NormalStage,
   type OffsetFunction,
@@ -60,6 +62,7 @@ export class ThreeWarp extends HostWarp {
     readonly settings: Settings,
     /** Present if the offset may read variables of the shader that are not uniforms. Has those whose types matter. */
     readonly outerTypes?: OuterTypes,
+    others?: HostOptions['others'],
   ) {
     super(new Place(settings.method), offset, {
       host: outerTypes ? { ...three, hasParameters: true } : three,
@@ -68,6 +71,7 @@ export class ThreeWarp extends HostWarp {
       names: { millis: shaderNames.millis },
       fadeNoise: settings.fadeNoise,
       tangents: true,
+      others,
       surfaceVariation: settings.surfaceVariation ?? true,
     })
     this.handles = handlesOf(settings.method, this.uniforms)
@@ -105,10 +109,19 @@ export class ThreeWarp extends HostWarp {
     return (this.hash ??= this.hashOfText())
   }
 
+  /** The names in the vertex stage of the numbers that the offset function has computed beside the offset. */
+  get otherNames(): readonly string[] {
+    return this.others.map(otherName)
+  }
+
+  private get others(): Result[] {
+    return Array.from({ length: this.recorded.otherCount }, (_, i): Result => `other${i}`)
+  }
+
   private writeText(target: Target, stage: Stage, names: Record<string, string>): HostText {
     return stage === 'normal of pixel' || stage === 'tangent of pixel'
       ? this.fragmentText(target, resultsOf[stage], { names })
-      : this.text(target, resultsOf[stage], { names })
+      : this.text(target, [...resultsOf[stage], ...this.others], { names })
   }
 
   /** The values of a draw call now. */
@@ -117,7 +130,7 @@ export class ThreeWarp extends HostWarp {
   }
 
   private hashOfText() {
-    const { code, declarations } = this.text('glsl300', resultsOf.tangent)
+    const { code, declarations } = this.text('glsl300', [...resultsOf.tangent, ...this.others])
     const types = this.uniforms.inShader.map(({ type }) => type)
     const outer = [...(this.outerTypes?.values() ?? [])]
     const { space, fadeNoise } = this.settings

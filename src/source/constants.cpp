@@ -13,6 +13,7 @@ bool Constants::mayBeConstant(const Expression& node) const {
     case Call:
     case Assign:
     case Increment:
+    case HostElement:
     case Unsupported:
       return false;
     case Sequence:

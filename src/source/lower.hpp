@@ -162,6 +162,7 @@ class Lowering {
   Value construct(const Expression& node);
   Value callOf(const Expression& node);
   Value element(const Expression& node);
+  Value hostElement(const Expression& node);
   Value part(const Expression& node);
   Value pick(const std::vector<Value>& elements, Id index);
 
@@ -222,6 +223,8 @@ class Lowering {
   Store store_;
   std::vector<Slot> slots_;  // by variable
   std::vector<External> externals_;
+  // Maps the names of elements of storage buffers to their numbers.
+  std::map<std::string, Value> hostElements_;
   std::vector<Frame> frames_;
   std::vector<Breakable> breakables_;
   std::vector<std::uint32_t> openLoops_;

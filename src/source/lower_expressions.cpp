@@ -1,4 +1,7 @@
 // Lowers expressions to the numbers of their values.
+#include <algorithm>
+#include <string>
+
 #include "source/lower.hpp"
 
 namespace warpjet::source {
@@ -67,6 +70,8 @@ Lowering::Value Lowering::evaluateInner(const Expression& node) {
       return callOf(node);
     case BuiltIn:
       return builtIn(node);
+    case HostElement:
+      return hostElement(node);
     case Unsupported:
       problems_.add(node.place, tree_.reasons[node.index]);
       return undefined(node.type);
@@ -216,6 +221,31 @@ Lowering::Value Lowering::element(const Expression& node) {
     elements.emplace_back(whole.begin() + static_cast<std::ptrdiff_t>(i),
                           whole.begin() + static_cast<std::ptrdiff_t>(i + size));
   return pick(elements, at);
+}
+
+// The name of the element is known once its indices are: as soon as a loop is unrolled.
+Lowering::Value Lowering::hostElement(const Expression& node) {
+  std::string name = tree_.made[static_cast<std::size_t>(node.index)];
+  std::size_t from = 0;
+  for (const ExpressionId each : node.operands) {
+    const Id at = evaluate(each)[0];
+    const std::size_t open = name.find("[]", from);
+    if (!problems_.any() && !recorder_.isConstant(at))
+      problems_.add(tree_.expressions[each].place,
+                    "the index of " + name.substr(0, open) +
+                        ", an array without a length, must be a constant in a warp, or "
+                        "follow from the counter of a loop with constant bounds");
+    if (problems_.any()) return undefined(node.type);
+    const std::string number =
+        std::to_string(static_cast<std::int64_t>(std::max(recorder_.value(at), 0.0)));
+    name.insert(open + 1, number);
+    from = open + number.size();
+  }
+  const auto known = hostElements_.find(name);
+  if (known != hostElements_.end()) return known->second;
+  std::vector<Id> leaves;
+  addExternal(name, node.type, false, leaves);
+  return hostElements_[name] = leaves;
 }
 
 // Out-of-range indices are undefined in GLSL; here they are clamped.

@@ -40,6 +40,7 @@ Lowering::LValue Lowering::lvalue(ExpressionId expression) {
       whole.type = node.type;
       return whole;
     }
+    case HostElement:
     case Unsupported:
       evaluate(expression);
       return {{}, node.type};

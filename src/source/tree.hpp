@@ -42,6 +42,8 @@ struct Expression {
     Construct,
     Call,         // the index of the function
     BuiltIn,      // row number `index`
+    HostElement,  // a part of a storage buffer; `index` is the number of its name in `made`, in
+                  // which each [] needs an operand
     Unsupported,  // fails with reason number `index` when it is evaluated
   };
 

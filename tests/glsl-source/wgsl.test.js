@@ -153,3 +153,42 @@ test('messages name types of WGSL', () => {
     /expected a string of WGSL for the source, got .* this is the name of a file/,
   )
 })
+
+test('an element of a storage buffer is read by the counter of a loop', () => {
+  const source = (index) => `@group(0) @binding(0) var<storage, read> lifts: array<f32>;
+fn at(i: i32) -> f32 { return lifts[i]; }
+fn offset(p: vec3f) -> vec3f {
+  var height = 0.0;
+  for (var i = 0; i < 3; i++) { height += ${index} * sin(p.x * f32(i + 1)); }
+  return vec3f(0, height, 0);
+}`
+  const lifts = [0.25, -0.125, 0.375, 0.0625, 0.5, -0.25]
+  for (const [index, place] of [
+    ['lifts[i]', (i) => i],
+    ['lifts[2 * i + 1]', (i) => 2 * i + 1],
+    ['at(i + 2)', (i) => i + 2],
+  ]) {
+    const warp = warpOf(source(index))
+    const uniforms = Object.fromEntries(
+      [0, 1, 2].map(place).map((at) => [`lifts[${at}]`, lifts[at]]),
+    )
+    for (const [x, y, z] of points) {
+      const height = [0, 1, 2].reduce((sum, i) => sum + lifts[place(i)] * Math.sin(x * (i + 1)), 0)
+      const slope = [0, 1, 2].reduce(
+        (sum, i) => sum + lifts[place(i)] * (i + 1) * Math.cos(x * (i + 1)),
+        0,
+      )
+      const found = warp.evaluate(
+        { positions: Float32Array.of(x, y, z), normals: Float32Array.from(normal) },
+        { uniforms },
+      )
+      assert.ok(Math.abs(found.positions[1] - y - height) < 1e-6, index)
+      const expected = -slope / Math.hypot(1, slope)
+      assert.ok(Math.abs(found.normals[0] - expected) < 1e-5, index)
+    }
+  }
+  assert.match(
+    message(() => warpOf(source('lifts[i32(p.x)]'))),
+    /^wgslOffset: line 5, column \d+: the index of lifts, an array without a length, must be a constant/,
+  )
+})

@@ -68,6 +68,22 @@ export function heightAt(u, v) {
 /** The numbers in the storage `lifts` of the page. */
 export const lifts = [0.25, -0.125, 0.375, 0.0625]
 
+/** Mirrors p5's random() of a vertex, whose number and count of earlier calls it hashes, in the order of its roundings. */
+export function randomOf(vertex, seed, count) {
+  const f = fround
+  const s = f(f(seed * f(0.7548776662)) - floor(f(seed * f(0.7548776662))))
+  const place = [
+    f(vertex + s),
+    f(f(vertex * f(0.569840291)) + f(count * f(0.6180339887))),
+    f(s + f(count * f(0.7548776662))),
+  ]
+  const p = [0.1031, 0.103, 0.0973].map((factor, k) => f(fract(f(place[k] * f(factor)))))
+  const q = [p[1], p[0], p[2]].map((x) => f(x + f(33.33)))
+  const sum = f(f(f(p[0] * q[0]) + f(p[1] * q[1])) + f(p[2] * q[2]))
+  const [x, y, z] = p.map((each) => f(each + sum))
+  return f(fract(f(f(x + y) * z)))
+}
+
 /** Numbers of a surface: a sphere without its poles. */
 const pointAt = (u, v) => {
   const [a, b] = [2 * Math.PI * u, Math.PI * (0.08 + 0.84 * v)]
@@ -82,22 +98,23 @@ const toWorld = ([x, y, z]) => {
 }
 
 /** Returns where a sketch moves a point of the surface, in the world. */
-function placeIn({ move, space, later = (p) => p }, u, v, instance, eye) {
+function placeIn({ move, space, later = (p) => p }, u, v, instance, eye, vertex) {
   const { p, n, uv } = pointAt(u, v)
-  if (!space) return later(toWorld(move(p, n, uv, instance)))
+  if (!space) return later(toWorld(move(p, n, uv, instance, vertex)))
   const [x, y, z] = toWorld(p)
   if (space === 'world') return move([x, y, z])
   return add(move([x, y, z - eye]), [0, 0, eye])
 }
 
-/** Makes a mesh as the data of a p5.Geometry. `place(u, v)` returns a vertex; normals are differences of it, or those of the sphere. */
+/** Makes a mesh as the data of a p5.Geometry. `place(u, v, vertex)` returns a vertex; normals are differences of it, or those of the sphere. */
 function mesh(place) {
   const [vertices, normals, uvs, faces] = [[], [], [], []]
   for (let j = 0; j <= rows; j++)
     for (let i = 0; i <= columns; i++) {
       const [u, v, e] = [i / columns, j / rows, 1e-6]
+      const at = j * (columns + 1) + i
       const side = (du, dv) => {
-        const [from, to] = [place(u - du, v - dv), place(u + du, v + dv)]
+        const [from, to] = [place(u - du, v - dv, at), place(u + du, v + dv, at)]
         return add(to, scale(from, -1))
       }
       const [a, b] = [side(e, 0), side(0, e)]
@@ -106,10 +123,9 @@ function mesh(place) {
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
       ]
-      vertices.push(place(u, v))
+      vertices.push(place(u, v, at))
       normals.push(scale(across, -1 / hypot(...across)))
       uvs.push(u, v)
-      const at = j * (columns + 1) + i
       if (i < columns && j < rows)
         faces.push([at, at + 1, at + columns + 2], [at, at + columns + 2, at + columns + 1])
     }
@@ -121,5 +137,5 @@ export const sphere = () => mesh((u, v) => pointAt(u, v).p)
 /** Returns the meshes that a sketch should show, one for each instance. */
 export const meshesByHand = (sketch, eye) =>
   Array.from({ length: sketch.instances ?? 1 }, (_, i) =>
-    mesh((u, v) => placeIn(sketch, u, v, i, eye)),
+    mesh((u, v, vertex) => placeIn(sketch, u, v, i, eye, vertex)),
   )

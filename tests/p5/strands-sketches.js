@@ -9,6 +9,7 @@ import {
   mix,
   mod,
   noise,
+  randomOf,
   scale,
   seconds,
   smoothstep,
@@ -16,7 +17,7 @@ import {
 
 /**
  * Sketches in p5.strands as people write them, for WEBGPU. `hooks` is the body of the callback that `modify` takes. `move(p, n, uv, i)`
- * returns the position of a vertex of instance i in double precision: in the units of the geometry or, with `space`, of the world or the
+ * returns the position of a vertex of instance i, whose number is the fifth argument, in double precision: in the units of the geometry or, with `space`, of the world or the
  * camera; `later` moves it on in the world. `refused` is the message about a sketch without exact normals.
  */
 const { abs, atan2, cos, exp, floor, hypot, sin, sqrt } = Math
@@ -248,7 +249,6 @@ ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
       "const lifts = uniformStorage('lifts', warps.lifts)",
     ),
     move: liftBy(([x]) => lifts.reduce((s, lift, i) => s + lift * sin(x * (i + 1)), 0)),
-    refused: /uniformStorage\(\) "lifts" in getObjectInputs .* counts in a loop/,
   },
   'a storage by the instance': {
     instances: 3,
@@ -291,8 +291,40 @@ ${inObject(`
       inputs.position.y += 0.2 * sin(inputs.position.x * 5)`)}`,
     move: liftBy(([x]) => 0.2 * sin(x * 5)),
   },
-  'random() of a vertex': {
-    hooks: inObject('inputs.position += inputs.normal * random() * 0.1'),
+  'random() of a vertex beside a wave': {
+    hooks: `randomSeed(5)
+${inObject(`
+      const a = random()
+      inputs.position += inputs.normal * a * 0.02
+      inputs.position.y += 0.2 * sin(inputs.position.x * 5) + random(-0.01, 0.01)`)}`,
+    move(p, n, uv, i, vertex) {
+      const [a, b] = [0, 1].map((count) => randomOf(vertex, 5, count))
+      const q = add(p, scale(n, a * 0.02))
+      return [q[0], q[1] + 0.2 * sin(q[0] * 5) - 0.01 + 0.02 * b, q[2]]
+    },
+  },
+  'random() that multiplies a wave': {
+    hooks: `randomSeed(5)
+${inObject('inputs.position.z += (0.9 + 0.1 * random()) * 0.2 * sin(inputs.position.y * 6)')}`,
+    move: ([x, y, z], n, uv, i, vertex) => [
+      x,
+      y,
+      z + (0.9 + 0.1 * randomOf(vertex, 5, 0)) * 0.2 * sin(y * 6),
+    ],
+  },
+  'random() in a loop': {
+    hooks: inObject(`
+      let sum = 0
+      for (let i = 0; i < 3; i++) { sum += random() }
+      inputs.position.y += sum * 0.02`),
+    move: (p) => p,
+    refused: /random\(\) in getObjectInputs .* write noise\(\)/,
+  },
+  'random() behind a branch': {
+    hooks: inObject(`
+      let lift = 0
+      if (inputs.position.x > 0) { lift = random() }
+      inputs.position.y += lift * 0.02 + random() * 0.1`),
     move: (p) => p,
     refused: /random\(\) in getObjectInputs .* write noise\(\)/,
   },

@@ -14,9 +14,8 @@ after(() => pages.close())
 
 const maxDegrees = 0.05
 
-/** Counts the loops of a height. Waves of the sea that glow have one more. */
-const heightsIn = ({ vertexShader, fragmentShader }) =>
-  [vertexShader, fragmentShader].join('').match(/\bfor \(/g).length
+/** The evaluations of the height by hand, in the vertex and in the fragment stage. */
+const heightsByHand = { sea: [1, 3], terrain: [3, 0] }
 
 for (const backend of ['webgl', 'webgpu'])
   describe(`the backend ${backend}`, () => {
@@ -57,9 +56,34 @@ for (const backend of ['webgl', 'webgpu'])
         assert.ok(us.max < maxDegrees, `${us.max}°`)
         // Three's own shift is tuned.
         assert.ok(hand.mean > 1, `${hand.mean}°`)
-        assert.equal(heightsIn(us.shaders), 2, 'a height in each stage')
-        assert.equal(heightsIn(hand.shaders), 4 - Number(name === 'terrain'))
       })
+
+    for (const [name, byHand] of Object.entries(heightsByHand))
+      test(`the showcase ${name} evaluates its height once in a stage`, async () => {
+        const heights = (settings) =>
+          page.evaluate((given) => exact.heightsOf(...given), [name, { backend, ...settings }])
+        assert.deepEqual(await heights({ by: 'hand' }), byHand)
+        assert.deepEqual(await heights({ by: 'us', normals: 'vertex' }), [1, 0])
+        assert.deepEqual(await heights({ by: 'us', normals: 'pixel' }), [1, 1])
+      })
+
+    test('varyings that a position assigns stay as they are', async () => {
+      messages.length = 0
+      for (const name of await page.evaluate(() => exact.varyings))
+        for (const normals of ['vertex', 'pixel'])
+          for (const hasTangents of [false, true]) {
+            const what = `${name}, ${normals}${hasTangents ? ', tangents' : ''}`
+            const { covered, difference, spread, heights } = await page.evaluate(
+              (given) => exact.differenceOfVaryings(...given),
+              [name, { backend, normals, hasTangents }],
+            )
+            assert.ok(covered > 800 && spread > 0.5, what)
+            assert.ok(difference < 1e-4, `${what}: ${difference}`)
+            // The position itself is evaluated beside our normal there.
+            assert.equal(heights, name === 'too many' && normals === 'vertex' ? 2 : 1, what)
+          }
+      assert.deepEqual(messages, [])
+    })
 
     test('a position without a derivative keeps its normals, and the console says why', async () => {
       for (const [name, message] of await page.evaluate(() => exact.unsupported)) {

@@ -6,6 +6,7 @@ import { asOwn } from '../../errors/operators.js'
 import { glslOffset, wgslOffset } from '../../glsl-source/offset.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import { isWgsl, type ModifiedShader } from './modified-shader.js'
+import { randomCallsOf } from './random-calls.js'
 import { storageReadsOf } from './storage-reads.js'
 import { wgslOfHook } from './strands-wgsl.js'
 import {
@@ -91,11 +92,12 @@ function makeExactHook(
   const text = `${isWgsl(shader) ? 'fn' : type} ${original}${hook}`
   if (!isWgsl(shader)) rejectRandom(shader, word!, hook)
   const reads = storageReadsOf(shader)
+  const randoms = randomCallsOf(hook, Object.values(shader.hooks.helpers))
   const template = templateOf(name)
   const isOfShape = /Object|Local/.test(word!)
   const moved = 'warpjetMovedPosition'
   const source = isWgsl(shader)
-    ? wgslOfHook(shader, original, hook, moved, reads)
+    ? wgslOfHook(shader, original, hook, moved, [randoms, reads])
     : `${aboveHooks(shader, isOfShape)}
 ${type} ${original}${hook}
 vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
@@ -137,7 +139,8 @@ vec3 ${moved}(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   const isKnown = isFirst || !readsVariation(exact)
   if (!isKnown) warnSecondHook(word!)
   const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
-  const parts = { code: reads.restore(warp.code), original, text, normal: outputs.normal, warp }
+  const code = randoms.statementsFor(warp.code) + reads.restore(warp.code)
+  const parts = { code, original, text, normal: outputs.normal, warp }
   return { name, declarations: warp.declarations, text, warp, hook: template.hook(parts) }
 }
 

@@ -1,5 +1,6 @@
 /** Completes the WGSL of a hook on a WEBGPU canvas, so that it can be read by itself. */
 import type { ModifiedShader } from './modified-shader.js'
+import type { RandomCalls } from './random-calls.js'
 import type { StorageReads } from './storage-reads.js'
 
 /** Mirrors p5's struct of a vertex and the parameters that p5 adds to every hook, which are inputs here. */
@@ -13,17 +14,19 @@ export function wgslOfHook(
   original: string,
   hook: string,
   moved: string,
-  { replace, declarations }: StorageReads,
+  reads: readonly (StorageReads | RandomCalls)[],
 ): string {
   const fields = Object.keys(hooks.uniforms).filter((uniform) => !uniform.endsWith('sampler2D'))
   const helpers = Object.entries(hooks.helpers).map(([head, text]) => {
     const [type, name] = head.split(' ') as [string, string]
     return `fn ${name}${type === 'void' ? text : text.replace(/\)\s*\{/, `) -> ${type} {`)}`
   })
-  const read = [hook, ...helpers].map(replace)
+  const read = [hook, ...helpers].map((source) =>
+    reads.reduce((replaced, each) => each.replace(replaced), source),
+  )
   return [
     aboveHooks,
-    declarations(),
+    ...reads.map((each) => each.declarations()),
     ...(fields.length
       ? [`struct HookUniforms { ${fields.join(', ')} }`, 'var<uniform> hooks: HookUniforms;']
       : []),

@@ -31,7 +31,7 @@ export const vertexId = '_p5VertexId'
 
 export const randomError = (word: string) =>
   new WarpError(
-    `random() in ${word} returns a different number for each vertex, so the surface has no derivative; write noise(), which is smooth.`,
+    `random() in ${word} returns a different number for each vertex; expected calls outside of loops, branches and functions, on a WEBGPU canvas, so that the number is known to be constant at a vertex; or write noise(), which is smooth.`,
   )
 
 /** Throws a `WarpError` for a hook in GLSL that calls p5's random(). */

@@ -83,18 +83,18 @@ export function parametersOf(
 
 /**
  * The function. In the vertex stage it returns the position, or a matrix with the columns position, normal and tangent; for pixels the
- * normal, or a matrix with the columns normal and tangent.
+ * normal, or a matrix with the columns normal and tangent. A warp with other numbers returns a mat4 in the vertex stage, which has them in
+ * the places that `otherPlaces` lists.
  */
 export function functionFor(warp: ThreeWarp, stage: Stage, isWebGPU: boolean): Call {
   const { code, declarations } = textOf(warp, stage, isWebGPU)
   const parameters = parametersOf(warp, stage, isWebGPU)
   const name = `warpjet_${warp.key}_${stage.replaceAll(' ', '_')}`
-  const vec3 = isWebGPU ? 'vec3f' : 'vec3'
-  const mat3 = isWebGPU ? 'mat3x3f' : 'mat3'
   const columns = columnsOf(stage, isWebGPU)
-  const type = columns.length === 1 ? vec3 : mat3
-  const zeros = Array<string>(3 - columns.length).fill(`${vec3}(0.0)`)
-  const result = columns.length === 1 ? columns[0] : `${mat3}(${[...columns, ...zeros].join(', ')})`
+  const others = isOfPixel(stage) ? [] : warp.otherNames
+  const { type, result } = others.length
+    ? matrixWithOthers(columns, others, isWebGPU)
+    : matrixOf(columns, isWebGPU)
   const body = `{\n${code}\nreturn ${result};\n}`
   if (isWebGPU) {
     const list = parameters.map(([name, type]) => `${name}: ${parameterType(type)}`)
@@ -104,6 +104,33 @@ export function functionFor(warp: ThreeWarp, stage: Stage, isWebGPU: boolean): C
   const list = parameters.map(([name, type]) => `${type} ${name}`)
   const includes = declarations ? [tsl.glsl(declarations)] : []
   return tsl.glslFn(`${type} ${name}(${list.join(', ')}) ${body}`, includes)
+}
+
+function matrixOf(columns: string[], isWebGPU: boolean) {
+  const vec3 = isWebGPU ? 'vec3f' : 'vec3'
+  if (columns.length === 1) return { type: vec3, result: columns[0] }
+  const type = isWebGPU ? 'mat3x3f' : 'mat3'
+  const zeros = Array<string>(3 - columns.length).fill(`${vec3}(0.0)`)
+  return { type, result: `${type}(${[...columns, ...zeros].join(', ')})` }
+}
+
+/** Returns the places in a mat4 that `count` vectors leave, as columns and rows: those behind the vectors, then other columns. */
+export const otherPlaces = (count: number): (readonly [column: number, row: number])[] =>
+  [0, 1, 2, 3].flatMap((column) =>
+    (column < count ? [3] : [0, 1, 2, 3]).map((row) => [column, row] as const),
+  )
+
+function matrixWithOthers(columns: string[], others: readonly string[], isWebGPU: boolean) {
+  const [type, vec4] = isWebGPU ? ['mat4x4f', 'vec4f'] : ['mat4', 'vec4']
+  const places = otherPlaces(columns.length)
+  const numberAt = (column: number, row: number) =>
+    others[places.findIndex(([c, r]) => c === column && r === row)] ?? '0.0'
+  const all = [0, 1, 2, 3].map((column) =>
+    column < columns.length
+      ? `${vec4}(${columns[column]}, ${numberAt(column, 3)})`
+      : `${vec4}(${[0, 1, 2, 3].map((row) => numberAt(column, row)).join(', ')})`,
+  )
+  return { type, result: `${type}(${all.join(', ')})` }
 }
 
 function columnsOf(stage: Stage, isWebGPU: boolean): string[] {

@@ -1,11 +1,12 @@
 // A warp in the vertex stage of a material of WebGPURenderer, on both its backends: positions, normals, tangents, and where the
 // vertex was in the frame before, for velocities.
+import type { BufferGeometry } from 'three'
 import { shaderNames, variationAttribute, variationNames } from '../../compile/hosts.js'
 import { nameOf } from '../describe.js'
 import { warnOfVertices } from '../notes.js'
 import type { ThreeWarp, VertexStage } from '../three-warp.js'
 import type { Builder } from './builder.js'
-import { parameterNames, parametersOf } from './function.js'
+import { otherPlaces, parameterNames, parametersOf } from './function.js'
 import { instancesOf, isPosed, isSkinned, withoutInstances } from './instances.js'
 import { pixelNormalsFor, type NormalMaterial, type PixelNormals } from './pixel.js'
 import { local, world, type Space } from './spaces.js'
@@ -94,22 +95,27 @@ export interface MoveOptions extends Normals {
   outer?: OuterNodes
   /** The new position, if the shader has it already. */
   position?: AnyNode | undefined
+  /** Variables for the other numbers of the warp, in order. */
+  others?: readonly { node: AnyNode; size: number }[]
 }
+
+const stageOf = (geometry: BufferGeometry): VertexStage =>
+  geometry.hasAttribute('tangent')
+    ? 'tangent'
+    : geometry.hasAttribute('normal')
+      ? 'normal'
+      : 'position'
 
 /** Calls the warp in the vertex stage and assigns what it returns. */
 export function moveVertex(
   warp: ThreeWarp,
   builder: Builder,
   space: Space,
-  { pixel, vertex, outer = noOuterNodes, position }: MoveOptions,
+  { pixel, vertex, outer = noOuterNodes, position, others = [] }: MoveOptions,
 ) {
   const { geometry, renderer } = builder
   const isWebGPU = renderer.backend.isWebGPUBackend === true
-  const stage: VertexStage = geometry.hasAttribute('tangent')
-    ? 'tangent'
-    : geometry.hasAttribute('normal')
-      ? 'normal'
-      : 'position'
+  const stage = stageOf(geometry)
   const nodes = nodesOf(warp)
   const inputsFor = (position: AnyNode, uniforms: NodesByName): Record<string, unknown> => ({
     ...uniforms,
@@ -126,7 +132,10 @@ export function moveVertex(
       isWebGPU,
     )(Object.fromEntries(names.map((name) => [name, inputs[name]])))
   }
-  const positionOf = (result: AnyNode) => (stage === 'position' ? result : result.element(0))
+  const hasOthers = warp.otherNames.length > 0
+  const columnOf = (result: AnyNode, i: number) =>
+    hasOthers ? result.element(i).xyz : stage === 'position' ? result : result.element(i)
+  const positionOf = (result: AnyNode) => columnOf(result, 0)
   if (builder.needsPreviousData()) {
     const uniforms = { ...nodes.previousUniforms, ...outer.before }
     space.assignPrevious(positionOf(resultFor(space.previous(), uniforms)))
@@ -136,13 +145,38 @@ export function moveVertex(
   // Pixels compute their own normals.
   if (position && (pixel || stage === 'position')) return space.assign(position)
   const rest = stage === 'position' ? undefined : space.normal().toVar()
-  const result = resultFor(space.position, uniforms)
-  if (rest) vertex?.mark(result.element(1), rest)
+  const call = resultFor(space.position, uniforms)
+  // Assigning the position changes the argument of the call.
+  const result = hasOthers ? call.toVar() : call
+  if (rest) vertex?.mark(columnOf(result, 1), rest)
   space.assign(
     position ?? positionOf(result),
-    stage === 'position' ? undefined : result.element(1),
-    stage === 'tangent' ? result.element(2) : undefined,
+    stage === 'position' ? undefined : columnOf(result, 1),
+    stage === 'tangent' ? columnOf(result, 2) : undefined,
   )
+  if (hasOthers && !position) assignOthers(result, stage, others)
+}
+
+/** The number of vectors that the function returns. */
+const vectorCounts: Record<VertexStage, number> = { position: 1, normal: 2, tangent: 3 }
+
+/** The number of other numbers that the function for a geometry can return. */
+export const roomForOthers = (geometry: BufferGeometry) =>
+  otherPlaces(vectorCounts[stageOf(geometry)]).length
+
+function assignOthers(
+  result: AnyNode,
+  stage: VertexStage,
+  variables: readonly { node: AnyNode; size: number }[],
+) {
+  const places = otherPlaces(vectorCounts[stage]).values()
+  for (const { node, size } of variables) {
+    const numbers = Array.from({ length: size }, () => {
+      const [column, row] = places.next().value!
+      return result.element(column)[(['x', 'y', 'z', 'w'] as const)[row]!]
+    })
+    node.assign(size === 1 ? numbers[0] : tsl[`vec${size as 2 | 3 | 4}`](...numbers))
+  }
 }
 
 /** Makes the arguments that are neither position, normal nor tangent. */

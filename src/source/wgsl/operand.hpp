@@ -24,6 +24,8 @@ struct Operand {
   std::vector<double> known{};
   // The host's name of a uniform, a storage buffer or a part of one: `lights[2].color`.
   std::string host{};
+  // The indices that are not constants in the source. `host` has [] for each.
+  std::vector<ExpressionId> hostIndices{};
   // The type of a texture's texels.
   Type texel{};
 

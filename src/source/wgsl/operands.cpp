@@ -66,6 +66,14 @@ Operand Parser::hostVariable(const Operand& operand, Location place) {
                        "the length of " + operand.host +
                            " is known only when the shader runs; read its elements by constant "
                            "indices");
+  if (!operand.hostIndices.empty()) {
+    tree_.made.push_back(operand.host);
+    return make({.kind = Code::HostElement,
+                 .type = operand.type,
+                 .index = static_cast<std::int32_t>(tree_.made.size() - 1),
+                 .place = place,
+                 .operands = operand.hostIndices});
+  }
   const auto known = hostVariables_.find(operand.host);
   if (known == hostVariables_.end()) {
     tree_.made.push_back(operand.host);
@@ -88,6 +96,7 @@ Operand Parser::load(Operand operand, Location place) {
   operand.kind = Operand::Kind::Value;
   operand.isWritable = false;
   operand.host.clear();
+  operand.hostIndices.clear();
   return operand;
 }
 

@@ -186,11 +186,11 @@ Operand Parser::elementOf(const Operand& whole, const Operand& index, Location p
     made.host += '[' + std::to_string(*known) + ']';
     return made;
   }
-  if (type.length == 0 &&
-      tree_.expressions[whole.id == nothing ? 0 : whole.id].kind != Code::Unsupported)
-    return unsupported(
-        place, one,
-        "the index of " + whole.host + ", an array without a length, must be a constant in a warp");
+  if (whole.id == nothing && !whole.host.empty() && type.isArray() && type.length == 0) {
+    made.host += "[]";
+    made.hostIndices.push_back(concrete(index, place).id);
+    return made;
+  }
   const Operand from = whole.id == nothing ? concrete(whole, place) : whole;
   if (problems_.any()) return failOperand(place, "");
   made.id = add({.kind = Code::Element,

@@ -1,13 +1,18 @@
 // The warp that a positionNode is, read from its code: compiled for normals, tangents, velocities and pixels like any other warp.
 import type { Texture } from 'three'
-import { type HostText, type OffsetFunction, type Target } from '../../../compile/hosts.js'
+import {
+  type Expression,
+  type HostText,
+  type OffsetFunction,
+  type Target,
+} from '../../../compile/hosts.js'
 import { asOwn } from '../../../errors/operators.js'
-import { glslOffset, wgslOffset } from '../../../glsl-source/offset.js'
+import { glslOffset, readPositionWithOthers, wgslOffset } from '../../../glsl-source/offset.js'
 import type { Settings } from '../../settings.js'
 import { ThreeWarp, type Stage } from '../../three-warp.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import type { NodesByName } from '../uniforms.js'
-import { functionName, maxIterations, type PositionSource } from './read-position.js'
+import { functionName, maxIterations, sizeOfEffects, type PositionSource } from './read-position.js'
 
 /** Returns the offset function of a positionNode. */
 export function offsetOf({ language, text }: PositionSource): OffsetFunction {
@@ -27,6 +32,18 @@ const elementName = /^(\w+?)(?:\.value)?\[(\d+)u?\]$/
 
 const identifierOf = (name: string) => name.replace(elementName, '$1_$2')
 
+/** Returns the offset function of a positionNode, and a function that returns the numbers of its effects once that is called. */
+function offsetWithEffectsOf({ language, effects }: PositionSource, text: string) {
+  const read = readPositionWithOthers(language, text, { function: functionName, maxIterations })
+  let numbers: readonly Expression[] = []
+  const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, uniforms }) => {
+    const { offset, others } = read({ glsl, position, normal, uv, uniforms } as never)
+    numbers = others.slice(0, sizeOfEffects(effects))
+    return offset
+  })
+  return { offset, others: () => numbers }
+}
+
 export class ExactWarp extends ThreeWarp {
   /** Three.js draws the back of a triangle that it mirrors, as it does without us. */
   override get mirrors() {
@@ -37,12 +54,16 @@ export class ExactWarp extends ThreeWarp {
   /** The names of elements in the source that are not identifiers. */
   private readonly elements: readonly string[]
 
-  constructor(source: PositionSource, settings: Settings) {
+  /** With `text`, that of the source with effects, the shader code computes these, too. */
+  constructor(source: PositionSource, settings: Settings, text?: string) {
     const types = new Map([...source.values].map(([name, { type }]) => [name, type]))
     const images = Object.fromEntries(
       [...source.textures].map(([name, node]) => [name, () => node.value as Texture]),
     )
-    super(offsetOf(source), { ...settings, uniforms: images }, types)
+    const { offset, others = undefined } = text
+      ? offsetWithEffectsOf(source, text)
+      : { offset: offsetOf(source) }
+    super(offset, { ...settings, uniforms: images }, types, others)
     this.elements = [...this.variableNames()].filter((name) => elementName.test(name))
     for (const name of this.elements) {
       const [, list] = elementName.exec(name)!

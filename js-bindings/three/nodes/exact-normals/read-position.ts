@@ -18,6 +18,8 @@ export interface PositionSource {
   language: SourceLanguage
   /** A function `name` that returns the new position. */
   text: string
+  /** A function that also returns the numbers of `effects`, behind the position in a mat4; `undefined` if there are none, or too many. */
+  textWithEffects: string | undefined
   /** Maps names in the source → values that the shader passes. */
   values: ReadonlyMap<string, OuterValue>
   /** Maps names in the source → nodes of textures. */
@@ -25,8 +27,15 @@ export interface PositionSource {
   base: Base
   /** Nodes whose values three.js updates. */
   updated: readonly ReadNode[]
-  /** `true` if the code assigns varyings or other variables that outlive it. */
-  hasEffects: boolean
+  /** Varyings and other variables that the code assigns, and that outlive it. */
+  effects: readonly Effect[]
+}
+
+/** A variable that the code of a position assigns. */
+export interface Effect {
+  node: AnyNode
+  /** Its name in the source and the number of its components; `undefined` for a type that is not of floats. */
+  variable: { name: string; size: number } | undefined
 }
 
 export const functionName = 'warpjetMoved'
@@ -55,6 +64,13 @@ export function siblingOf(builder: Builder): ReadingBuilder {
   return made
 }
 
+/** Returns the number of components of effects; `undefined` if a function cannot return them. */
+export function sizeOfEffects(effects: readonly Effect[]): number | undefined {
+  return effects.every(({ variable }) => variable)
+    ? effects.reduce((sum, { variable }) => sum + variable!.size, 0)
+    : undefined
+}
+
 /** Reads a node. `place` begins messages. */
 export function readPosition(
   place: string,
@@ -68,19 +84,26 @@ export function readPosition(
   rejectFragmentNodes(place, nodes)
   const parts: Parts = {
     ...flow,
+    returned: 'vec3',
     functions: (builder.codes.vertex ?? []).map(({ code }) => code),
     varyings: builder.varyings,
     type: (type) => builder.getType(type),
     reading,
   }
+  const effects = effectsOf(reading, nodes)
+  const size = sizeOfEffects(effects) ?? 0
+  const textOf = (changed: Partial<Parts> = {}) =>
+    (isWebGPU ? wgslOf : glslOf)({ ...parts, ...changed })
+  const canReturn = size > 0 && size <= maxSize
   return {
     language: isWebGPU ? 'wgsl' : 'glsl',
-    text: isWebGPU ? wgslOf(parts) : glslOf(parts),
+    text: textOf(),
+    textWithEffects: canReturn ? textOf(returnMatrix(flow, effects, isWebGPU)) : undefined,
     values: reading.values,
     textures: reading.textures,
     base: baseOf(parts),
     updated: nodes.filter(isUpdated),
-    hasEffects: nodes.some(isEffect),
+    effects,
   }
 }
 
@@ -107,6 +130,8 @@ function rejectFragmentNodes(place: string, nodes: readonly ReadNode[]) {
 interface Parts {
   code: string
   vars: string
+  /** The type of the result. */
+  returned: string
   result: string
   functions: string[]
   varyings: { name: string; type: string }[]
@@ -114,7 +139,16 @@ interface Parts {
   reading: NodeReading
 }
 
-function glslOf({ code, vars, result, functions, varyings, type, reading }: Parts): string {
+function glslOf({
+  code,
+  vars,
+  returned,
+  result,
+  functions,
+  varyings,
+  type,
+  reading,
+}: Parts): string {
   return [
     'in vec3 position;\nin vec3 normal;\nin vec2 uv;',
     ...[...reading.values].map(([name, value]) =>
@@ -125,11 +159,20 @@ function glslOf({ code, vars, result, functions, varyings, type, reading }: Part
     ...[...reading.textures.keys()].map((name) => `uniform sampler2D ${name};`),
     ...varyings.map((each) => `${type(each.type)} ${each.name};`),
     ...functions,
-    `vec3 ${functionName}() {\n${vars}\n${code}\nreturn ${result};\n}`,
+    `${returned} ${functionName}() {\n${vars}\n${code}\nreturn ${result};\n}`,
   ].join('\n')
 }
 
-function wgslOf({ code, vars, result, functions, varyings, type, reading }: Parts): string {
+function wgslOf({
+  code,
+  vars,
+  returned,
+  result,
+  functions,
+  varyings,
+  type,
+  reading,
+}: Parts): string {
   return [
     ...[...reading.values].map(([name, value]) => {
       if (!value.array) return `var<uniform> ${name} : ${type(value.type)};`
@@ -143,7 +186,7 @@ function wgslOf({ code, vars, result, functions, varyings, type, reading }: Part
     ),
     ...varyings.map((each) => `var<private> ${each.name} : ${type(each.type)};`),
     ...functions,
-    `fn ${functionName}( position : vec3<f32>, normal : vec3<f32>, uv : vec2<f32> ) -> vec3<f32> {`,
+    `fn ${functionName}( position : vec3<f32>, normal : vec3<f32>, uv : vec2<f32> ) -> ${type(returned)} {`,
     `${vars}\n${code}\nreturn ${result};\n}`,
   ].join('\n')
 }
@@ -177,11 +220,45 @@ type Target = ReadNode & {
   name?: string | null
 }
 
-/** Tests whether a node assigns a variable that others can read later. */
-function isEffect(node: ReadNode): boolean {
-  if (!node.isAssignNode) return false
+/** Returns the variable that a node assigns and that others can read later; `undefined` if it assigns none. */
+function assignedBy(node: ReadNode): Target | undefined {
+  if (!node.isAssignNode) return undefined
   let target = node.targetNode as Target | undefined
   while (target && !target.isVaryingNode && !target.isPropertyNode) target = target.node as Target
-  if (!target || isOwn(target)) return false
-  return target.isVaryingNode === true || target.varying === true || !!target.name
+  if (!target || isOwn(target)) return undefined
+  return target.isVaryingNode || target.varying || target.name ? target : undefined
+}
+
+const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, color: 3, vec4: 4 }
+
+function effectsOf({ builder, variables }: NodeReading, nodes: readonly ReadNode[]): Effect[] {
+  const assigned = new Set(nodes.map(assignedBy).filter((each) => each !== undefined))
+  return Array.from(assigned, (node) => {
+    const variable = variables.get(node)
+    const size = sizes[node.getNodeType(builder)]
+    const name = variable ? builder.getPropertyName(variable) : undefined
+    return { node, variable: name && size ? { name, size } : undefined }
+  })
+}
+
+/** The size of a mat4 without the position. */
+const maxSize = 13
+
+/** Returns code whose result is a mat4 of the position and the components of effects. */
+function returnMatrix(
+  { code, result }: Pick<Parts, 'code' | 'result'>,
+  effects: readonly Effect[],
+  isWebGPU: boolean,
+): Partial<Parts> {
+  const moved = 'warpjetResult'
+  const values = [{ name: moved, size: 3 }, ...effects.map(({ variable }) => variable!)]
+  const numbers = values.flatMap(({ name, size }) =>
+    size === 1 ? [name] : Array.from('xyzw'.slice(0, size), (each) => `${name}.${each}`),
+  )
+  const zeros = Array<string>(16 - numbers.length).fill('0.0')
+  return {
+    code: `${code}\n${isWebGPU ? 'let' : 'vec3'} ${moved} = ${result};`,
+    returned: 'mat4',
+    result: `${isWebGPU ? 'mat4x4<f32>' : 'mat4'}( ${[...numbers, ...zeros].join(', ')} )`,
+  }
 }

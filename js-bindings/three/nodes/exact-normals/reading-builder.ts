@@ -12,7 +12,7 @@ import { tsl, type AnyNode } from '../tsl.js'
 export interface OuterValue {
   type: string
   node: AnyNode
-  /** Present for an array: the number of its elements, or `undefined` for one of any length. */
+  /** Present for an array. */
   array?: { elementType: string; count: number | undefined; isStorage: boolean }
 }
 
@@ -38,6 +38,8 @@ export interface ReadingBuilder extends Builder {
   addSequentialNode(node: ReadNode): void
   format(snippet: string, from: string, to: string | null): string
   getPropertyName(node: unknown, stage?: string): string
+  getVaryingFromNode(node: unknown, ...others: unknown[]): unknown
+  getVarFromNode(node: unknown, ...others: unknown[]): unknown
 }
 
 /** The parts of three's nodes that we use. */
@@ -81,6 +83,8 @@ export class NodeReading {
   /** Textures by name. */
   readonly textures = new Map<string, { value: Texture }>()
   readonly builder: ReadingBuilder
+  /** Maps nodes → the variables of the source that they are. */
+  readonly variables = new Map<unknown, unknown>()
   private readonly names = new Map<unknown, string>()
   private readonly patched: ReadNode[] = []
 
@@ -127,13 +131,22 @@ export class NodeReading {
 
   /** The methods of the builder by which nodes read what is outside. */
   private methods(builder: ReadingBuilder) {
-    const { addNode, getPropertyName } = builder
+    const { addNode, getPropertyName, getVaryingFromNode, getVarFromNode } = builder
+    const record =
+      (method: (node: unknown, ...others: unknown[]) => unknown) =>
+      (node: unknown, ...others: unknown[]) => {
+        const variable = method.call(builder, node, ...others)
+        this.variables.set(node, variable)
+        return variable
+      }
     const isWebGPU = builder.renderer.backend.isWebGPUBackend === true
     const sample = (name: string, uv: string) =>
       isWebGPU
         ? `textureSampleLevel( ${name}, ${name}_sampler, ${uv}, 0.0 )`
         : `texture( ${name}, ${uv} )`
     return {
+      getVaryingFromNode: record(getVaryingFromNode),
+      getVarFromNode: record(getVarFromNode),
       getAttribute: (name: string, type: string) => ({
         name: knownAttributes.has(name) ? name : this.attribute(name, type),
         type,
@@ -217,8 +230,7 @@ export class NodeReading {
       if (!node.isBufferNode) return { type: type === 'color' ? 'vec3' : type, node }
       const elementType = node.getPaddedType?.(this.builder) ?? node.bufferType!
       const isStorage = /storage/i.test(type)
-      const count = isStorage ? undefined : node.bufferCount
-      return { type, node, array: { elementType, count, isStorage } }
+      return { type, node, array: { elementType, count: node.bufferCount, isStorage } }
     })
   }
 

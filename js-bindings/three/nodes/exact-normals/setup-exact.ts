@@ -12,11 +12,11 @@ import { pixelNormalsFor, type NormalMaterial } from '../pixel.js'
 import { local, ofGeometry } from '../spaces.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import { vertexNormalsFor } from '../vertex-normals.js'
-import { moveVertex } from '../vertex.js'
+import { moveVertex, roomForOthers } from '../vertex.js'
 import type { ExactNodeMaterial } from './exact-node-materials.js'
 import { ExactWarp } from './exact-warp.js'
 import { previousValues } from './previous-values.js'
-import { readPosition, siblingOf, type PositionSource } from './read-position.js'
+import { readPosition, siblingOf, sizeOfEffects, type PositionSource } from './read-position.js'
 
 const method = 'exactNormals'
 
@@ -52,7 +52,7 @@ function moveExactly(
   other: ThreeWarp | undefined,
 ) {
   const source = readPosition(method, siblingOf(builder), positionNode)
-  const warp = warpFor(exact, source)
+  const warp = warpFor(exact, source, builder)
   checkBase(builder, source.base, warp, other)
   if (warp.varies) vary(builder)
   for (const node of source.updated) {
@@ -69,15 +69,19 @@ function moveExactly(
   })
   const vertex = pixel ? undefined : ofVertex
   const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
+  const { effects } = source
+  const hasEffects = warp.otherNames.length > 0
   // The original assigns variables that other nodes read.
-  const position = source.hasEffects
-    ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
-    : undefined
+  const position =
+    effects.length > 0 && !hasEffects
+      ? tsl.subBuild(positionNode, 'POSITION', 'vec3').toVar()
+      : undefined
   moveVertex(warp, builder, space, {
     pixel,
     vertex,
     outer: { now, before: previousValues(now) },
     position,
+    others: hasEffects ? effects.map(({ node, variable }) => ({ node, size: variable!.size })) : [],
   })
   pixel?.replaceNormals()
   vertex?.pass()
@@ -92,18 +96,32 @@ function numberOf(object: object): number {
   return numbers.get(object)!
 }
 
-function warpFor(exact: ExactNodeMaterial, source: PositionSource): ExactWarp {
-  // The warp reads the nodes of its textures, which equal texts may not share.
-  const key = [source.text, ...Array.from(source.textures.values(), numberOf)].join('\n')
-  let warp = exact.warps.get(key)
-  if (!warp) exact.warps.set(key, (warp = compile(exact, source)))
+/** Returns the warp of a source, with its effects if the shader code can compute them, too. */
+function warpFor(exact: ExactNodeMaterial, source: PositionSource, { geometry }: Builder) {
+  const { textWithEffects: text, effects } = source
+  if (text && sizeOfEffects(effects)! <= roomForOthers(geometry)) {
+    const warp = knownWarp(exact, source, text)
+    // Effects may read what has no derivative.
+    if (typeof warp !== 'string') return warp
+  }
+  const warp = knownWarp(exact, source)
   if (typeof warp === 'string') throw new WarpError(warp)
   return warp
 }
 
-function compile({ settings }: ExactNodeMaterial, source: PositionSource): ExactWarp | string {
+function knownWarp(exact: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
+  // The warp reads the nodes of its textures, which equal texts may not share.
+  const key = [withEffects ?? source.text, ...Array.from(source.textures.values(), numberOf)].join(
+    '\n',
+  )
+  let warp = exact.warps.get(key)
+  if (!warp) exact.warps.set(key, (warp = compile(exact, source, withEffects)))
+  return warp
+}
+
+function compile({ settings }: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
   try {
-    return new ExactWarp(source, settings)
+    return new ExactWarp(source, settings, withEffects)
   } catch (error) {
     if (error instanceof WarpError) return error.message
     throw error

@@ -1,60 +1,93 @@
-// Measures frame times of two of three's showcases with normals by hand and by `exactNormals`, for `npm run bench -- nodes`.
+// Measures two of three's showcases with normals by hand and by `exactNormals`, for `npm run bench -- nodes`.
 import * as THREE from 'three/webgpu'
 import { exactNormals } from 'warpjet/three/webgpu'
-import { rendererFor } from '../webgpu-renderer.js'
+import { heightsIn } from './heights.js'
 import { showcases } from './showcases.js'
 
 const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]
 
-function sceneOf(name, kind) {
+/** Maps the modes → the option `normals`, or `undefined` for the showcase as it is. */
+const modes = { original: undefined, 'exactNormals, vertex': 'vertex', exactNormals: 'auto' }
+
+/** Makes a showcase and its camera. `salt` makes shader code differ, so that no cache has its program. */
+function sceneOf(name, mode, { pieces, salt = 0 }) {
   const { geometry, parameters, material: make } = showcases[name]
-  const material = make(parameters(), kind === 'by hand')
-  if (kind.startsWith('exact')) exactNormals(material, { normals: kind.split(' ')[1] })
+  const material = make(parameters(), modes[mode] === undefined)
+  material.positionNode = material.positionNode.add(THREE.TSL.vec3(0, salt, 0))
+  material.roughnessNode = THREE.TSL.float(material.roughness + salt)
+  if (modes[mode]) exactNormals(material, { normals: modes[mode] })
   const scene = new THREE.Scene()
-  scene.add(new THREE.Mesh(geometry(), material), new THREE.DirectionalLight(0xffffff, 3))
+  const mesh = new THREE.Mesh(geometry(pieces), material)
+  scene.add(mesh, new THREE.DirectionalLight(0xffffff, 3))
   const size = name === 'sea' ? 2 : 10
   const camera = new THREE.PerspectiveCamera(50, 1, 0.01, 100)
   camera.position.set(0.6 * size, 0.5 * size, 0.6 * size)
   camera.lookAt(0, 0, 0)
-  return { scene, camera }
+  return { scene, camera, mesh }
 }
 
-/** Draws frames of the kinds in turn → the medians in milliseconds, `side` pixels square. */
-async function measure(name, backend, side, frames) {
-  const renderer = await rendererFor(backend)
-  const target = new THREE.RenderTarget(side, side)
-  const kinds = ['by hand', 'exact vertex', 'exact pixel']
-  // Waits for a pixel, so that the frame is drawn.
-  const draw = async ({ scene, camera }) => {
-    const start = performance.now()
-    renderer.setRenderTarget(target)
-    renderer.render(scene, camera)
-    renderer.setRenderTarget(null)
-    await renderer.readRenderTargetPixelsAsync(target, 0, 0, 1, 1)
-    return performance.now() - start
+let renderer, target
+
+/** Starts the renderer and draws a mesh, so that what three.js and the browser do once is done. */
+async function open(backend, side) {
+  renderer = new THREE.WebGPURenderer({ antialias: false, forceWebGL: backend === 'webgl' })
+  await renderer.init()
+  if ((renderer.backend.isWebGPUBackend === true) !== (backend === 'webgpu'))
+    throw new Error(`this browser has no ${backend}`)
+  target = new THREE.RenderTarget(side, side)
+  const scene = new THREE.Scene()
+  scene.add(new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshStandardNodeMaterial()))
+  scene.add(new THREE.DirectionalLight())
+  await draw({ scene, camera: new THREE.PerspectiveCamera() }, 1)
+}
+
+/** Draws some frames, waits for a pixel of the last, and returns milliseconds per frame. */
+async function draw({ scene, camera }, count) {
+  const start = performance.now()
+  renderer.setRenderTarget(target)
+  for (let i = 0; i < count; i++) renderer.render(scene, camera)
+  renderer.setRenderTarget(null)
+  await renderer.readRenderTargetPixelsAsync(target, 0, 0, 1, 1)
+  return (performance.now() - start) / count
+}
+
+/** Returns the milliseconds of the first frame, with the call of `exactNormals`, in a page that has drawn none of ours before. */
+async function first(name, mode, options) {
+  const start = performance.now()
+  const made = sceneOf(name, mode, options)
+  await draw(made, 1)
+  return performance.now() - start
+}
+
+/** Measures frames of all modes in turn, in batches of `batch` milliseconds or more → rows. */
+async function frames(name, { pieces, batch, rounds }) {
+  const measured = []
+  for (const mode of Object.keys(modes)) {
+    const made = sceneOf(name, mode, { pieces })
+    await draw(made, 1)
+    const { vertexShader, fragmentShader } = await shadersOf(made)
+    const count = Math.ceil(Math.min(1000, batch / (await draw(made, 1))))
+    const heights = `${heightsIn(vertexShader)} + ${heightsIn(fragmentShader)}`
+    measured.push({ mode, made, count, heights, times: [] })
   }
-  const firsts = Object.fromEntries(kinds.map((kind) => [kind, []]))
-  const times = Object.fromEntries(kinds.map((kind) => [kind, []]))
-  // The first round also starts the compiler.
-  for (let round = 0; round < 4; round++) {
-    const scenes = kinds.map((kind) => [kind, sceneOf(name, kind)])
-    for (const [kind, scene] of scenes) {
-      const first = await draw(scene)
-      if (round > 0) firsts[kind].push(first)
-    }
-    for (let i = 0; i < frames; i++)
-      for (const [kind, scene] of scenes) times[kind].push(await draw(scene))
-  }
-  return kinds.map((kind) => ({
-    kind,
-    frame: median(times[kind]),
-    ratio: median(times[kind]) / median(times['by hand']),
-    first: median(firsts[kind]),
-    firstMore: median(firsts[kind]) - median(firsts['by hand']),
+  for (let i = 0; i < rounds; i++)
+    for (const { made, count, times } of measured) times.push(await draw(made, count))
+  return measured.map(({ mode, heights, times }) => ({
+    mode,
+    frame: median(times),
+    ratio: median(times.map((each, i) => each / measured[0].times[i])),
+    heights,
   }))
 }
 
-window.bench = { measure }
+async function shadersOf({ scene, camera, mesh }) {
+  renderer.setRenderTarget(target)
+  const shaders = await renderer.debug.getShaderAsync(scene, camera, mesh)
+  renderer.setRenderTarget(null)
+  return shaders
+}
+
+window.bench = { modes: Object.keys(modes), open, first, frames }
 // The browser drops the device if nothing refers to it.
 window.gpu = navigator.gpu
 document.title = 'ready'

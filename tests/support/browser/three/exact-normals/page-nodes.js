@@ -5,7 +5,9 @@ import { degreesBetween, exactVertex, quantile } from '../pixel-normals/exact.js
 import { camera, objectFor, parts, restPart, size } from '../pixel-normals/scenes.js'
 import { rendererFor } from '../webgpu-renderer.js'
 import { displacements, unsupported } from './displacements.js'
+import { heightsIn } from './heights.js'
 import { showcases } from './showcases.js'
+import { varyings } from './varyings.js'
 import { warpBeside } from './warp-beside.js'
 
 const { Fn, attribute, normalGeometry, normalLocal, positionGeometry, positionLocal } = THREE.TSL
@@ -133,10 +135,10 @@ const halves = { sea: 1, terrain: 5 }
 /** The side of a picture of a showcase, in pixels. */
 const wide = 320
 
-/** Measures the normals of a showcase, computed `by` 'hand', 'us' or 'nobody' → quantiles of degrees from those by differences of its height. */
-async function measureShowcase(name, { backend, by, normals = 'pixel', pieces }) {
+/** Shows the normals of a showcase, computed `by` 'hand', 'us' or 'nobody', → the picture and everything that drew it. */
+async function drawShowcase(name, { backend, by, normals = 'pixel', pieces, side = wide }) {
   const renderer = await rendererFor(backend)
-  const { geometry, parameters, material: make, heightNear } = showcases[name]
+  const { geometry, parameters, material: make } = showcases[name]
   const original = make(parameters(), by === 'hand')
   const material = new THREE.MeshNormalNodeMaterial()
   Object.assign(material, { positionNode: original.positionNode, normalNode: original.normalNode })
@@ -149,8 +151,21 @@ async function measureShowcase(name, { backend, by, normals = 'pixel', pieces })
   view.updateMatrixWorld()
   const scene = new THREE.Scene()
   scene.add(mesh)
-  const shown = await picture(renderer, scene, view, wide)
+  const shown = await picture(renderer, scene, view, side)
   const shaders = await renderer.debug.getShaderAsync(scene, view, mesh)
+  return { renderer, material, mesh, scene, view, shown, shaders }
+}
+
+/** Counts evaluations of the height of a showcase → numbers for the two stages. */
+async function heightsOf(name, settings) {
+  const { shaders } = await drawShowcase(name, { ...settings, pieces: 4, side: 16 })
+  return [heightsIn(shaders.vertexShader), heightsIn(shaders.fragmentShader)]
+}
+
+/** Shows the normals of a showcase → degrees from those of differences of its height, by quantiles. */
+async function measureShowcase(name, settings) {
+  const { renderer, material, mesh, scene, view, shown } = await drawShowcase(name, settings)
+  const { heightNear } = showcases[name]
   mesh.material = new THREE.MeshBasicNodeMaterial()
   mesh.material.positionNode = material.positionNode
   mesh.material.fragmentNode = vec4(positionLocal, 1)
@@ -185,7 +200,35 @@ async function measureShowcase(name, { backend, by, normals = 'pixel', pieces })
     worst: angles.reduce((a, b) => Math.max(a, b), 0),
     max: quantile(angles, 0.999),
     median: quantile(angles, 0.5),
-    shaders,
+  }
+}
+
+/** Draws a position that assigns varyings, which are the colours, with `exactNormals` and without → the max difference. */
+async function differenceOfVaryings(name, { backend, normals, hasTangents }) {
+  const pictures = []
+  let heights
+  for (const isExact of [true, false]) {
+    const renderer = await rendererFor(backend)
+    const { position, colour } = varyings[name]()
+    const material = new THREE.MeshStandardNodeMaterial()
+    Object.assign(material, { positionNode: position, fragmentNode: colour })
+    if (isExact) exactNormals(material, { normals })
+    const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 8, 8), material)
+    if (hasTangents) {
+      const tangents = Float32Array.from({ length: 4 * 81 }, (_, i) => Number(i % 4 === 0))
+      mesh.geometry.setAttribute('tangent', new THREE.BufferAttribute(tangents, 4))
+    }
+    const view = camera()
+    pictures.push(await draw(renderer, mesh, view))
+    const shaders = await renderer.debug.getShaderAsync(mesh.parent, view, mesh)
+    if (isExact) heights = heightsIn(shaders.vertexShader)
+  }
+  const [exact, plain] = pictures
+  return {
+    covered: plain.filter((x, i) => i % 4 === 3 && x > 0).length,
+    difference: exact.reduce((max, x, i) => Math.max(max, Math.abs(x - plain[i])), 0),
+    spread: Math.max(...plain) - Math.min(...plain),
+    heights,
   }
 }
 
@@ -245,6 +288,9 @@ async function besideWarp(name, { backend }) {
 window.exact = {
   besideWarp,
   warpsBeside: Object.keys(warpBeside),
+  differenceOfVaryings,
+  varyings: Object.keys(varyings),
+  heightsOf,
   measureShowcase,
   velocities,
   names: Object.keys(displacements),

@@ -1,0 +1,52 @@
+/**
+ * Calls of p5's `random()` in the hooks of a sketch on WEBGPU. It is a hash of the number of the vertex and of how often it was called, so
+ * it is constant where a surface is moved, like an attribute. Each call becomes a uniform in the source that is differentiated, and a
+ * variable in the hook, which calls `random()` with the same count as the sketch's code does later.
+ */
+export interface RandomCalls {
+  /** Returns source in which the calls are uniforms. */
+  replace(source: string): string
+  /** Returns the declarations of the uniforms, once all source is replaced. */
+  declarations(): string
+  /** Returns statements in front of `code`, which compute the variables that it reads. */
+  statementsFor(code: string): string
+}
+
+/** A call as p5.strands writes it in the vertex stage: the seed is a uniform or a number. */
+const call = /(?<![.\w])random\((?:hooks\.\w+|f32\([\d.]+\)|[\d.]+), f32\(_p5VertexId\)\)/g
+
+/** Tests whether each call of random() in a hook runs exactly once, so that its count is known. */
+function areCounted(hook: string): boolean {
+  let depth = 0
+  let count = 0
+  for (const [word] of hook.matchAll(/[{}]|(?<![.\w])random\(/g)) {
+    if (word === '{') depth++
+    else if (word === '}') depth--
+    else if (depth === 1) count++
+    else return false
+  }
+  return count === (hook.match(call) ?? []).length
+}
+
+/** `hook` is the body of the hook with its parameters, `helpers` are functions that it may call. */
+export function randomCallsOf(hook: string, helpers: readonly string[]): RandomCalls {
+  const isCalledByHelper = helpers.some((each) => /(?<![.\w])random\(/.test(each))
+  const calls = areCounted(hook) && !isCalledByHelper ? (hook.match(call) ?? []) : []
+  const nameOf = (i: number) => `warpjetRandom${i}`
+  return {
+    replace(source) {
+      if (source !== hook || calls.length === 0) return source
+      let i = 0
+      return source.replace(call, () => nameOf(i++))
+    },
+    declarations: () => calls.map((_, i) => `var<uniform> ${nameOf(i)}: f32;`).join('\n'),
+    statementsFor(code) {
+      if (!calls.some((_, i) => new RegExp(`\\b${nameOf(i)}\\b`).test(code))) return ''
+      return [
+        '  let warpjetRandomCalls = _p5_randomCallIndex;',
+        ...calls.map((each, i) => `  let ${nameOf(i)} = ${each};`),
+        '  _p5_randomCallIndex = warpjetRandomCalls;\n',
+      ].join('\n')
+    },
+  }
+}
