@@ -25,8 +25,10 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
 })}</script>`
 
 /** Starts a browser and a server → { open(version, script), listing(code), close() }. An opened page has its console `messages`. */
-export async function threePages(flags) {
-  const browser = await launchBrowser(flags)
+export const threePages = async (flags) => threePagesIn(await launchBrowser(flags))
+
+/** Like `threePages`, in a browser that is running. */
+export async function threePagesIn(browser) {
   const pages = await servePages()
   return {
     async open(version, script = 'page.js', imports) {
