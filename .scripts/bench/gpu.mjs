@@ -6,8 +6,8 @@ import { compileWarp } from '../../dist/warpjet.js'
 import { servePages } from '../../tests/support/browser/server.js'
 import { sketchWarps } from '../../tests/warps/sketches.js'
 import { threeWarps } from '../../tests/warps/three-sketches.js'
-import { Stop, good, say } from '../lib/terminal.mjs'
-import { chooseRenderer } from './frames/browsers.mjs'
+import { Stop, say } from '../lib/terminal.mjs'
+import { launchFastest } from './frames/browsers.mjs'
 import { shadersOf } from './gpu/shaders.mjs'
 import { warps as plainWarps } from './pixels.mjs'
 
@@ -107,13 +107,30 @@ function prepare(size) {
 
   const pixel = new Uint8Array(4)
   const finish = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel)
-  const time = (program, count) => {
+  const time = (program, count, length = indices.length) => {
     gl.useProgram(program)
     const start = performance.now()
-    for (let i = 0; i < count; i++)
-      gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0)
+    for (let i = 0; i < count; i++) gl.drawElements(gl.TRIANGLES, length, gl.UNSIGNED_INT, 0)
     finish()
     return (performance.now() - start) / count
+  }
+
+  const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2')
+
+  /** Returns the share of a batch's time in which the GPU works, by its own clock; `undefined` if the browser does not show that. */
+  async function measureShare(program, count) {
+    if (!timer) return undefined
+    const query = gl.createQuery()
+    gl.beginQuery(timer.TIME_ELAPSED_EXT, query)
+    const total = count * time(program, count)
+    gl.endQuery(timer.TIME_ELAPSED_EXT)
+    gl.flush()
+    for (let i = 0; i < 100; i++) {
+      await new Promise((next) => setTimeout(next, 2))
+      if (gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE))
+        return gl.getQueryParameter(query, gl.QUERY_RESULT) / 1e6 / total
+    }
+    return undefined
   }
 
   function countPixels() {
@@ -124,11 +141,34 @@ function prepare(size) {
     return count
   }
 
-  /** Batches of frames take this many milliseconds or more. */
-  const batch = 50
+  /** Batches of frames take this many milliseconds or more, but have at most `maxCount`. */
+  const [batch, maxCount] = [50, 1000]
+
+  /** Returns how many frames a batch has. Waiting for a pixel takes longer than a short frame, so one frame does not tell. */
+  function countFrames(program) {
+    let count = 1
+    for (;;) {
+      const total = count * time(program, count)
+      if (total >= batch / 2 || count === maxCount)
+        return Math.min(maxCount, Math.ceil((count * batch) / total))
+      count = Math.min(maxCount, 4 * count)
+    }
+  }
+
   const median = (times) => times.sort((a, b) => a - b)[times.length >> 1]
 
-  window.measureWarp = (shaders, milliseconds) => {
+  /** Returns the milliseconds that a draw takes when the GPU has nothing to do. */
+  window.measureDraw = () => {
+    const program = compile({
+      vertex: '#version 300 es\nvoid main() { gl_Position = vec4(2.0, 2.0, 0.0, 1.0); }',
+      fragment:
+        '#version 300 es\nprecision highp float;\nout vec4 color_;\nvoid main() { color_ = vec4(1.0); }',
+    })
+    time(program, 1, 3)
+    return median(Array.from({ length: 9 }, () => time(program, maxCount, 3)))
+  }
+
+  window.measureWarp = async (shaders, milliseconds) => {
     const end = performance.now() + milliseconds
     const methods = Object.entries(shaders).map(([name, sources]) => {
       gl.clear(gl.COLOR_BUFFER_BIT)
@@ -139,18 +179,24 @@ function prepare(size) {
       time(program, 1)
       const first = performance.now() - start
       if (countPixels() < 0.99 * size * size) throw new Error(`${name} does not cover the picture`)
-      const count = Math.ceil(Math.min(1000, batch / time(program, 1)))
-      return { name, program, first, count, times: [] }
+      return { name, program, first, count: countFrames(program), times: [] }
     })
     let rounds = 0
     do {
       for (const { program, count, times } of methods) times.push(time(program, count))
       rounds++
     } while (rounds < 9 && performance.now() < end)
-    for (const { program } of methods) gl.deleteProgram(program)
-    return Object.fromEntries(
-      methods.map(({ name, first, times }) => [name, { first, frame: median(times), rounds }]),
-    )
+    const found = {}
+    for (const { name, program, first, count, times } of methods) {
+      found[name] = {
+        first,
+        frame: median(times),
+        share: await measureShare(program, count),
+        rounds,
+      }
+      gl.deleteProgram(program)
+    }
+    return found
   }
 }
 
@@ -165,6 +211,10 @@ const rowOf = ({ vertex, pixel, faded, differences }, { characters, auto }) => (
   'pixel / differences': round(pixel.frame / differences.frame),
   'first, vertex': round(vertex.first),
   'first, pixel': round(pixel.first),
+  ...(vertex.share && {
+    'GPU, vertex': `${Math.round(100 * vertex.share)} %`,
+    'GPU, pixel': `${Math.round(100 * pixel.share)} %`,
+  }),
   characters,
   rounds: pixel.rounds,
   auto,
@@ -173,16 +223,12 @@ const rowOf = ({ vertex, pixel, faded, differences }, { characters, auto }) => (
 export async function measure(args) {
   const { size, seconds, software, names } = readOptions(args)
   const start = performance.now()
-  const { chromium } = await import('playwright-core')
-  const launch = (flags) =>
-    chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args: flags })
-  const { flags, renderer, isSoftware } = await chooseRenderer(launch, software)
-  good(`${isSoftware ? 'No GPU' : 'GPU'}: ${renderer}`)
+  const browser = await launchFastest(software)
   const server = await servePages()
-  const browser = await launch(flags)
   const page = await browser.newPage()
   await page.goto(server.page('<!doctype html>'))
   await page.evaluate(prepare, size)
+  const idle = await page.evaluate(() => measureDraw())
 
   const all = await compileAll(names)
   const rows = {}
@@ -199,6 +245,7 @@ export async function measure(args) {
   }
   await browser.close()
   await server.close()
+  say(`A draw of one triangle outside of the picture takes ${round(idle)} ms.`)
   say(`A sheet of 20,000 triangles that covers ${size} × ${size} pixels; medians, in turn:`)
   console.table(rows)
   const skipped = all.slice(Object.keys(rows).length).map(({ name }) => name)

@@ -1,12 +1,15 @@
-// npm run bench -- three: compares a ray against a warped mesh with three-mesh-bvh on a baked mesh, times bounds, and compares a frame and
-// the first frame with the same warp written by hand in onBeforeCompile, with its derivatives.
+// npm run bench -- three [--frames] [--rounds 100] [--copies 1] [--batch 1] [--software]: compares a ray against a warped mesh with three-mesh-bvh on a
+// baked mesh, times bounds, and compares a frame and the first frame with the same warp written by hand in onBeforeCompile, with its
+// derivatives. --frames measures frames alone.
+import { parseArgs } from 'node:util'
 import * as THREE from 'three'
 import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
 import { bakeWarp } from '../../dist/mesh.js'
 import { fromBufferGeometry, toBufferGeometry, warp } from '../../dist/three.js'
 import { compileWarp } from '../../dist/warpjet.js'
-import { threePages } from '../../tests/support/browser/three/open.js'
+import { threePagesIn } from '../../tests/support/browser/three/open.js'
 import { median, medianTime, time } from '../lib/median.mjs'
+import { launchFastest } from './frames/browsers.mjs'
 
 const offset = ({ glsl, position, millis }) =>
   glsl.vec3(position.y().mult(5).add(millis).sin().mult(0.2), 0, 0)
@@ -58,11 +61,24 @@ function measureRays(segments) {
   return row
 }
 
-export async function measure() {
-  console.table([64, 256, 1024].map(measureRays))
-  const pages = await threePages()
+/** On a GPU, several copies of a mesh in a draw, and frames in a batch, take longer than waiting for the GPU. */
+export async function measure(args) {
+  const { values } = parseArgs({
+    args,
+    options: {
+      rounds: { type: 'string', default: '100' },
+      copies: { type: 'string', default: '1' },
+      batch: { type: 'string', default: '1' },
+      frames: { type: 'boolean', default: false },
+      software: { type: 'boolean', default: false },
+    },
+  })
+  if (!values.frames) console.table([64, 256, 1024].map(measureRays))
+  const browser = await launchFastest(values.software)
+  const pages = await threePagesIn(browser)
   const { page } = await pages.open('three', 'page-bench.js')
   console.log('\nMilliseconds, medians; the quotient is the median of those of neighbours.')
-  console.table(await page.evaluate(() => bench()))
+  const settings = [values.rounds, values.copies, values.batch].map(Number)
+  console.table(await page.evaluate((given) => bench(...given), settings))
   await pages.close()
 }

@@ -1,7 +1,7 @@
 // Opens the two browsers of the benchmark: one draws as fast as it can, one with vsync, both on the machine's GPU if it has one.
 import { chromium } from 'playwright-core'
 import { gpuFlags, softwareFlags, uncappedFlags } from '../../lib/flags.mjs'
-import { Stop } from '../../lib/terminal.mjs'
+import { Stop, good } from '../../lib/terminal.mjs'
 
 const software = /swiftshader|llvmpipe|softpipe|basic render/i
 
@@ -30,6 +30,14 @@ export async function chooseRenderer(launch, withoutGpu) {
   const renderer = await rendererWith(launch, softwareFlags)
   if (!renderer) throw new Stop('This Chromium has no WebGL 2: name another one in CHROME_PATH.')
   return { flags: softwareFlags, renderer, isSoftware: true }
+}
+
+/** Starts a browser that draws on the machine's GPU, if it has one, and prints the name of the renderer. */
+export async function launchFastest(withoutGpu) {
+  const launch = (args) => chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM, args })
+  const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
+  good(`${isSoftware ? 'No GPU' : 'GPU'}: ${renderer}`)
+  return launch(flags)
 }
 
 /** Opens the benchmark's page twice, uncapped and capped → { version, renderer, isSoftware, uncapped, capped, close() } */

@@ -1,4 +1,5 @@
-// The light of coarse spheres in p5, with normals at vertices and at pixels, against that of a sphere of two million triangles.
+// The light of coarse spheres in p5, with normals at vertices and at pixels, against that of a sphere of two million triangles; and of the
+// coarsest one with the option `detail`.
 // Also draws the two pictures of the slider in web/docs/normals.md.
 import assert from 'node:assert/strict'
 import { writeFileSync } from 'node:fs'
@@ -54,23 +55,33 @@ function draw() {
   clear()
   scene()
 }
-function ball(offset, normals, [columns, rows], [aboutX, aboutY]) {
+// Counts the triangles of the largest draw.
+let triangles = 0
+const drawElements = WebGL2RenderingContext.prototype.drawElements
+WebGL2RenderingContext.prototype.drawElements = function (mode, count, ...others) {
+  triangles = Math.max(triangles, count / 3)
+  return drawElements.call(this, mode, count, ...others)
+}
+function ball(offset, options, [columns, rows], [aboutX, aboutY]) {
   push()
   noStroke()
   lights()
   fill(220, 120, 80)
   specularMaterial(255)
   shininess(30)
-  const warp = (warps[offset + normals] ??= createWarp((0, eval)(offset), { normals }))
+  const warp = (warps[offset + JSON.stringify(options)] ??= createWarp((0, eval)(offset), options))
   warp()
   rotateX(aboutX)
   rotateY(aboutY)
   sphere(200, columns, rows)
   pop()
 }
+/** Returns the number of triangles. */
 async function drawBall(...args) {
   scene = () => ball(...args)
+  triangles = 0
   await redraw()
+  return triangles
 }
 /** Returns a picture of two spheres as WebP, in base64. */
 async function drawPair([left, right], ...args) {
@@ -125,19 +136,24 @@ function differenceOf(image, other, pixels) {
 }
 
 async function measureView(page, name, view) {
-  const draw = async (normals, mesh) => {
-    await page.evaluate((args) => drawBall(...args), [warps[name], normals, mesh, view])
-    return readPixels(page)
+  const draw = async (options, mesh) => {
+    const args = [warps[name], options, mesh, view]
+    const triangles = await page.evaluate((args) => drawBall(...args), args)
+    return { ...(await readPixels(page)), triangles }
   }
-  const exact = await draw('vertex', reference)
+  const exact = await draw({ normals: 'vertex' }, reference)
   const images = { vertex: [], pixel: [] }
   for (const mesh of meshes)
-    for (const normals of Object.keys(images)) images[normals].push(await draw(normals, mesh))
-  const { inside, outline } = regionsOf([exact, ...images.vertex, ...images.pixel])
-  const differences = (pixels) =>
-    meshes.map((_, i) =>
+    for (const normals of Object.keys(images)) images[normals].push(await draw({ normals }, mesh))
+  const detailed = await draw({ normals: 'pixel', detail: 1 }, coarse)
+  const { inside, outline } = regionsOf([exact, ...images.vertex, ...images.pixel, detailed])
+  const differences = (pixels) => ({
+    pairs: meshes.map((_, i) =>
       ['vertex', 'pixel'].map((normals) => differenceOf(images[normals][i], exact, pixels)),
-    )
+    ),
+    detailed: differenceOf(detailed, exact, pixels),
+    triangles: detailed.triangles,
+  })
   say(`${name}: ${inside.length} pixels inside, ${outline.length} at the outline`)
   return { inside: differences(inside), outline: differences(outline) }
 }
@@ -146,7 +162,7 @@ const short = (x) => (x < 10 ? x.toFixed(2) : x.toFixed(1))
 
 async function writePictures(page) {
   for (const normals of ['vertex', 'pixel']) {
-    const args = [[warps.fbm, warps.simplex], normals, coarse, views[0]]
+    const args = [[warps.fbm, warps.simplex], { normals }, coarse, views[0]]
     const picture = await page.evaluate((list) => drawPair(...list), args)
     writeFileSync(path(`web/docs/normals-${normals}.webp`), Buffer.from(picture, 'base64'))
   }
@@ -164,14 +180,16 @@ export async function measureLight() {
     for (const [i, view] of views.entries()) {
       const measured = await measureView(page, name, view)
       for (const region of Object.keys(rows)) {
-        const cells = measured[region].map((pair) => pair.map(short).join(' / '))
-        rows[region].push([`${name}, view ${i + 1}`, ...cells])
+        const { pairs, detailed, triangles } = measured[region]
+        const cells = pairs.map((pair) => pair.map(short).join(' / '))
+        const last = `${short(detailed)} (${triangles.toLocaleString('en-US')})`
+        rows[region].push([`${name}, view ${i + 1}`, ...cells, last])
       }
     }
   await browser.close()
   await server.close()
   assert.deepEqual(messages, [])
-  const head = ['triangles', ...meshes.map(countOf)]
+  const head = ['triangles', ...meshes.map(countOf), `${countOf(coarse)}, \`detail: 1\``]
   return {
     light: markdownTable(head, rows.inside, true),
     outlines: markdownTable(head, rows.outline, true),

@@ -11,8 +11,14 @@ scene.add(new THREE.DirectionalLight(0xffffff, 2), new THREE.HemisphereLight())
 const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 50)
 camera.position.z = 4
 
-const mesh = () =>
-  new THREE.Mesh(new THREE.SphereGeometry(1, 400, 300), new THREE.MeshStandardMaterial())
+/** `copies` of the sphere are one geometry, so that one draw keeps a GPU busy. */
+function geometryOf(copies) {
+  const sphere = new THREE.SphereGeometry(1, 400, 300)
+  const indices = sphere.index.array
+  const index = new Uint32Array(copies * indices.length)
+  for (let i = 0; i < copies; i++) index.set(indices, i * indices.length)
+  return sphere.setIndex(new THREE.BufferAttribute(index, 1))
+}
 
 /** Sines along y and x, the first of which moves with the time. */
 const offset = ({ glsl, position, millis }) =>
@@ -48,25 +54,26 @@ function warpByHand(object) {
 }
 
 const pixel = new Uint8Array(4)
-function draw() {
+function draw(count) {
   const start = performance.now()
-  renderer.render(scene, camera)
+  for (let i = 0; i < count; i++) renderer.render(scene, camera)
   gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel)
-  return performance.now() - start
+  return (performance.now() - start) / count
 }
 
 const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
 
-/** Each round creates both materials again, and draws this number of frames. */
-const rounds = 100
+/** Each round creates both materials again, and draws the first frame and batches of frames, this many together. */
 const frames = 4
 
-window.bench = () => {
+/** Returns medians of `rounds` rounds; a batch has `batch` frames. */
+window.bench = (rounds, copies, batch) => {
+  const geometry = geometryOf(copies)
   const ways = { warped: (object) => warp(object, offset), byHand: warpByHand }
   const times = { 'first frame': [], frame: [] }
   for (let round = 0; round < rounds; round++) {
     const made = Object.entries(ways).map(([name, way]) => {
-      const object = mesh()
+      const object = new THREE.Mesh(geometry.clone(), new THREE.MeshStandardMaterial())
       // A new key makes three.js compile a new program.
       object.material.customProgramCacheKey = () => `${name} ${round}`
       return { name, object, ...way(object) }
@@ -78,7 +85,7 @@ window.bench = () => {
       for (const { name, object, update } of made) {
         scene.add(object)
         update(16 * i)
-        pair[name] = draw()
+        pair[name] = draw(i ? batch : 1)
         scene.remove(object)
       }
       times[i ? 'frame' : 'first frame'].push(pair)
