@@ -46,6 +46,9 @@ class BaseMesh {
     return sides_[side].ends[0] == vertex;
   }
 
+  // Replaces the numbers of vertices. Edges stay those that the first positions share.
+  void setAttributes(const std::vector<Attribute>& attributes) { attributes_ = attributes; }
+
   // The attributes of samples, which divide each side into four. First those of all vertices, then
   // three for each side, from its first end to its second, then three for each triangle, of which
   // sample i is the one nearest to corner i.
