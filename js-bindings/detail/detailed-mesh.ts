@@ -124,6 +124,14 @@ export class DetailedMesh {
     return this.held!.detail.origins()
   }
 
+  /**
+   * The vertices along lines, each between two vertices of the base: for each line their number, then the vertices. A line that is no
+   * side of a triangle is one piece.
+   */
+  lines(ends: ArrayLike<number>): ArrayLike<number> {
+    return this.held!.detail.lines(ends)
+  }
+
   /** The numbers of triangles at which the groups begin now. */
   groups(): Uint32Array {
     return this.held!.detail.groups()

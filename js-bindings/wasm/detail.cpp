@@ -73,7 +73,8 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("attribute", &attribute)
       .function("indices", &indices)
       .function("groups", &groups)
-      .function("origins", &Detail::origins);
+      .function("origins", &Detail::origins)
+      .function("lines", &Detail::lines);
 
   function("memoryInUse", &memoryInUse);
 }

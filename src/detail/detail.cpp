@@ -27,6 +27,23 @@ std::vector<ScreenView> readViews(std::span<const float> numbers) {
   return views;
 }
 
+// Replaces each step between two vertices by the pieces of its side.
+void divideLine(std::vector<std::uint32_t>& line, const BaseMesh& mesh,
+                std::span<const std::uint32_t> pieces,
+                std::span<const std::uint32_t> firstOfSides) {
+  std::vector<std::uint32_t> divided{line[0]};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const std::uint32_t side = mesh.sideBetween(line[i - 1], line[i]);
+    const std::uint32_t count = side == none ? 1 : pieces[mesh.sides()[side].edge];
+    for (std::uint32_t k = 0; k + 1 < count; ++k) {
+      const bool isForward = mesh.startsAt(side, line[i - 1]);
+      divided.push_back(firstOfSides[side] + (isForward ? k : count - 2 - k));
+    }
+    divided.push_back(line[i]);
+  }
+  line = std::move(divided);
+}
+
 // The distance of two samples in `size` of their numbers.
 float distanceOf(const float* a, const float* b, std::uint32_t size) {
   float sum = 0;
@@ -122,7 +139,8 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
   if (!isCut) return false;
   division_.write(*base_, pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
-  cuts_.push_back({std::move(*base_), std::move(pieces), division_.firstTriangles});
+  cuts_.push_back(
+      {std::move(*base_), std::move(pieces), division_.firstTriangles, division_.firstOfSides});
   use(BaseMesh(division_.attributes, division_.triangles));
   return true;
 }
@@ -152,6 +170,18 @@ std::vector<std::uint32_t> Detail::origins() const {
   for (const Cut& cut : cuts_) follow(cut.firstTriangles);
   follow(division_.firstTriangles);
   return origins;
+}
+
+std::vector<std::uint32_t> Detail::lines(const std::vector<std::uint32_t>& ends) const {
+  std::vector<std::uint32_t> all;
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    std::vector line{ends[i], ends[i + 1]};
+    for (const Cut& cut : cuts_) divideLine(line, cut.mesh, cut.pieces, cut.firstOfSides);
+    divideLine(line, *base_, needs_.pieces(), division_.firstOfSides);
+    all.push_back(static_cast<std::uint32_t>(line.size()));
+    all.insert(all.end(), line.begin(), line.end());
+  }
+  return all;
 }
 
 }  // namespace warpjet

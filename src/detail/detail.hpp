@@ -54,12 +54,15 @@ class Detail {
   const std::vector<std::uint32_t>& groups() const { return groups_; }
   // The triangle of the given mesh that each divided one is a part of.
   std::vector<std::uint32_t> origins() const;
+  // The divided vertices along lines, each between two vertices of the given mesh: for each line
+  // their number, then the vertices. A line that is no side of a triangle is one piece.
+  std::vector<std::uint32_t> lines(const std::vector<std::uint32_t>& ends) const;
 
  private:
-  // A mesh and the numbers of pieces that it was cut into; `firstTriangles` as in `Division`.
+  // A mesh and the numbers of pieces that it was cut into; the others as in `Division`.
   struct Cut {
     BaseMesh mesh;
-    std::vector<std::uint32_t> pieces, firstTriangles;
+    std::vector<std::uint32_t> pieces, firstTriangles, firstOfSides;
   };
 
   void use(BaseMesh base);

@@ -324,5 +324,42 @@ TEST(Detail, KnowsTheGivenTriangleOfEachDividedOne) {
   for (const int count : counts) EXPECT_GT(count, 4);
 }
 
+TEST(Detail, LinesFollowTheDividedSides) {
+  Detail detail = facettedTetrahedron();
+  while (detail.cut(0.3f, {}, {})) {
+  }
+  divideWave(detail);
+  // A side from either end; vertices 3 and 4 are at the ends of another one, 0 and 11 in one place.
+  const std::vector<std::uint32_t> lines = detail.lines({1, 2, 2, 1, 3, 4, 0, 11});
+  const std::vector<float>& p = detail.division().attributes[0].values;
+  std::vector<std::vector<std::uint32_t>> all;
+  for (std::size_t i = 0; i < lines.size(); i += lines[i] + 1)
+    all.emplace_back(lines.begin() + i + 1, lines.begin() + i + 1 + lines[i]);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_GT(all[0].size(), 5u);
+  EXPECT_EQ(all[1], std::vector<std::uint32_t>(all[0].rbegin(), all[0].rend()));
+  EXPECT_GT(all[2].size(), 2u);
+  EXPECT_EQ(all[3], (std::vector<std::uint32_t>{0, 11}));
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (const Corners& t : detail.division().triangles)
+    for (int i = 0; i < 3; ++i) sides.insert(std::minmax(t[i], t[(i + 1) % 3]));
+  // Vertices 1 and 2 are the ends (0, 1, 0) and (1, 0, 0) of a straight line.
+  for (std::size_t i = 0; i + 1 < all[0].size(); ++i) {
+    const std::uint32_t a = all[0][i], b = all[0][i + 1];
+    EXPECT_TRUE(sides.count(std::minmax(a, b)));
+    EXPECT_NEAR(p[3 * b] + p[3 * b + 1], 1, 1e-6);
+    EXPECT_GT(p[3 * b], p[3 * a]);
+  }
+}
+
+// A triangle with two corners in one vertex is a line: p5 has some that are no sides.
+TEST(Detail, LinesWithoutTrianglesNeedPieces) {
+  const BaseMesh base({{3, false, {0, 0, 0, 1, 0, 0}}}, {{0, 1, 1}});
+  Needs needs;
+  needs.update(base, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
+               std::array{viewAlongX()}, 1);
+  EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
+}
+
 }  // namespace
 }  // namespace warpjet

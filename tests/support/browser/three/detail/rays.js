@@ -16,7 +16,7 @@ function cast(view, mesh) {
   return all
 }
 
-/** The largest distances of hits on a divided box from those on a fine one, and what they say of the user's triangles. */
+/** The largest distances of hits on a divided box from those on a fine one, and the faces that they name of the user's triangles. */
 export async function rays({ draw }, { space, isMoved = false }) {
   const view = camera()
   const hitsOf = async (shape, detail) => {
