@@ -6,7 +6,10 @@ export { posed } from './posed.js'
 export { rays } from './rays.js'
 
 /** A coarse box with and without detail against a fine one. */
-export async function compare({ draw, triangles }, { name, hasShadow = false, isOutside, space }) {
+export async function compare(
+  { draw, triangles },
+  { name, hasShadow = false, isOutside, light, space },
+) {
   const view = camera()
   if (isOutside) {
     // Sees the floor only.
@@ -14,7 +17,7 @@ export async function compare({ draw, triangles }, { name, hasShadow = false, is
     view.lookAt(-2.5, -1.2, -1)
   }
   const pictureOf = async (shape, detail) => {
-    const { scene, mesh } = sceneOf(shape, { hasShadow })
+    const { scene, mesh } = sceneOf(shape, { hasShadow, light })
     if (space === 'world') mesh.rotation.z = 0.5
     const warped = warpBy(mesh, name, detail, { space })
     const picture = await draw(scene, view)
