@@ -68,7 +68,7 @@ for (const { name, version, script, settings } of hosts)
 
     test('the shadow of a mesh outside of the picture is as fine', async (t) => {
       for (const [light, most, least] of [
-        ['sun', 60, 300],
+        ['sun', 150, 5000],
         ['bulb', 20, 100],
       ]) {
         const more = { name: 'twist', hasShadow: true, isOutside: true, light }

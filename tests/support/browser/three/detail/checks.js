@@ -5,6 +5,12 @@ import { camera, countBeyond, countHoles, covered, sceneOf, warpBy } from './pic
 export { posed } from './posed.js'
 export { rays } from './rays.js'
 
+/** Views of the floor beside the box, by the light. */
+const outside = {
+  sun: { from: [-1.6, 0.2, -0.4], to: [-1.6, -1.2, -0.5] },
+  bulb: { from: [-2.5, 3.5, 1], to: [-2.5, -1.2, -1] },
+}
+
 /** A coarse box with and without detail against a fine one. */
 export async function compare(
   { draw, triangles },
@@ -12,9 +18,10 @@ export async function compare(
 ) {
   const view = camera()
   if (isOutside) {
-    // Sees the floor only.
-    view.position.set(-2.5, 3.5, 1)
-    view.lookAt(-2.5, -1.2, -1)
+    // Sees the floor only, and of a shadow by the sun a part of its outline, in large.
+    const { from, to } = outside[light]
+    view.position.set(...from)
+    view.lookAt(...to)
   }
   const pictureOf = async (shape, detail) => {
     const { scene, mesh } = sceneOf(shape, { hasShadow, light })

@@ -51,11 +51,14 @@ const lights = {
   sun() {
     const sun = new THREE.DirectionalLight(0xffffff, 3)
     sun.position.set(3, 5, 2)
+    sun.shadow.mapSize.setScalar(2048)
+    Object.assign(sun.shadow.camera, { left: -2.5, right: 2.5, bottom: -2.5, top: 2.5 })
     return sun
   },
   bulb() {
     const bulb = new THREE.PointLight(0xffffff, 60)
     bulb.position.set(1.5, 2.5, 1)
+    bulb.shadow.mapSize.setScalar(1024)
     return bulb
   },
 }
@@ -75,7 +78,6 @@ export function sceneOf(geometry, { hasShadow = false, light = 'sun', material }
   floor.receiveShadow = mesh.castShadow = true
   const lamp = lights[light]()
   lamp.castShadow = true
-  lamp.shadow.mapSize.set(1024, 1024)
   scene.add(floor, lamp, new THREE.AmbientLight(0xffffff, 0.6))
   return { scene, mesh }
 }
