@@ -57,9 +57,12 @@ export class DetailedMesh {
   private inSpace = new Float32Array()
   private warped = new Float32Array()
   private phases = new Float32Array()
-  /** The inputs of the warp for which the samples are warped now. */
-  private state: readonly number[] = []
+  /** The inputs of the warp for which the samples are warped now; `undefined` if they are not. */
+  private state: readonly number[] | undefined
   private views: readonly number[] = []
+  private posed: DetailBase | undefined
+  /** Changes with the arrays. */
+  version = 0
   private readonly maxLength: number
 
   constructor(
@@ -80,19 +83,30 @@ export class DetailedMesh {
     toSpace?: ToSpace,
     place: readonly number[] = [],
   ): boolean {
-    const isNew = !this.held || this.held.bound.isBroken
-    if (isNew) this.start()
+    if (!this.held || this.held.bound.isBroken) this.start()
     const { detail } = this.held!
     const state = [...this.warp.state(given), ...place]
     const seen = [...views, tolerance]
-    if (isNew || !areEqual(state, this.state)) {
+    if (!this.state || !areEqual(state, this.state)) {
       this.cut(given, toSpace)
       this.warp.evaluatePositions(this.inOffsetSpace(toSpace), given, this.warped)
       detail.warped().set(this.warped)
       this.state = state
     } else if (areEqual(seen, this.views)) return false
     this.views = seen
-    return detail.update(views, tolerance)
+    const isChanged = detail.update(views, tolerance)
+    if (isChanged) this.version++
+    return isChanged
+  }
+
+  /** Moves the vertices of the base for the frames from now on. The triangles stay as they are. */
+  pose(posed: DetailBase) {
+    this.posed = posed
+    if (!this.held || this.held.bound.isBroken) return
+    this.fill(posed)
+    this.held.detail.pose()
+    this.readSamples()
+    this.state = undefined
   }
 
   /** The numbers of an attribute, by its place in the base; -1 is positions. A view, which is valid until the next call of any mesh. */
@@ -103,6 +117,19 @@ export class DetailedMesh {
   /** A view like `values`. */
   indices(): Uint32Array {
     return this.held!.detail.indices()
+  }
+
+  /** The triangle of the base that each one is a part of. */
+  origins(): ArrayLike<number> {
+    return this.held!.detail.origins()
+  }
+
+  /**
+   * The vertices along lines, each between two vertices of the base: for each line their number, then the vertices. A line that is no
+   * side of a triangle is one piece.
+   */
+  lines(ends: ArrayLike<number>): ArrayLike<number> {
+    return this.held!.detail.lines(ends)
   }
 
   /** The numbers of triangles at which the groups begin now. */
@@ -128,10 +155,18 @@ export class DetailedMesh {
     this.dispose()
     this.held = { bound, detail }
     registry.register(this, this.held, this)
-    all.forEach(({ values }, i) => detail.given(i).set(values))
+    this.fill(this.base)
     detail.givenIndices().set(indices)
     detail.begin()
     this.readSamples()
+    this.state = undefined
+    if (this.posed) this.pose(this.posed)
+  }
+
+  private fill({ positions, attributes }: DetailBase) {
+    const { detail } = this.held!
+    detail.given(0).set(positions)
+    attributes.forEach(({ values }, i) => detail.given(i + 1).set(values))
   }
 
   /** Cuts the mesh until no edge is longer than samples allow, which changes with the inputs of the warp. */
@@ -152,13 +187,15 @@ export class DetailedMesh {
 
   private readSamples() {
     const { detail } = this.held!
-    const samples: Vertices = { positions: detail.sample(0).slice() }
+    const { samples } = this
+    samples.positions = copyInto(samples.positions, detail.sample(0))
     this.base.attributes.forEach(({ input }, i) => {
-      if (input) samples[input] = detail.sample(i + 1).slice()
+      if (input) samples[input] = copyInto(samples[input], detail.sample(i + 1))
     })
-    this.samples = samples
-    this.inSpace = new Float32Array(samples.positions.length)
-    this.warped = new Float32Array(samples.positions.length)
+    const { length } = samples.positions
+    if (this.warped.length === length) return
+    this.inSpace = new Float32Array(length)
+    this.warped = new Float32Array(length)
   }
 
   private inOffsetSpace(toSpace: ToSpace | undefined): Vertices {
@@ -174,6 +211,13 @@ function diagonalOf(positions: ArrayLike<number>): number {
     max[i % 3] = Math.max(max[i % 3]!, positions[i]!)
   }
   return Math.hypot(...max.map((high, i) => high - min[i]!))
+}
+
+/** Copies into the array if it has the right length, or else into a new one. */
+function copyInto(to: ArrayLike<number> | undefined, from: Float32Array): Float32Array {
+  if (!(to instanceof Float32Array) || to.length !== from.length) return from.slice()
+  to.set(from)
+  return to
 }
 
 const areEqual = (a: readonly number[], b: readonly number[]) =>

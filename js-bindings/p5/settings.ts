@@ -45,7 +45,7 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   /**
    * The maximum distance, in pixels of the canvas, between the drawn triangles and the warped surface: shapes are divided as finely as
    * they need it at present. `'auto'` is 1, or 2 on devices that are used by touch. `false` draws shapes with their own vertices, as do
-   * shapes between beginShape() and endShape(), instances, lines, and warps that only the GPU can evaluate.
+   * shapes between beginShape() and endShape(), instances, and warps that only the GPU can evaluate.
    * @default false
    */
   detail?: DetailOption

@@ -72,9 +72,11 @@ function applyOnV1(
   setState(renderer, name, shader)
 }
 
+export const isStrokeShader = (shader: Shader | null | undefined) => !!shader && ours.has(shader)
+
 /** Returns whether our shaders draw lines and points already. */
 export const hasStrokes = (canvas: Canvas) =>
-  ours.has(stateOf(rendererOf(canvas)!).userStrokeShader ?? ({} as Shader))
+  isStrokeShader(stateOf(rendererOf(canvas)!).userStrokeShader)
 
 /** Ends the warp of lines too, after the sketch has applied another shader. */
 export function dropStrokes(canvas: Canvas) {

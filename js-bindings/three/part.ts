@@ -38,7 +38,9 @@ export function warpPart(
         }
       }),
     ),
-    wrapMethod<Raycast>(object, 'raycast', (own) => raycastOf(warp, object, own, around)),
+    wrapMethod<Raycast>(object, 'raycast', (own) =>
+      raycastOf(warp, object, own, around, () => detail?.surfaceNow()),
+    ),
     wrapMethod<Object3D['clone']>(object, 'clone', (own) => {
       return function (this: Object3D, recursive) {
         const clone = own.call(this, recursive)

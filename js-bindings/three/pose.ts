@@ -1,30 +1,19 @@
 // The vertices of an object of three.js before it is warped, with its morph targets and bones.
-import {
-  Vector3,
-  type BufferAttribute,
-  type InterleavedBufferAttribute,
-  type Line,
-  type Mesh,
-  type Points,
-  type SkinnedMesh,
-} from 'three'
+import type { Line, Mesh, Points, SkinnedMesh } from 'three'
 import {
   attributeNumbers,
   variationAttribute,
   variationNames,
   type Vertices,
 } from '../compile/hosts.js'
+import { versionOf, type Attribute } from './attribute.js'
+import { moveByBones } from './skinning.js'
 
 /** An object that can be warped. */
 export type Warpable = Mesh | Points | Line
 
-export type Attribute = BufferAttribute | InterleavedBufferAttribute
-
 export const isSkinned = (object: Warpable): object is SkinnedMesh =>
   (object as SkinnedMesh).isSkinnedMesh === true
-
-export const versionOf = (attribute: Attribute | undefined) =>
-  attribute ? ('data' in attribute ? attribute.data.version : attribute.version) : -1
 
 /** The influences that instances have each for itself. */
 export const morphTextureOf = (object: Warpable) =>
@@ -58,7 +47,14 @@ export function verticesOf(object: Warpable, isPosed: boolean, fill: number[]): 
     const attribute = geometry.attributes[variationAttribute(name)]
     if (attribute) vertices[`${name}s`] = attributeNumbers(attribute, 3)
   }
-  if (isPosed && isMoved(object)) pose(object, vertices)
+  if (isPosed && isMoved(object)) {
+    const posed = poseArrays(object, {
+      position: vertices.positions,
+      ...(vertices.normals && { normal: vertices.normals }),
+    })
+    vertices.positions = posed.position!
+    if (posed.normal) vertices.normals = posed.normal
+  }
   return vertices as unknown as Vertices
 }
 
@@ -73,34 +69,35 @@ function colorsOf(object: Warpable, color: Attribute | undefined, count: number,
 export const isMoved = (object: Warpable) =>
   isSkinned(object) || !!object.geometry.morphAttributes.position?.length
 
-const place = new Vector3()
-const origin = new Vector3()
+/** Arrays that morph targets or bones move, by the names of their attributes. */
+export type Poseable = Partial<Record<'position' | 'normal' | 'tangent' | 'color', Float32Array>>
 
-function pose(object: Warpable, vertices: Record<string, Float32Array>) {
-  const { positions, normals } = vertices
-  const posed = new Float32Array(positions!.length)
-  const turned = normals && morphed(object, normals)
-  for (let i = 0; 3 * i < posed.length; i++) {
-    ;(object as Mesh).getVertexPosition(i, place).toArray(posed, 3 * i)
-    if (!turned || !isSkinned(object)) continue
-    // Bones move a vertex affinely, and a direction as they move what it ends at, less what it starts from.
-    object.applyBoneTransform(i, place.fromArray(turned, 3 * i))
-    place.sub(object.applyBoneTransform(i, origin.set(0, 0, 0))).toArray(turned, 3 * i)
-  }
-  vertices.positions = posed
-  if (turned) vertices.normals = turned
+/** Returns the arrays after morph targets and bones. Each array has all numbers of its attribute. */
+export function poseArrays(object: Warpable, arrays: Poseable): Poseable {
+  const posed: Poseable = {}
+  for (const name of ['position', 'normal', 'tangent', 'color'] as const)
+    if (arrays[name]) posed[name] = applyMorphs(object, name, arrays[name])
+  if (!isSkinned(object)) return posed
+  const { position, normal, tangent } = posed
+  moveByBones(object, position ? [position] : [], [normal, tangent].filter(isPresent))
+  return posed
 }
 
-function morphed(object: Warpable, normals: Float32Array) {
-  const { morphAttributes, morphTargetsRelative } = object.geometry
+const isPresent = (array: Float32Array | undefined) => array !== undefined
+
+/** Returns a copy of an array, moved by morph targets; three.js has none of tangents. */
+function applyMorphs(object: Warpable, name: keyof Poseable, rest: Float32Array): Float32Array {
+  const { morphAttributes, morphTargetsRelative, attributes } = object.geometry
   const influences = (object as Mesh).morphTargetInfluences ?? []
-  const turned = normals.slice()
-  morphAttributes.normal?.forEach((attribute, target) => {
+  const size = rest.length / attributes.position!.count
+  const moved = rest.slice()
+  const targets = (morphAttributes as Partial<Record<string, Attribute[]>>)[name]
+  targets?.forEach((attribute, target) => {
     const influence = influences[target] ?? 0
     if (influence === 0) return
-    const to = attributeNumbers(attribute, 3)
-    for (let i = 0; i < turned.length; i++)
-      turned[i]! += influence * (to[i]! - (morphTargetsRelative ? 0 : normals[i]!))
+    const to = attributeNumbers(attribute, size)
+    for (let i = 0; i < moved.length; i++)
+      moved[i]! += influence * (to[i]! - (morphTargetsRelative ? 0 : rest[i]!))
   })
-  return turned
+  return moved
 }

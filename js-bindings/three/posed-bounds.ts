@@ -12,14 +12,8 @@ import {
   type SkinnedMesh,
 } from 'three'
 import { attributeNumbers } from '../compile/hosts.js'
-import {
-  isMoved,
-  isSkinned,
-  morphTextureOf,
-  versionOf,
-  type Attribute,
-  type Warpable,
-} from './pose.js'
+import { versionOf, type Attribute } from './attribute.js'
+import { isMoved, isSkinned, morphTextureOf, type Warpable } from './pose.js'
 
 /** Numbers that change when the geometry gets other bounds of its own. */
 export function boundsState({ geometry }: Warpable): number[] {

@@ -12,6 +12,7 @@ import {
   type Sphere,
   type Vector3,
 } from 'three'
+import type { DrawnSurface } from './detail/drawn-surface.js'
 import { sphereAround, stateOf, warpedBox } from './extent.js'
 import { withOtherSide } from './faces.js'
 import { instancesOf } from './instances.js'
@@ -25,20 +26,45 @@ export type Raycast = (raycaster: Raycaster, intersects: Intersection[]) => void
 
 const noted = new WeakSet<ThreeWarp>()
 
-/** Creates the `raycast` of a warped object. `own` is its method without the warp, and `around` bounds everything that is drawn of it. */
+/**
+ * Creates the `raycast` of a warped object. `own` is its method without the warp, and `around` bounds everything that is drawn of it.
+ * `surfaceNow` returns its divided surface, if it is drawn so.
+ */
 export function raycastOf(
   warp: ThreeWarp,
   object: Warpable,
   own: Raycast,
   around: () => Sphere,
+  surfaceNow: () => DrawnSurface | undefined = () => undefined,
 ): Raycast {
   if (!warp.runs) return () => noteMiss(warp)
-  const castOne =
-    warp.settings.space === 'world' ? castInWorld(warp, object, own) : castHere(warp, object, own)
+  const castOn = (each: Warpable): Cast =>
+    warp.settings.space === 'world' ? castInWorld(warp, each, own) : castHere(warp, each, own)
+  const castOnOwn = castOn(object)
+  const castOnDivided = memoizeLast((surface: DrawnSurface): Cast => {
+    const castOnSurface = castOn(surface.object)
+    return (raycaster, intersects, extent) => {
+      const found: Intersection[] = []
+      castOnSurface(raycaster, found, extent)
+      for (const hit of found) intersects.push({ ...surface.toOwnTriangle(hit), object })
+    }
+  })
   return (raycaster, intersects) => {
     if (object.material === undefined || !isNear(raycaster, object, around(), object.matrixWorld))
       return
+    const surface = surfaceNow()
+    const castOne = surface ? castOnDivided(surface) : castOnOwn
     castOne(raycaster, intersects, around())
+  }
+}
+
+type Cast = (raycaster: Raycaster, intersects: Intersection[], extent: Sphere) => void
+
+function memoizeLast<Key, Value>(work: (key: Key) => Value): (key: Key) => Value {
+  let last: { readonly key: Key; readonly value: Value } | undefined
+  return (key) => {
+    if (last?.key !== key) last = { key, value: work(key) }
+    return last.value
   }
 }
 

@@ -41,9 +41,9 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
   fadeNoise?: boolean
   /**
    * Draws meshes with as many triangles as their warped surface needs, so that it is at most this many pixels from the true one: a number,
-   * or `'auto'`, which is 1, or 2 on devices that are used by touch. `false` draws the vertices of the geometry. Of `warp` only. Meshes with
-   * bones or morph targets, batches, points and lines keep their vertices, as do instances in the space `'world'`, and all meshes
-   * outside of a `Scene`.
+   * or `'auto'`, which is 1, or 2 on devices that are used by touch. `false` draws the vertices of the geometry. Of `warp` only. Bones and morph
+   * targets are applied on the CPU then. Batches, points and lines keep their vertices, as do meshes with bones or morph targets in the
+   * space `'rest'`, instances in the space `'world'`, and all meshes outside of a `Scene`. Shadows are as close in texels of their maps.
    * @default false
    */
   detail?: DetailOption

@@ -63,6 +63,7 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("given", &given)
       .function("givenIndices", &givenIndices)
       .function("begin", &Detail::begin)
+      .function("pose", &Detail::pose)
       .function("cut", &Detail::cut)
       .function("sampleCount", &Detail::sampleCount)
       .function("sample", &sample)
@@ -71,7 +72,9 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("update", &update)
       .function("attribute", &attribute)
       .function("indices", &indices)
-      .function("groups", &groups);
+      .function("groups", &groups)
+      .function("origins", &Detail::origins)
+      .function("lines", &Detail::lines);
 
   function("memoryInUse", &memoryInUse);
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/surface/pairs.hpp"
 #include "mesh/surface/weld.hpp"
 
 namespace warpjet {
@@ -28,25 +27,29 @@ BaseMesh::BaseMesh(std::vector<Attribute> attributes, std::vector<Corners> trian
 
 void BaseMesh::findSides() {
   Welder welder;
-  std::vector<std::uint32_t> places(vertexCount());
+  places_.resize(vertexCount());
   const float* p = attributes_[0].values.data();
-  for (std::uint32_t& place : places) {
+  for (std::uint32_t& place : places_) {
     place = welder.weld({p[0], p[1], p[2]});
     p += 3;
   }
-  Pairs sides, edges;
+  Pairs edges;
   for (const Corners& corners : triangles_) {
     std::array<std::uint32_t, 3>& found = sidesOf_.emplace_back();
     for (int i = 0; i < 3; ++i) {
-      std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
-      if (places[a] > places[b] || (places[a] == places[b] && a > b)) std::swap(a, b);
-      found[i] = sides.findOrAdd(a, b, static_cast<std::uint32_t>(sides_.size()));
+      const auto [a, b] = inOrder(corners[i], corners[(i + 1) % 3]);
+      found[i] = sidesByEnds_.findOrAdd(a, b, static_cast<std::uint32_t>(sides_.size()));
       if (found[i] < sides_.size()) continue;
-      const std::uint32_t edge = edges.findOrAdd(places[a], places[b], edgeCount_);
+      const std::uint32_t edge = edges.findOrAdd(places_[a], places_[b], edgeCount_);
       if (edge == edgeCount_) ++edgeCount_;
       sides_.push_back({{a, b}, edge});
     }
   }
+}
+
+std::array<std::uint32_t, 2> BaseMesh::inOrder(std::uint32_t a, std::uint32_t b) const {
+  const bool isInOrder = places_[a] < places_[b] || (places_[a] == places_[b] && a <= b);
+  return isInOrder ? std::array{a, b} : std::array{b, a};
 }
 
 std::vector<Attribute> BaseMesh::samples() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "detail/triangulate.hpp"
+#include "mesh/surface/pairs.hpp"
 
 namespace warpjet {
 
@@ -21,7 +22,7 @@ struct Attribute {
 
 class BaseMesh {
  public:
-  // Two vertices. The one at the place with the lower number is first, so that both sides of a seam
+  // Two vertices in order (see `inOrder`), so that both sides of a seam
   // interpolate from the same end, and get the same bits.
   struct Side {
     std::array<std::uint32_t, 2> ends;
@@ -42,9 +43,17 @@ class BaseMesh {
   std::uint32_t edgeOf(std::size_t triangle, int side) const {
     return sides_[sidesOf_[triangle][side]].edge;
   }
+  // The number of the side between two vertices; `none` if no triangle has it.
+  std::uint32_t sideBetween(std::uint32_t a, std::uint32_t b) const {
+    const auto [first, second] = inOrder(a, b);
+    return sidesByEnds_.find(first, second);
+  }
   bool startsAt(std::uint32_t side, std::uint32_t vertex) const {
     return sides_[side].ends[0] == vertex;
   }
+
+  // Replaces the numbers of vertices. Edges stay those that the first positions share.
+  void setAttributes(const std::vector<Attribute>& attributes) { attributes_ = attributes; }
 
   // The attributes of samples, which divide each side into four. First those of all vertices, then
   // three for each side, from its first end to its second, then three for each triangle, of which
@@ -59,11 +68,15 @@ class BaseMesh {
 
  private:
   void findSides();
+  // The one at the place with the lower number is first.
+  std::array<std::uint32_t, 2> inOrder(std::uint32_t a, std::uint32_t b) const;
 
   std::vector<Attribute> attributes_;
   std::vector<Corners> triangles_;
   std::vector<std::array<std::uint32_t, 3>> sidesOf_;
   std::vector<Side> sides_;
+  std::vector<std::uint32_t> places_;  // by vertex: equal numbers for equal positions
+  Pairs sidesByEnds_;
   std::uint32_t edgeCount_ = 0;
 };
 

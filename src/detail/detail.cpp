@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace warpjet {
@@ -26,6 +27,23 @@ std::vector<ScreenView> readViews(std::span<const float> numbers) {
   return views;
 }
 
+// Replaces each step between two vertices by the pieces of its side.
+void divideLine(std::vector<std::uint32_t>& line, const BaseMesh& mesh,
+                std::span<const std::uint32_t> pieces,
+                std::span<const std::uint32_t> firstOfSides) {
+  std::vector<std::uint32_t> divided{line[0]};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const std::uint32_t side = mesh.sideBetween(line[i - 1], line[i]);
+    const std::uint32_t count = side == none ? 1 : pieces[mesh.sides()[side].edge];
+    for (std::uint32_t k = 0; k + 1 < count; ++k) {
+      const bool isForward = mesh.startsAt(side, line[i - 1]);
+      divided.push_back(firstOfSides[side] + (isForward ? k : count - 2 - k));
+    }
+    divided.push_back(line[i]);
+  }
+  line = std::move(divided);
+}
+
 // The distance of two samples in `size` of their numbers.
 float distanceOf(const float* a, const float* b, std::uint32_t size) {
   float sum = 0;
@@ -46,6 +64,7 @@ void Detail::begin() {
   for (std::size_t i = 0; i < givenIndices_.size(); i += 3)
     triangles.push_back({givenIndices_[i], givenIndices_[i + 1], givenIndices_[i + 2]});
   baseGroups_ = givenGroups_;
+  cuts_.clear();
   use(BaseMesh(given_, std::move(triangles)));
 }
 
@@ -54,6 +73,18 @@ void Detail::use(BaseMesh base) {
   samples_ = base_->samples();
   warped_.resize(samples_[0].values.size());
   needs_ = {};
+  indices_.clear();
+}
+
+void Detail::pose() {
+  const std::vector<Attribute>* attributes = &given_;
+  for (Cut& cut : cuts_) {
+    cut.mesh.setAttributes(*attributes);
+    division_.write(cut.mesh, cut.pieces, tessellations_);
+    attributes = &division_.attributes;
+  }
+  base_->setAttributes(*attributes);
+  samples_ = base_->samples();
   indices_.clear();
 }
 
@@ -108,6 +139,8 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
   if (!isCut) return false;
   division_.write(*base_, pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
+  cuts_.push_back(
+      {std::move(*base_), std::move(pieces), division_.firstTriangles, division_.firstOfSides});
   use(BaseMesh(division_.attributes, division_.triangles));
   return true;
 }
@@ -123,6 +156,32 @@ bool Detail::update(std::span<const float> numbers, float tolerance) {
   groups_.clear();
   for (const std::uint32_t group : baseGroups_) groups_.push_back(division_.firstTriangles[group]);
   return true;
+}
+
+std::vector<std::uint32_t> Detail::origins() const {
+  std::vector<std::uint32_t> origins(givenIndices_.size() / 3);
+  std::iota(origins.begin(), origins.end(), 0);
+  const auto follow = [&](const std::vector<std::uint32_t>& firstTriangles) {
+    std::vector<std::uint32_t> next(firstTriangles.back());
+    for (std::size_t t = 0; t < origins.size(); ++t)
+      std::fill(next.begin() + firstTriangles[t], next.begin() + firstTriangles[t + 1], origins[t]);
+    origins = std::move(next);
+  };
+  for (const Cut& cut : cuts_) follow(cut.firstTriangles);
+  follow(division_.firstTriangles);
+  return origins;
+}
+
+std::vector<std::uint32_t> Detail::lines(const std::vector<std::uint32_t>& ends) const {
+  std::vector<std::uint32_t> all;
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    std::vector line{ends[i], ends[i + 1]};
+    for (const Cut& cut : cuts_) divideLine(line, cut.mesh, cut.pieces, cut.firstOfSides);
+    divideLine(line, *base_, needs_.pieces(), division_.firstOfSides);
+    all.push_back(static_cast<std::uint32_t>(line.size()));
+    all.insert(all.end(), line.begin(), line.end());
+  }
+  return all;
 }
 
 }  // namespace warpjet

@@ -26,6 +26,8 @@ class Detail {
 
   // Starts from the given mesh, uncut.
   void begin();
+  // Takes over the numbers of `given`, which have changed, and keeps triangles and cuts.
+  void pose();
 
   // Vertices of the cut mesh and middles of its sides.
   std::uint32_t sampleCount() const;
@@ -50,13 +52,25 @@ class Detail {
   const std::vector<std::uint32_t>& indices() const { return indices_; }
   // The numbers of triangles at which the groups begin now.
   const std::vector<std::uint32_t>& groups() const { return groups_; }
+  // The triangle of the given mesh that each divided one is a part of.
+  std::vector<std::uint32_t> origins() const;
+  // The divided vertices along lines, each between two vertices of the given mesh: for each line
+  // their number, then the vertices. A line that is no side of a triangle is one piece.
+  std::vector<std::uint32_t> lines(const std::vector<std::uint32_t>& ends) const;
 
  private:
+  // A mesh and the numbers of pieces that it was cut into; the others as in `Division`.
+  struct Cut {
+    BaseMesh mesh;
+    std::vector<std::uint32_t> pieces, firstTriangles, firstOfSides;
+  };
+
   void use(BaseMesh base);
 
   std::vector<Attribute> given_;
   std::vector<std::uint32_t> givenIndices_, givenGroups_;
-  std::optional<BaseMesh> base_;
+  std::vector<Cut> cuts_;         // in order
+  std::optional<BaseMesh> base_;  // after all cuts
   std::vector<std::uint32_t> baseGroups_;
   std::vector<Attribute> samples_;
   std::vector<float> phases_, warped_;

@@ -16,10 +16,10 @@ void Division::write(const BaseMesh& base, std::span<const std::uint32_t> pieces
 }
 
 void Division::writeSides(const BaseMesh& base, std::span<const std::uint32_t> pieces) {
-  firstOfSides_.clear();
+  firstOfSides.clear();
   std::uint32_t vertex = static_cast<std::uint32_t>(base.vertexCount());
   for (const BaseMesh::Side& side : base.sides()) {
-    firstOfSides_.push_back(vertex);
+    firstOfSides.push_back(vertex);
     const std::uint32_t count = pieces[side.edge];
     const float scale = 1 / static_cast<float>(count);
     for (std::uint32_t i = 1; i < count; ++i, ++vertex) {
@@ -42,7 +42,7 @@ void Division::writeTriangles(const BaseMesh& base, std::span<const std::uint32_
     points.clear();
     SidePieces counts{};
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t side = base.sidesOf(t)[i], first = firstOfSides_[side];
+      const std::uint32_t side = base.sidesOf(t)[i], first = firstOfSides[side];
       const std::uint32_t count = counts[i] = pieces[base.sides()[side].edge];
       const bool isForward = base.startsAt(side, corners[i]);
       points.push_back(corners[i]);

@@ -19,6 +19,9 @@ struct Division {
   // triangles.
   std::vector<std::uint32_t> firstTriangles;
 
+  // Maps a side of the base -> its first vertex here, if it is divided.
+  std::vector<std::uint32_t> firstOfSides;
+
   // `pieces` are by edge, from `pieceCounts`.
   void write(const BaseMesh& base, std::span<const std::uint32_t> pieces,
              Tessellations& tessellations);
@@ -27,8 +30,6 @@ struct Division {
   void writeSides(const BaseMesh& base, std::span<const std::uint32_t> pieces);
   void writeTriangles(const BaseMesh& base, std::span<const std::uint32_t> pieces,
                       Tessellations& tessellations);
-
-  std::vector<std::uint32_t> firstOfSides_;  // by side: its first vertex
 };
 
 }  // namespace warpjet

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -264,6 +265,100 @@ TEST(Detail, CutsSidesByTheStepsOfPhases) {
   std::vector<float>& again = detail.phases(1);
   for (std::size_t i = 0; i < again.size(); ++i) again[i] = 6 * detail.samples()[0].values[3 * i];
   EXPECT_FALSE(detail.cut(10, {1}, {1}));
+}
+
+// Cuts a mesh in two passes, and divides it for a wave.
+void divideWave(Detail& detail) {
+  detail.warped() = detail.samples()[0].values;
+  for (std::size_t i = 0; i < detail.warped().size(); i += 3)
+    detail.warped()[i + 2] += 0.7f * std::sin(5 * detail.warped()[i]);
+  const ScreenView view = viewAlongX();
+  std::vector<float> numbers;
+  for (int i = 0; i < 16; ++i) numbers.push_back(view.clip[i / 4][i % 4]);
+  numbers.insert(numbers.end(), {100, 100, 0});
+  EXPECT_TRUE(detail.update(numbers, 1));
+}
+
+// Moves the vertices by a linear map, which cuts and divisions commute with.
+TEST(Detail, APoseMovesTheVerticesOfTheCutMesh) {
+  const auto map = [](float* p) { std::tie(p[0], p[1], p[2]) = std::tuple(p[1], 2 * p[2], -p[0]); };
+  Detail detail = facettedTetrahedron();
+  while (detail.cut(0.3f, {}, {})) {
+  }
+  std::vector<float> expected = detail.samples()[0].values;
+  const std::uint32_t count = detail.sampleCount();
+  for (std::size_t i = 0; i < expected.size(); i += 3) map(&expected[i]);
+  for (std::size_t i = 0; i < detail.given(0).size(); i += 3) map(&detail.given(0)[i]);
+  divideWave(detail);
+  detail.pose();
+  ASSERT_EQ(detail.sampleCount(), count);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(detail.samples()[0].values[i], expected[i], 1e-6);
+  // Returns true although the numbers of pieces may be the same.
+  divideWave(detail);
+  expectClosed(detail);
+}
+
+TEST(Detail, KnowsTheGivenTriangleOfEachDividedOne) {
+  Detail detail = facettedTetrahedron();
+  const std::vector<float> given = detail.given(0);
+  while (detail.cut(0.3f, {}, {})) {
+  }
+  divideWave(detail);
+  const std::vector<std::uint32_t> origins = detail.origins();
+  const Division& division = detail.division();
+  ASSERT_EQ(origins.size(), division.triangles.size());
+  std::array<int, 4> counts{};
+  for (std::size_t t = 0; t < origins.size(); ++t) {
+    ++counts[origins[t]];
+    // All corners are in the plane of the given triangle.
+    const auto place = [](const std::vector<float>& p, std::size_t i) {
+      return glm::vec3(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
+    };
+    const std::size_t first = 3 * std::size_t{origins[t]};
+    const glm::vec3 a = place(given, first);
+    const glm::vec3 normal = cross(place(given, first + 1) - a, place(given, first + 2) - a);
+    for (const std::uint32_t corner : division.triangles[t])
+      EXPECT_NEAR(dot(place(division.attributes[0].values, corner) - a, normal), 0, 1e-5);
+  }
+  for (const int count : counts) EXPECT_GT(count, 4);
+}
+
+TEST(Detail, LinesFollowTheDividedSides) {
+  Detail detail = facettedTetrahedron();
+  while (detail.cut(0.3f, {}, {})) {
+  }
+  divideWave(detail);
+  // A side from either end; vertices 3 and 4 are at the ends of another one, 0 and 11 in one place.
+  const std::vector<std::uint32_t> lines = detail.lines({1, 2, 2, 1, 3, 4, 0, 11});
+  const std::vector<float>& p = detail.division().attributes[0].values;
+  std::vector<std::vector<std::uint32_t>> all;
+  for (std::size_t i = 0; i < lines.size(); i += lines[i] + 1)
+    all.emplace_back(lines.begin() + i + 1, lines.begin() + i + 1 + lines[i]);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_GT(all[0].size(), 5u);
+  EXPECT_EQ(all[1], std::vector<std::uint32_t>(all[0].rbegin(), all[0].rend()));
+  EXPECT_GT(all[2].size(), 2u);
+  EXPECT_EQ(all[3], (std::vector<std::uint32_t>{0, 11}));
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (const Corners& t : detail.division().triangles)
+    for (int i = 0; i < 3; ++i) sides.insert(std::minmax(t[i], t[(i + 1) % 3]));
+  // Vertices 1 and 2 are the ends (0, 1, 0) and (1, 0, 0) of a straight line.
+  for (std::size_t i = 0; i + 1 < all[0].size(); ++i) {
+    const std::uint32_t a = all[0][i], b = all[0][i + 1];
+    EXPECT_TRUE(sides.count(std::minmax(a, b)));
+    EXPECT_NEAR(p[3 * b] + p[3 * b + 1], 1, 1e-6);
+    EXPECT_GT(p[3 * b], p[3 * a]);
+  }
+}
+
+// A triangle with two corners in one vertex is a line: p5 has some that are no sides.
+TEST(Detail, LinesWithoutTrianglesNeedPieces) {
+  const BaseMesh base({{3, false, {0, 0, 0, 1, 0, 0}}}, {{0, 1, 1}});
+  Needs needs;
+  needs.update(base, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
+               std::array{viewAlongX()}, 1);
+  EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
 }
 
 }  // namespace

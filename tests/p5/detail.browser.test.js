@@ -97,6 +97,48 @@ for (const host of hosts) {
       assert.equal(holesIn(image), 0, `holes at ${shift}`)
     }
   })
+
+  test(`${host.name}: strokes lie on the surface`, async () => {
+    // The edges of a box, each of 64 pieces.
+    const dense = `warps.dense = new p5.Geometry(1, 1, function () {
+      this.gid = 'dense edges'
+      for (const axis of [0, 1, 2])
+        for (const [u, v] of [[-1, -1], [-1, 1], [1, -1], [1, 1]])
+          for (let i = 0; i <= 64; i++) {
+            const place = []
+            place[axis] = i / 64 - 0.5
+            place[(axis + 1) % 3] = u / 2
+            place[(axis + 2) % 3] = v / 2
+            if (i > 0) this.edges.push([this.vertices.length - 1, this.vertices.length])
+            this.vertices.push(createVector(...place))
+          }
+    })`
+    const lines = 'stroke(0, 0, 200); strokeWeight(3);'
+    const other = `stroke(0, 0, 200); strokeWeight(3); rotateZ(0.4); scale(0.7);`
+    const scenes = {
+      coarse: `${look} noFill(); ${lines} warps.twist(); box(120)`,
+      fine: `${look} noFill(); ${lines} warps.twistFine(); box(120)`,
+      dense: `${look} noFill(); ${lines} warps.twist(); scale(120); model(warps.dense)`,
+      'filled coarse': `${look} ${lines} warps.twist(); box(120)`,
+      'filled fine': `${look} ${lines} warps.twistFine(); box(120)`,
+      'filled dense': `${look} push(); warps.twist(); warpBox(120, 120, 120, 100); pop();
+        noFill(); ${lines} warps.twist(); scale(120); model(warps.dense)`,
+      // The fill without a stroke is no reason to keep the division of another place.
+      'twice fine': `${look} warps.twistFine(); box(120); noFill(); ${other} warps.twistFine(); box(120)`,
+      'twice dense': `${look} push(); warps.twist(); warpBox(120, 120, 120, 100); pop();
+        noFill(); ${other} warps.twist(); scale(120); model(warps.dense)`,
+    }
+    const images = await host.draw({ size: 240, setup: `${setup}\n${dense}`, scenes })
+    for (const kind of ['', 'filled ', 'twice ']) {
+      const expected = images[`${kind}dense`]
+      // Lines that are half a pixel off differ by half their color.
+      const after = differingPixels(images[`${kind}fine`], expected, 128)
+      assert.ok(after < 150, `${kind}: the fine one differs at ${after} pixels`)
+      if (kind === 'twice ') continue
+      const before = differingPixels(images[`${kind}coarse`], expected, 128)
+      assert.ok(before > 1000, `${kind}: the coarse one differs at ${before} pixels`)
+    }
+  })
 }
 
 /**

@@ -66,6 +66,49 @@ for (const { name, version, script, settings } of hosts)
       assert.ok(found.without > 1000, `${found.without} pixels without detail`)
     })
 
+    test('the shadow of a mesh outside of the picture is as fine', async (t) => {
+      for (const [light, most, least] of [
+        ['sun', 150, 5000],
+        ['bulb', 20, 100],
+      ]) {
+        const more = { name: 'twist', hasShadow: true, isOutside: true, light }
+        const found = await measure('compare', more)
+        t.diagnostic(`${light}: ${JSON.stringify(found)}`)
+        assert.deepEqual(messages, [])
+        assert.ok(found.beyond < most, `${found.beyond} pixels`)
+        assert.ok(found.without > least, `${found.without} pixels without detail`)
+      }
+    })
+
+    for (const kinds of [
+      { hasBones: true, hasMorphs: false },
+      { hasBones: false, hasMorphs: true },
+      { hasBones: true, hasMorphs: true },
+    ])
+      test(`poses look like fine ones: ${JSON.stringify(kinds)}`, async (t) => {
+        for (const more of [{ look: 'normals' }, { look: 'colors', space: 'world' }]) {
+          const found = await measure('posed', { kinds, ...more })
+          t.diagnostic(JSON.stringify(found))
+          assert.deepEqual(messages, [])
+          assert.ok(Math.max(...found.beyond) <= 10, `${found.beyond} pixels`)
+          assert.ok(Math.min(...found.without) > 500, `${found.without} pixels without detail`)
+          assert.ok(found.triangles > 100 && found.triangles < found.fine / 4)
+          assert.ok(found.isRestored)
+        }
+      })
+
+    test('rays meet what is drawn, and name the triangles of the user', async (t) => {
+      for (const more of [{}, { space: 'world' }, { isMoved: true }]) {
+        const found = await measure('rays', more)
+        t.diagnostic(JSON.stringify(found))
+        assert.deepEqual(messages, [])
+        assert.ok(found.hits > 100 && found.isOf)
+        assert.ok(found.beyond <= 2, `${found.beyond} rays`)
+        assert.ok(found.without > 30, `${found.without} rays without detail`)
+        assert.ok(found.errorOfUv < 1e-3, `${found.errorOfUv}`)
+      }
+    })
+
     test('only the side that is seen is divided', async (t) => {
       for (const side of ['FrontSide', 'BackSide'])
         for (const scale of [1, -1]) {
@@ -125,12 +168,20 @@ for (const { name, version, script, settings } of hosts)
       })
     })
 
-    test('a mesh with morph targets keeps its vertices, with one message', async () => {
-      const { own, found } = await measure('kept')
-      assert.equal(found, own)
-      assert.equal(messages.length, 1)
-      assert.match(messages[0], /although the option detail asks for more: .* morph targets/)
-    })
+    for (const [kind, message, space] of [
+      ['points', /points and lines are not divided/],
+      ['lines', /points and lines are not divided/],
+      ['batch', /the geometries of a batch are not divided/],
+      ['instances', /an InstancedBufferGeometry is not divided/],
+      ['morphs', /bones or morph targets move the warped surface in the space 'rest'/, 'rest'],
+    ])
+      test(`${kind} keep their vertices, with one message`, async () => {
+        const { own, found } = await measure('kept', { kind, space })
+        assert.equal(found, own)
+        assert.equal(messages.length, 1, messages.join('\n'))
+        assert.match(messages[0], /although the option detail asks for more: /)
+        assert.match(messages[0], message)
+      })
 
     if (!settings.backend)
       test('a larger canvas gets more triangles, beside a second renderer', async (t) => {

@@ -1,7 +1,7 @@
 /** The buffers of a divided shape on the GPU. */
 import type { DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { Renderer } from '../host.js'
-import type { ShapeBase } from './shape.js'
+import { drawnIndices, type ShapeBase } from './shape.js'
 
 /** The buffers that p5 keeps for a shape, by their name `dst`, and those of indices. */
 export type ShapeBuffers = Record<string, unknown>
@@ -15,14 +15,28 @@ interface Writer {
 /** Uploads the present arrays of a mesh. */
 export function upload(
   renderer: Renderer,
-  { positionBuffer, buffers: of }: ShapeBase,
+  base: ShapeBase,
   mesh: DetailedMesh,
   buffers: ShapeBuffers,
 ) {
-  const writer = renderer.device ? writerOfGpu(renderer.device as Device) : writerOfGl(renderer)
+  const { positionBuffer, buffers: of } = base
+  const writer = writerOf(renderer)
   writer.attribute(buffers, positionBuffer, mesh.values(-1))
   of.forEach(({ dst }, i) => writer.attribute(buffers, dst, mesh.values(i)))
-  writer.indices(buffers, mesh.indices())
+  writer.indices(buffers, drawnIndices(base, mesh))
+}
+
+const writerOf = (renderer: Renderer) =>
+  renderer.device ? writerOfGpu(renderer.device as Device) : writerOfGl(renderer)
+
+/** Uploads arrays of lines, by the names of their buffers. */
+export function uploadLines(
+  renderer: Renderer,
+  arrays: readonly (readonly [name: string, values: Float32Array])[],
+  buffers: ShapeBuffers,
+) {
+  const writer = writerOf(renderer)
+  for (const [name, values] of arrays) writer.attribute(buffers, name, values)
 }
 
 function writerOfGl(renderer: Renderer): Writer {

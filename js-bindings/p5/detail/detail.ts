@@ -13,8 +13,10 @@ import {
   type Shader,
 } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { upload, type ShapeBuffers } from './buffers.js'
-import { baseOf, type DrawnShape, type ShapeBase } from './shape.js'
+import { isStrokeShader } from '../strokes.js'
+import { upload, uploadLines, type ShapeBuffers } from './buffers.js'
+import { divideLines, linesOf, type LineBase } from './lines.js'
+import { baseOf, drawnIndices, type DrawnShape, type ShapeBase } from './shape.js'
 import { viewOf } from './views.js'
 
 /** The warp of a shader, for drawing it with detail. */
@@ -39,40 +41,50 @@ export function useDetail(renderer: Renderer, shader: Shader, detail: DetailOfWa
   if (hooked.has(renderer)) return
   hooked.add(renderer)
   const drawing = renderer as unknown as Drawing
-  if (drawing._drawFills) hookDrawFills(renderer, drawing as never)
+  if (drawing._drawGeometry) hookDrawGeometry(renderer, drawing as never)
   else hookDrawBuffers(renderer, drawing as never)
 }
 
 const hooked = new WeakSet<Renderer>()
 
-type DrawFills = (shape: DrawnShape, options?: { mode?: unknown; count?: number }) => void
+type Draw = (shape: DrawnShape, options?: { mode?: unknown; count?: number }) => void
 type DrawBuffers = (name: string) => unknown
 
 interface Drawing {
-  /** 2.x only. */
-  _drawFills?: DrawFills
+  /** 2.x only: it calls the two others. */
+  _drawGeometry?: Draw
+  _drawFills?: Draw
+  _drawStrokes?: Draw
   readonly geometryBufferCache?: { readonly cache: Record<string, ShapeBuffers> }
   /** 1.11 only. */
   drawBuffers?: DrawBuffers
 }
 
-function hookDrawFills(renderer: Renderer, drawing: Required<Drawing>) {
-  const draw = drawing._drawFills
-  drawing._drawFills = function (shape, options) {
-    const division =
-      shape.gid === immediateShape || (options?.count ?? 1) > 1
-        ? undefined
-        : divide(renderer, shape)
-    if (!division) return draw.call(this, shape, options)
+function hookDrawGeometry(renderer: Renderer, drawing: Required<Drawing>) {
+  const { _drawGeometry, _drawFills, _drawStrokes } = drawing
+  /** The division of the shape that is drawn now, which its fill and its strokes share; `undefined` before both. */
+  let current: { readonly division: Divided | undefined } | undefined
+  const drawDivided = (draw: Draw, own: DrawnShape, options: Parameters<Draw>[1]) => {
+    const isUndivided = own.gid === immediateShape || (options?.count ?? 1) > 1
+    current ??= { division: isUndivided ? undefined : divide(renderer, own) }
+    const { division } = current
+    if (!division || (draw === _drawStrokes && !divideStrokes(renderer, own, division)))
+      return draw.call(renderer, own, options)
     const { cache } = drawing.geometryBufferCache
     const { standIn, buffers } = division
     cache[standIn.gid!] = buffers
     try {
-      draw.call(this, standIn, options)
+      draw.call(renderer, standIn, options)
     } finally {
       delete cache[standIn.gid!]
     }
   }
+  drawing._drawGeometry = (shape, options) => {
+    current = undefined
+    _drawGeometry.call(renderer, shape, options)
+  }
+  drawing._drawFills = (shape, options) => drawDivided(_drawFills, shape, options)
+  drawing._drawStrokes = (shape, options) => drawDivided(_drawStrokes, shape, options)
 }
 
 /** On 1.11, renderers map a shape's name to its buffers, of which one is called `model` and is the shape. */
@@ -86,8 +98,14 @@ function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
     const division = isDrawn ? divide(renderer, before.model as DrawnShape) : undefined
     if (!division) return draw.call(this, name)
     const { standIn, buffers } = division
-    const vertexCount = 3 * standIn.faces.length
-    shapes[name] = Object.assign(Object.create(before), buffers, { model: standIn, vertexCount })
+    const shape = before.model as DrawnShape
+    shapes[name] = Object.assign(Object.create(before), buffers, {
+      model: standIn,
+      vertexCount: 3 * standIn.faces.length,
+      ...(divideStrokes(renderer, shape, division) && {
+        lineVertexCount: (standIn.lineVertices as ArrayLike<number>).length / 3,
+      }),
+    })
     try {
       return draw.call(this, name)
     } finally {
@@ -101,6 +119,10 @@ interface Divided {
   readonly mesh: DetailedMesh
   readonly standIn: DrawnShape
   readonly buffers: ShapeBuffers
+  /** Missing before strokes are drawn, `undefined` if they are not divided. */
+  lines?: LineBase | undefined
+  /** The version of the mesh that the lines are of. */
+  version: number
 }
 
 /** The draws of a shape with a shader. */
@@ -165,7 +187,7 @@ let count = 0
 function makeDivided(warp: HostWarp, shape: DrawnShape, base: ShapeBase): Divided {
   const standIn = Object.create(shape) as DrawnShape
   standIn.gid = `warpjet detail ${count++}`
-  return { mesh: new DetailedMesh(warp, base), standIn, buffers: { geometry: standIn } }
+  return { mesh: new DetailedMesh(warp, base), standIn, buffers: { geometry: standIn }, version: 0 }
 }
 
 /** Uploads a divided mesh, and gives its stand-in the lengths of its arrays. p5 reads no more of them, as they are not dirty. */
@@ -176,7 +198,7 @@ function refresh(renderer: Renderer, shape: DrawnShape, base: ShapeBase, divided
   const own = {
     dirtyFlags: { vertices: false } as DrawnShape['dirtyFlags'],
     vertices: { length: vertices },
-    faces: { length: mesh.indices().length / 3 },
+    faces: { length: drawnIndices(base, mesh).length / 3 },
   }
   base.buffers.forEach(({ src, size }) => {
     own.dirtyFlags[src] = false
@@ -186,6 +208,30 @@ function refresh(renderer: Renderer, shape: DrawnShape, base: ShapeBase, divided
     })
   })
   Object.assign(standIn, own)
+}
+
+/** Divides the lines of a shape as its mesh is, and returns `true`; `false` if lines are not drawn by the warp. */
+function divideStrokes(renderer: Renderer, shape: DrawnShape, divided: Divided): boolean {
+  if (!isStrokeShader(stateOf(renderer).userStrokeShader)) return false
+  if (!('lines' in divided)) divided.lines = linesOf(renderer, shape)
+  const { lines, mesh, standIn, buffers } = divided
+  if (!lines) return false
+  if (divided.version === mesh.version) return true
+  divided.version = mesh.version
+  const arrays = divideLines(lines, mesh.lines(lines.ends), mesh.values(-1))
+  lines.columns.forEach(({ buffer: { src } }, i) => {
+    standIn.dirtyFlags[src] = false
+    Object.defineProperty(standIn, src, {
+      value: { length: arrays[i]!.length },
+      configurable: true,
+    })
+  })
+  uploadLines(
+    renderer,
+    lines.columns.map(({ buffer: { dst } }, i) => [dst, arrays[i]!] as const),
+    buffers,
+  )
+  return true
 }
 
 /** p5 2.x marks colors that it has filled in itself. */

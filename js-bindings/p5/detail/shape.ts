@@ -1,5 +1,5 @@
 /** The arrays of a p5.Geometry that a shader reads, as the base of a `DetailedMesh`. */
-import type { DetailAttribute, DetailBase } from '../../detail/detailed-mesh.js'
+import type { DetailAttribute, DetailBase, DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { Renderer, Shader, Vector } from '../host.js'
 
 /** A p5.Geometry, by the names of its arrays. */
@@ -7,6 +7,7 @@ export interface DrawnShape {
   gid?: string
   readonly vertices: readonly Vector[]
   readonly faces: readonly (readonly number[])[]
+  readonly edges?: readonly (readonly number[])[]
   readonly dirtyFlags: Record<string, boolean | undefined>
   [array: string]: unknown
 }
@@ -20,7 +21,7 @@ export interface FillBuffer {
   readonly dst: string
   readonly size: number
   readonly map?: ((values: unknown) => ArrayLike<number>) | undefined
-  /** On WEBGPU, what a shape without this array has. */
+  /** Returns the values of a shape without this array, on p5 2.x. */
   readonly default?: (shape: DrawnShape) => ArrayLike<number>
 }
 
@@ -38,14 +39,18 @@ export interface ShapeBase extends DetailBase {
   readonly buffers: readonly FillBuffer[]
 }
 
+/** Returns all buffers of a kind that the renderer can fill. */
+export const buffersOf = (renderer: Renderer, kind: 'fill' | 'user' | 'stroke'): FillBuffer[] =>
+  (((renderer.buffers ?? renderer.retainedMode!.buffers) as Partial<Record<string, unknown>>)[
+    kind
+  ] as FillBuffer[] | undefined) ?? []
+
 /** Returns the buffers that the renderer fills for the shader. */
 function buffersFor(renderer: Renderer, shader: Shader): FillBuffer[] {
-  const { fill = [], user = [] } = (renderer.buffers ?? renderer.retainedMode!.buffers) as {
-    fill?: readonly unknown[]
-    user?: readonly unknown[]
-  }
   const attributes = (shader as { attributes?: object }).attributes ?? {}
-  return ([...fill, ...user] as FillBuffer[]).filter(({ attr }) => attr in attributes)
+  return [...buffersOf(renderer, 'fill'), ...buffersOf(renderer, 'user')].filter(
+    ({ attr }) => attr in attributes,
+  )
 }
 
 /** Reads the arrays of a shape. */
@@ -66,11 +71,37 @@ export function baseOf(renderer: Renderer, shader: Shader, shape: DrawnShape): S
     buffers.push(buffer)
     attributes.push({ input, size: buffer.size, values, isUnit: input === 'normals' })
   }
-  return { positions, positionBuffer, attributes, indices: shape.faces.flat(), buffers }
+  return { positions, positionBuffer, attributes, ...trianglesOf(shape), buffers }
 }
 
-function valuesOf(buffer: FillBuffer, shape: DrawnShape): ArrayLike<number> {
+/**
+ * The faces, and a triangle with two equal corners for each edge that is no side of a face: it is divided as a line, and not drawn. A
+ * group begins with the first of them.
+ */
+function trianglesOf({ faces, edges = [] }: DrawnShape) {
+  const name = (a: number, b: number) => `${Math.min(a, b)} ${Math.max(a, b)}`
+  const sides = new Set(
+    edges.length
+      ? faces.flatMap((face) => face.map((corner, i) => name(corner, face[(i + 1) % 3]!)))
+      : [],
+  )
+  const lines = edges.filter(([a, b]) => a !== b && !sides.has(name(a!, b!)))
+  const indices = [...faces.flat(), ...lines.flatMap(([a, b]) => [a!, b!, b!])]
+  return lines.length ? { indices, groups: [faces.length] } : { indices }
+}
+
+/** The indices of the triangles that are drawn. */
+export function drawnIndices({ groups }: ShapeBase, mesh: DetailedMesh): Uint32Array {
+  return groups ? mesh.indices().subarray(0, 3 * mesh.groups()[0]!) : mesh.indices()
+}
+
+/** `counted` is the shape from which p5 computes values that are missing. */
+export function valuesOf(
+  buffer: FillBuffer,
+  shape: DrawnShape,
+  counted: Partial<DrawnShape> = shape,
+): ArrayLike<number> {
   const given = shape[buffer.src] as ArrayLike<number> | undefined
   if (given?.length) return buffer.map ? buffer.map(given) : given
-  return Object.hasOwn(buffer, 'default') ? buffer.default!(shape) : []
+  return Object.hasOwn(buffer, 'default') ? buffer.default!(counted as DrawnShape) : []
 }

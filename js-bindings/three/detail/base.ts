@@ -2,7 +2,8 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBuffer, Mesh } from 'three'
 import { attributeNumbers } from '../../compile/hosts.js'
 import type { DetailAttribute, DetailBase } from '../../detail/detailed-mesh.js'
-import { verticesOf, type Attribute } from '../pose.js'
+import type { Attribute } from '../attribute.js'
+import { isSkinned, poseArrays, verticesOf, type Poseable } from '../pose.js'
 import { fillOf } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
 
@@ -20,12 +21,15 @@ export interface Group {
 }
 
 export interface GeometryBase extends DetailBase {
+  readonly positions: Float32Array
   /** The columns of each buffer. Those that share one in the user's geometry do here: WebGPU allows 8 buffers. */
   readonly buffers: readonly (readonly Column[])[]
   /** The attributes of instances, which stay as they are. */
   readonly ofInstances: Readonly<Record<string, Attribute>>
   /** One for each entry of `groups`; empty for a mesh with one material. */
   readonly materials: readonly Group[]
+  /** The number of each triangle in the user's geometry. */
+  readonly faces: readonly number[]
 }
 
 /** The numbers per vertex that all shaders expect. */
@@ -33,7 +37,7 @@ const sizes: Record<string, number> = { position: 3, normal: 3, uv: 2 }
 
 const inputs: Record<string, DetailAttribute['input']> = { normal: 'normals', uv: 'uvs' }
 
-/** Reads the arrays of a mesh. All numbers become floats; a tangent is interpolated as four plain numbers, as shaders give it length 1. */
+/** Reads the arrays of a mesh at rest. Bones move it before it is divided, so that theirs are left out. All numbers become floats; a tangent is interpolated as four plain numbers, as shaders give it length 1. */
 export function baseOf(warp: ThreeWarp, object: Mesh): GeometryBase {
   const { geometry, material } = object
   const positions = attributeNumbers(geometry.attributes.position!, 3)
@@ -45,6 +49,7 @@ export function baseOf(warp: ThreeWarp, object: Mesh): GeometryBase {
       ofInstances[name] = attribute
       continue
     }
+    if (isSkinned(object) && isOfBones(name)) continue
     const size = sizes[name] ?? attribute.itemSize
     const shared = 'data' in attribute ? attribute.data : attribute
     if (!buffers.has(shared)) buffers.set(shared, [])
@@ -67,6 +72,28 @@ export function baseOf(warp: ThreeWarp, object: Mesh): GeometryBase {
   }
 }
 
+/** Tests for an attribute that says how bones move vertices. */
+export const isOfBones = (name: string) => name === 'skinIndex' || name === 'skinWeight'
+
+/** Returns the mesh as morph targets and bones have moved it. */
+export function poseBase(base: GeometryBase, object: Mesh): GeometryBase {
+  const places = new Map(base.buffers.flat().map(({ name, attribute }) => [name, attribute]))
+  const rest: Poseable = { position: base.positions }
+  for (const name of posedNames) {
+    const values = base.attributes[places.get(name) ?? -1]?.values
+    if (values) rest[name] = values as Float32Array
+  }
+  const { position, ...others } = poseArrays(object, rest)
+  const attributes = [...base.attributes]
+  for (const [name, values] of Object.entries(others)) {
+    const place = places.get(name)!
+    attributes[place] = { ...attributes[place]!, values }
+  }
+  return { ...base, positions: position!, attributes }
+}
+
+const posedNames = ['normal', 'tangent', 'color'] as const
+
 export const isOfInstances = (attribute: Attribute) =>
   'data' in attribute
     ? (attribute.data as InterleavedBuffer & Flags).isInstancedInterleavedBuffer === true
@@ -80,6 +107,7 @@ function trianglesOf({ index, attributes, groups, drawRange }: BufferGeometry, h
   const count = all?.length ?? attributes.position!.count
   const drawn = { ...drawRange, materialIndex: undefined }
   const indices: number[] = []
+  const faces: number[] = []
   const starts: number[] = []
   const materials: Group[] = []
   for (const range of hasGroups ? groups : [drawn]) {
@@ -87,8 +115,10 @@ function trianglesOf({ index, attributes, groups, drawRange }: BufferGeometry, h
     const end = Math.min(range.start + range.count, drawRange.start + drawRange.count, count)
     starts.push(indices.length / 3)
     materials.push({ materialIndex: range.materialIndex })
-    for (let i = start; i + 3 <= end; i += 3)
+    for (let i = start; i + 3 <= end; i += 3) {
+      faces.push(Math.floor(i / 3))
       for (let k = i; k < i + 3; k++) indices.push(all ? all[k]! : k)
+    }
   }
-  return hasGroups ? { indices, groups: starts, materials } : { indices, materials: [] }
+  return { indices, faces, ...(hasGroups ? { groups: starts, materials } : { materials: [] }) }
 }

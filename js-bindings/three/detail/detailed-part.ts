@@ -7,26 +7,33 @@ import {
   type InstancedMesh,
   type Mesh,
 } from 'three'
-import { DetailedMesh, type ToSpace } from '../../detail/detailed-mesh.js'
+import { DetailedMesh, type DetailViews, type ToSpace } from '../../detail/detailed-mesh.js'
+import { versionOf } from '../attribute.js'
 import { nameOf } from '../describe.js'
 import { isInstancedMesh2 } from '../instances.js'
 import { warnOfDetail } from '../notes.js'
-import { isMoved, versionOf, type Warpable } from '../pose.js'
+import { isSkinned, morphTextureOf, poseState, type Warpable } from '../pose.js'
 import { remembered } from '../remembered.js'
 import { fillOf, inWorld } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
-import { baseOf, isOfInstances } from './base.js'
+import { baseOf, isOfBones, isOfInstances, poseBase, type GeometryBase } from './base.js'
 import { DividedGeometry } from './divided-geometry.js'
+import { drawnSurfaceOf, type DrawnSurface } from './drawn-surface.js'
 import { addToScene, sceneOf, type Divisible } from './scenes.js'
 import { viewsOf, type Render } from './views.js'
 
 /** The object with its own vertices, also while it is drawn with others. */
 const withOwnGeometry = (object: Warpable, geometry: () => BufferGeometry) =>
-  Object.create(object, { geometry: { get: geometry } }) as Warpable
+  Object.create(object, {
+    geometry: { get: geometry },
+    isSkinnedMesh: { value: isSkinned(object) },
+  }) as Warpable
 
 interface Divided {
   readonly mesh: DetailedMesh
   readonly drawn: DividedGeometry
+  /** Moves the mesh by morph targets and bones, if they have changed, and returns its base. */
+  readonly pose: () => GeometryBase
 }
 
 export class DetailedPart implements Divisible {
@@ -39,6 +46,10 @@ export class DetailedPart implements Divisible {
   private stopListening = () => {}
   private readonly update: () => void
   private readonly toWorld: ToSpace | undefined
+  /** The views of the last frame. */
+  private views: DetailViews = []
+  /** The surface that rays meet, for this version of the mesh. */
+  private surface: (DrawnSurface & { readonly version: number }) | undefined
 
   constructor(
     private readonly warp: ThreeWarp,
@@ -71,15 +82,38 @@ export class DetailedPart implements Divisible {
     const views = viewsOf(warp, object as Mesh, render)
     if (!views.length) return
     const { mesh, drawn } = this.divided
-    const place = this.toWorld ? object.matrixWorld.elements : []
-    const isNew = mesh.update(warp.given, views, warp.settings.detail!, this.toWorld, place)
-    if (isNew || drawn.isEmpty) drawn.write(mesh)
+    this.views = views
+    this.updateMesh(this.divided)
+    drawn.write(mesh)
     this.own = object.geometry
     object.geometry = drawn.geometry
+    // Bones have moved the divided vertices already, and morph targets are not in the geometry.
+    if (isSkinned(object)) Object.assign(object, { isSkinnedMesh: false })
+  }
+
+  private updateMesh({ mesh, pose }: Divided) {
+    const { warp, object, toWorld, views } = this
+    const place = toWorld ? object.matrixWorld.elements : []
+    const base = pose()
+    mesh.update(warp.given, views, warp.settings.detail!, toWorld, place)
+    return base
+  }
+
+  /** The surface as the last frame would show it now; `undefined` if none has shown it divided. */
+  surfaceNow(): DrawnSurface | undefined {
+    if (!this.own) this.update()
+    const { divided } = this
+    if (!divided || !this.views.length) return undefined
+    const base = this.updateMesh(divided)
+    const { version } = divided.mesh
+    if (this.surface?.version !== version)
+      this.surface = { version, ...drawnSurfaceOf(this.object, base, divided.mesh) }
+    return this.surface
   }
 
   restore() {
     if (!this.own) return
+    if (isSkinned(this.undivided)) Object.assign(this.object, { isSkinnedMesh: true })
     // The user may have assigned another one meanwhile.
     if (this.object.geometry === this.divided?.drawn.geometry) this.object.geometry = this.own
     this.own = undefined
@@ -95,7 +129,8 @@ export class DetailedPart implements Divisible {
     this.stopListening()
     this.divided?.mesh.dispose()
     this.divided?.drawn.dispose()
-    this.divided = undefined
+    this.divided = this.surface = undefined
+    this.views = []
   }
 
   /** Starts anew with the present geometry. */
@@ -108,7 +143,17 @@ export class DetailedPart implements Divisible {
     const base = baseOf(warp, object as Mesh)
     const mesh = new DetailedMesh(warp, base)
     const drawn = new DividedGeometry(base, geometry)
-    this.divided = { mesh, drawn }
+    const pose = hasPose(object)
+      ? remembered(
+          () => poseState(this.undivided),
+          () => {
+            const posed = poseBase(base, this.undivided as Mesh)
+            mesh.pose(posed)
+            return posed
+          },
+        )
+      : () => base
+    this.divided = { mesh, drawn, pose }
     // Like three.js, which makes its buffers anew when a disposed geometry is drawn again.
     const onDispose = () => drawn.dispose()
     geometry.addEventListener('dispose', onDispose)
@@ -135,7 +180,7 @@ function baseState(warp: ThreeWarp, object: Mesh): number[] {
       .filter((attribute) => !isOfInstances(attribute))
       .flatMap((attribute) => [numberOf(attribute), versionOf(attribute)]),
     ...(index ? [numberOf(index), index.version] : []),
-    morphAttributes.position?.length ?? 0,
+    ...Object.values(morphAttributes).map(({ length }) => length),
     ...[drawRange.start, drawRange.count],
     ...(Array.isArray(material)
       ? groups.flatMap(({ start, count, materialIndex }) => [start, count, materialIndex ?? -1])
@@ -167,6 +212,10 @@ function toWorldOf(warp: ThreeWarp, object: Warpable): ToSpace {
   }
 }
 
+const hasPose = (object: Warpable) =>
+  isSkinned(object) ||
+  Object.values(object.geometry.morphAttributes).some((targets) => targets.length > 0)
+
 /** Describes why an object is drawn with its own vertices; `undefined` if it is divided. */
 function problemOf(warp: ThreeWarp, object: Warpable): string | undefined {
   const { attributes } = object.geometry
@@ -174,7 +223,9 @@ function problemOf(warp: ThreeWarp, object: Warpable): string | undefined {
   if (!(object as Mesh).isMesh) return 'points and lines are not divided'
   if ((object as BatchedMesh).isBatchedMesh || isInstancedMesh2(object))
     return 'the geometries of a batch are not divided'
-  if (isMoved(object)) return 'meshes with bones or morph targets are not divided'
+  if (hasPose(object) && warp.settings.space === 'rest')
+    return "bones or morph targets move the warped surface in the space 'rest'"
+  if (morphTextureOf(object)) return 'each instance has morph targets of its own'
   if ((object.geometry as InstancedBufferGeometry).isInstancedBufferGeometry)
     return 'an InstancedBufferGeometry is not divided'
   if (isInstancedMesh && warp.settings.space === 'world')
@@ -184,7 +235,9 @@ function problemOf(warp: ThreeWarp, object: Warpable): string | undefined {
   for (const name of ['position', 'normal', 'uv'] as const)
     if ((name === 'position' || warp.reads(name)) && !attributes[name])
       return `its geometry lacks the attribute "${name}"`
-  const whole = Object.entries(attributes).find(([, each]) => isWhole(each))
+  const whole = Object.entries(attributes).find(
+    ([name, each]) => isWhole(each) && !(isSkinned(object) && isOfBones(name)),
+  )
   return whole && `the attribute "${whole[0]}" consists of whole numbers`
 }
 

@@ -8,6 +8,7 @@ import {
 } from 'three'
 import type { DetailedMesh } from '../../detail/detailed-mesh.js'
 import type { Column, GeometryBase } from './base.js'
+import { addGroups } from './drawn-surface.js'
 
 /** One buffer of the GPU. */
 type Buffer = BufferAttribute | InterleavedBuffer
@@ -17,6 +18,8 @@ export class DividedGeometry {
   private buffers: { readonly columns: readonly Column[]; readonly buffer: Buffer }[] = []
   private index = new BufferAttribute(new Uint32Array(), 1)
   private vertices = 0
+  /** That of the mesh of which it has the arrays; 0 for none. */
+  private version = 0
 
   /** `own` is the user's geometry. */
   constructor(
@@ -24,12 +27,9 @@ export class DividedGeometry {
     private readonly own: BufferGeometry,
   ) {}
 
-  get isEmpty(): boolean {
-    return this.vertices === 0
-  }
-
-  /** Takes over the arrays of the divided mesh. */
+  /** Takes over the arrays of the divided mesh, if they have changed. */
   write(mesh: DetailedMesh) {
+    if (mesh.version === this.version) return
     const vertices = mesh.values(-1).length / 3
     const triangles = mesh.indices()
     const indices = triangles.length
@@ -46,14 +46,15 @@ export class DividedGeometry {
     ;(this.index.array as Uint32Array).set(mesh.indices())
     changed(this.index, indices)
     this.geometry.setDrawRange(0, indices)
-    this.writeGroups(mesh, indices)
+    addGroups(this.geometry, this.base, mesh)
+    this.version = mesh.version
   }
 
   dispose() {
     // Disposing of a geometry frees its attributes, and those of instances are the user's.
     for (const name of Object.keys(this.base.ofInstances)) this.geometry.deleteAttribute(name)
     this.geometry.dispose()
-    this.vertices = 0
+    this.vertices = this.version = 0
     this.index = new BufferAttribute(new Uint32Array(), 1)
   }
 
@@ -89,17 +90,6 @@ export class DividedGeometry {
       geometry.setAttribute(name, attribute)
     this.index = new BufferAttribute(new Uint32Array(capacityFor(indices)), 1)
     geometry.setIndex(this.index.setUsage(DynamicDrawUsage))
-  }
-
-  private writeGroups(mesh: DetailedMesh, indices: number) {
-    const { geometry } = this
-    const starts = mesh.groups()
-    geometry.clearGroups()
-    this.base.materials.forEach(({ materialIndex }, i) => {
-      const start = 3 * starts[i]!
-      const end = i + 1 < starts.length ? 3 * starts[i + 1]! : indices
-      geometry.addGroup(start, end - start, materialIndex)
-    })
   }
 }
 

@@ -15,6 +15,7 @@ import {
 } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
 import type { ThreeWarp } from '../three-warp.js'
+import { shadowCamerasOf, type Seen } from './shadows.js'
 
 /** What both renderers have. */
 export interface Renderer {
@@ -46,7 +47,8 @@ export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailVi
   const instances = nearestInstances(object, camera)
   const facing = facingOf(warp, object, render, instances)
   const views: DetailViews = []
-  for (const { seen, width, height } of camerasOf(render))
+  const ofShadows = castsShadow(object, render) ? shadowCamerasOf(render) : []
+  for (const { seen, width, height } of [...camerasOf(render), ...ofShadows])
     for (const instance of instances) {
       matrix.multiplyMatrices(seen.projectionMatrix, seen.matrixWorldInverse)
       if (warp.settings.space !== 'world') {
@@ -62,7 +64,7 @@ export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailVi
 }
 
 /** The cameras of a render call, and the sizes of their pictures in pixels. */
-function camerasOf({ renderer, camera, target }: Render) {
+function camerasOf({ renderer, camera, target }: Render): Seen[] {
   if (target) size.set(target.width, target.height)
   else renderer.getDrawingBufferSize(size)
   const { x: width, y: height } = size
@@ -93,16 +95,19 @@ function nearestInstances(object: Mesh, camera: Camera): (number | undefined)[] 
   return all.sort((a, b) => distances[a]! - distances[b]!).slice(0, maxInstances)
 }
 
+const castsShadow = ({ castShadow }: Mesh, { renderer }: Render) =>
+  castShadow && renderer.shadowMap.enabled
+
 /** 1 or -1 if triangles on one side are never drawn: see `DetailViews`. */
 function facingOf(
   warp: ThreeWarp,
   object: Mesh,
-  { renderer, scene }: Render,
+  render: Render,
   instances: readonly unknown[],
 ): number {
-  if (object.castShadow && renderer.shadowMap.enabled) return 0
+  if (castsShadow(object, render)) return 0
   if (instances.length < ((object as InstancedMesh).count ?? 1)) return 0
-  const sides = [scene.overrideMaterial ?? object.material]
+  const sides = [render.scene.overrideMaterial ?? object.material]
     .flat()
     .map((each: Material) => each.side)
   const isOnly = (side: number) => sides.every((each) => each === side)

@@ -22,6 +22,11 @@ class Pairs {
     return next;
   }
 
+  // The number of the ordered pair; `none` if it was not added.
+  std::uint32_t find(std::uint32_t a, std::uint32_t b) const {
+    return slots_.empty() ? none : slots_[placeOf(a, b)].number;
+  }
+
  private:
   struct Slot {
     std::uint32_t a = 0, b = 0, number = none;

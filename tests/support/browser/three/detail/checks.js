@@ -2,13 +2,32 @@
 import * as THREE from 'three'
 import { camera, countBeyond, countHoles, covered, sceneOf, warpBy } from './pictures.js'
 
+export { posed } from './posed.js'
+export { rays } from './rays.js'
+
+/** Views of the floor beside the box, by the light. */
+const outside = {
+  sun: { from: [-1.6, 0.2, -0.4], to: [-1.6, -1.2, -0.5] },
+  bulb: { from: [-2.5, 3.5, 1], to: [-2.5, -1.2, -1] },
+}
+
 /** A coarse box with and without detail against a fine one. */
-export async function compare({ draw, triangles }, { name, hasShadow = false, space }) {
+export async function compare(
+  { draw, triangles },
+  { name, hasShadow = false, isOutside, light, space },
+) {
+  const view = camera()
+  if (isOutside) {
+    // Sees the floor only, and of a shadow by the sun a part of its outline, in large.
+    const { from, to } = outside[light]
+    view.position.set(...from)
+    view.lookAt(...to)
+  }
   const pictureOf = async (shape, detail) => {
-    const { scene, mesh } = sceneOf(shape, { hasShadow })
+    const { scene, mesh } = sceneOf(shape, { hasShadow, light })
     if (space === 'world') mesh.rotation.z = 0.5
     const warped = warpBy(mesh, name, detail, { space })
-    const picture = await draw(scene, camera())
+    const picture = await draw(scene, view)
     const drawn = triangles()
     warped.dispose()
     return { picture, drawn }
@@ -212,15 +231,34 @@ export async function throwing({ draw, triangles }) {
   return { error, isRestored, isSame: found === expected }
 }
 
-/** Objects that keep their vertices, and why. */
-export async function kept({ draw, triangles }) {
+/** The objects that keep their vertices. */
+const keeping = {
+  points: (geometry) => new THREE.Points(geometry),
+  lines: (geometry) => new THREE.Line(geometry),
+  instances: (geometry) => {
+    const instanced = new THREE.InstancedBufferGeometry().copy(geometry)
+    instanced.instanceCount = 1
+    return new THREE.Mesh(instanced, new THREE.MeshNormalMaterial())
+  },
+  batch(geometry) {
+    const batch = new THREE.BatchedMesh(1, 100, 100, new THREE.MeshNormalMaterial())
+    const id = batch.addGeometry(geometry)
+    batch.addInstance?.(id)
+    return batch
+  },
+  morphs(geometry) {
+    geometry.morphAttributes.position = [geometry.attributes.position.clone()]
+    return new THREE.Mesh(geometry, new THREE.MeshNormalMaterial())
+  },
+}
+
+export async function kept({ draw, triangles }, { kind, space }) {
   const { scene, mesh } = sceneOf('box')
+  const object = keeping[kind](mesh.geometry)
+  scene.clear().add(object)
   await draw(scene, camera())
   const own = triangles()
-  const { position } = mesh.geometry.attributes
-  mesh.geometry.morphAttributes.position = [position.clone()]
-  mesh.updateMorphTargets()
-  const warped = warpBy(mesh, 'twist', 1)
+  const warped = warpBy(object, 'twist', 1, { space })
   await draw(scene, camera())
   await draw(scene, camera())
   const found = triangles()

@@ -47,8 +47,24 @@ export function camera() {
   return camera
 }
 
-/** A scene with one object → { scene, mesh, sun }; with a shadow on a floor if `hasShadow`. */
-export function sceneOf(geometry, { hasShadow = false, material } = {}) {
+const lights = {
+  sun() {
+    const sun = new THREE.DirectionalLight(0xffffff, 3)
+    sun.position.set(3, 5, 2)
+    sun.shadow.mapSize.setScalar(2048)
+    Object.assign(sun.shadow.camera, { left: -2.5, right: 2.5, bottom: -2.5, top: 2.5 })
+    return sun
+  },
+  bulb() {
+    const bulb = new THREE.PointLight(0xffffff, 60)
+    bulb.position.set(1.5, 2.5, 1)
+    bulb.shadow.mapSize.setScalar(1024)
+    return bulb
+  },
+}
+
+/** A scene with one object → { scene, mesh }; with a shadow on a floor if `hasShadow`. */
+export function sceneOf(geometry, { hasShadow = false, light = 'sun', material } = {}) {
   const scene = new THREE.Scene()
   const mesh = new THREE.Mesh(
     typeof geometry === 'string' ? geometries[geometry]() : geometry,
@@ -60,11 +76,9 @@ export function sceneOf(geometry, { hasShadow = false, material } = {}) {
   floor.rotation.x = -Math.PI / 2
   floor.position.y = -1.2
   floor.receiveShadow = mesh.castShadow = true
-  const sun = new THREE.DirectionalLight(0xffffff, 3)
-  sun.position.set(3, 5, 2)
-  sun.castShadow = true
-  sun.shadow.mapSize.set(1024, 1024)
-  scene.add(floor, sun, new THREE.AmbientLight(0xffffff, 0.6))
+  const lamp = lights[light]()
+  lamp.castShadow = true
+  scene.add(floor, lamp, new THREE.AmbientLight(0xffffff, 0.6))
   return { scene, mesh }
 }
 
