@@ -8,8 +8,14 @@ import { HostWarp } from './host-warp.js'
 import { readWarpOptions, type WarpOptions } from './warp-options.js'
 import type { WarpText } from './warp-text.js'
 
+/** The key of a warp's `HostWarp`. It is the same in all scripts of a page. */
+export const hostWarp = Symbol.for('warpjet.host')
+
 /** An offset function as shader code and on the CPU. */
-export interface CompiledWarp extends WarpText, Emits, CpuWarp {}
+export interface CompiledWarp extends WarpText, Emits, CpuWarp {
+  /** @internal */
+  readonly [hostWarp]: HostWarp
+}
 
 const place = new Place('compileWarp')
 
@@ -31,5 +37,5 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   callback.read(offset, place)
   const settings = readWarpOptions(options, place)
   const warp = new HostWarp(place, offset as OffsetFunction, settings)
-  return { ...textsOf(warp, settings), ...warp.cpu() }
+  return { ...textsOf(warp, settings), ...warp.cpu(), [hostWarp]: warp }
 }

@@ -180,11 +180,13 @@ export class OffsetWarp {
     return ({ name, number }) => numbers.has(number) || labels.has(name)
   }
 
-  private stateOf({ number, name }: Variable, given: DrawValues): readonly number[] {
-    const input = this.drawNames().get(number)
-    return input
-      ? [given[input] as number | number[]].flat()
-      : (this.byLabel().get(name)?.numbers() ?? [])
+  private stateOf({ number, name: label }: Variable, given: DrawValues): readonly number[] {
+    const name = this.drawNames().get(number) ?? this.userName(label)
+    const value = own(given, name)
+    if (value === undefined) return this.byLabel().get(label)?.numbers() ?? []
+    return this.uniforms.declared.has(name)
+      ? this.uniforms.numbersFor(name, value)
+      : [value as number | number[]].flat()
   }
 
   private numbersOf(

@@ -9,35 +9,31 @@ namespace {
 
 using glm::dvec2, glm::dvec3;
 
-// Returns lengths of sides that are those numbers, or nearly, if these contradict the triangle
-// inequality: the two shorter sides grow until they exceed the longest one by 2%.
-dvec3 lengthsOf(const SidePieces& pieces, int longest) {
-  dvec3 lengths(pieces[0], pieces[1], pieces[2]);
-  double& next = lengths[(longest + 1) % 3];
-  double& last = lengths[(longest + 2) % 3];
-  const double growth = 1.02 * lengths[longest] / (next + last);
-  if (growth > 1) {
-    next *= growth;
-    last *= growth;
-  }
-  return lengths;
-}
+// The height of a triangle with sides of length 1.
+const double heightOfRow = std::sqrt(0.75);
 
-// Places the corners such that the sides have these lengths, counterclockwise.
-std::array<dvec2, 3> cornersFor(const dvec3& lengths) {
-  const double base = lengths[0], right = lengths[1], left = lengths[2];
+// Places the corners such that the sides have these lengths, counterclockwise from the start of the
+// longest. The number of each side is the most that is needed anywhere along it, so together they
+// may be those of a flat triangle, or of none. Therefore, the triangle is at least as high as one
+// whose shorter sides leave the longest at 60 degrees.
+std::array<dvec2, 3> cornersFor(const SidePieces& pieces, int longest) {
+  const double base = pieces[longest];
+  const double right = pieces[(longest + 1) % 3], left = pieces[(longest + 2) % 3];
   const double x = (base * base + left * left - right * right) / (2 * base);
-  return {dvec2(0), dvec2(base, 0), dvec2(x, std::sqrt(std::max(0.0, left * left - x * x)))};
+  const double y = std::sqrt(std::max(0.0, left * left - x * x));
+  std::array<dvec2, 3> corners{dvec2(0), dvec2(0), dvec2(0)};
+  corners[(longest + 1) % 3] = {base, 0};
+  corners[(longest + 2) % 3] = {x, std::max(y, heightOfRow * std::min(left, right))};
+  return corners;
 }
 
 // Lists the weights of inner points in rows parallel to the longest side.
-std::vector<dvec3> rowsOfPoints(const dvec3& lengths, double height, int longest) {
+std::vector<dvec3> rowsOfPoints(double length, double height, int longest) {
   std::vector<dvec3> points;
-  const double heightOfRow = std::sqrt(0.75);
   const int rows = static_cast<int>(std::lround(height / heightOfRow));
   for (int row = 1; row < rows; ++row) {
     const double up = static_cast<double>(row) / rows;
-    const double width = lengths[longest] * (1 - up);
+    const double width = length * (1 - up);
     if (width < 0.6) continue;
     const int pieces = std::max(1, static_cast<int>(std::lround(width)));
     for (int i = 1; i < pieces; ++i) {
@@ -57,15 +53,14 @@ std::vector<dvec3> rowsOfPoints(const dvec3& lengths, double height, int longest
 Tessellation makeTessellation(const SidePieces& pieces) {
   const int longest =
       static_cast<int>(std::max_element(pieces.begin(), pieces.end()) - pieces.begin());
-  const dvec3 lengths = lengthsOf(pieces, longest);
-  const std::array<dvec2, 3> corners = cornersFor(lengths);
-  const double height = corners[2].y * lengths[0] / lengths[longest];
+  const std::array<dvec2, 3> corners = cornersFor(pieces, longest);
+  const double height = corners[(longest + 2) % 3].y;
 
   // The sides bulge a little, so that their points are the corners of a convex polygon.
   std::vector<dvec2> points;
   for (int side = 0; side < 3; ++side) {
     const dvec2 start = corners[side], along = corners[(side + 1) % 3] - start;
-    const dvec2 outward = dvec2(along.y, -along.x) / lengths[side];
+    const dvec2 outward = dvec2(along.y, -along.x) / length(along);
     for (std::uint32_t i = 0; i < pieces[side]; ++i) {
       const double t = static_cast<double>(i) / pieces[side];
       const double bulge = 0.08 * t * (1 - t) * std::min(1.0, height);
@@ -74,7 +69,7 @@ Tessellation makeTessellation(const SidePieces& pieces) {
   }
   const std::size_t hull = points.size();
   Tessellation tessellation;
-  for (const dvec3& w : rowsOfPoints(lengths, height, longest)) {
+  for (const dvec3& w : rowsOfPoints(pieces[longest], height, longest)) {
     points.push_back(corners[0] * w[0] + corners[1] * w[1] + corners[2] * w[2]);
     tessellation.inner.push_back(
         {static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2])});

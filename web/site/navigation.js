@@ -65,6 +65,7 @@ export const groups = [
     pages: [
       { file: 'derivatives', title: 'How exact' },
       { file: 'uptime', title: 'A week of uptime' },
+      { file: 'detail', title: 'Triangles for the screen' },
       { file: 'subdivision', title: 'Triangles of subdivide' },
       { file: 'how-it-works', title: 'How it works' },
       { file: 'playground', title: 'The playground' },

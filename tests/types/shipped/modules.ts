@@ -2,6 +2,7 @@
 import { WarpError, compile, compileWarp, version, type OffsetFunction, type Vec3 } from 'warpjet'
 import { gen, type Op } from 'warpjet/autodiff'
 import { chain, twist, type TwistOptions } from 'warpjet/deformers'
+import { createDetail, type DividedMesh } from 'warpjet/detail'
 import { differentiate, glslOffset, type GlslOffset } from 'warpjet/glsl'
 // @ts-expect-error functions for the addon are not shipped
 import { bakeWarp, loadMesh, subdivide, varyGeometry, type Mesh } from 'warpjet/mesh'
@@ -47,3 +48,9 @@ warpjet(class {})
 export const model = (sketch: Loading): Promise<WarpModel> => sketch.loadWarpModel('bunny.glb')
 
 void varyGeometry
+
+const divided: DividedMesh = createDetail({ positions: new Float32Array(9) }, warp)
+const view = { matrix: new Float32Array(16), width: 640, height: 480, side: 'front' } as const
+export const isChanged: boolean = divided.update([view], { uniforms: { amount: 1 }, tolerance: 2 })
+// @ts-expect-error a view has a size
+divided.update({ matrix: view.matrix })

@@ -1,0 +1,184 @@
+// `createDetail`: a mesh that is divided for the screen, for any renderer.
+import { hostWarp, type CompiledWarp } from '../compile/compile-warp.js'
+import type { Uniforms } from '../core/inputs/vertices.js'
+import { describe } from '../errors/errors.js'
+import { isList } from '../options/guards.js'
+import { anything, kind, oneOf, positiveNumber, record } from '../options/kinds.js'
+import { describeNumber, finiteFloat, firstWrong, readNumbers } from '../options/numbers.js'
+import { Place } from '../options/place.js'
+import { object, type KindsOf } from '../options/schema.js'
+import { DetailedMesh, type DetailAttribute, type DetailViews } from './detailed-mesh.js'
+
+/** A triangle mesh. Its arrays must not change afterwards. */
+export interface DetailMesh {
+  /** 3 finite numbers per vertex. */
+  readonly positions: ArrayLike<number>
+  /** 3 numbers per vertex, of length 1. */
+  readonly normals?: ArrayLike<number>
+  /** 2 numbers per vertex. */
+  readonly uvs?: ArrayLike<number>
+  /** 4 numbers per vertex: red, green, blue and alpha from 0 to 1. */
+  readonly colors?: ArrayLike<number>
+  /** 4 numbers per vertex: a direction, and 1 or -1 for the side of the bitangent. */
+  readonly tangents?: ArrayLike<number>
+  /** 3 indices per triangle, counterclockwise as seen from the front; without indices, every 3 vertices are a triangle. */
+  readonly indices?: ArrayLike<number>
+}
+
+/** A picture in which the mesh is seen. */
+export interface DetailView {
+  /** From warped positions to clip space: the product of projection, view and model matrix, 16 numbers column by column. */
+  readonly matrix: ArrayLike<number>
+  /** Of the viewport, in pixels of the canvas. */
+  readonly width: number
+  readonly height: number
+  /**
+   * The sides of triangles that are drawn. Those that show only their other side are not divided.
+   * @default 'both'
+   */
+  readonly side?: 'front' | 'back' | 'both'
+}
+
+export interface DetailUpdate {
+  /** Uniforms of the warp, and its inputs such as `millis`. */
+  readonly uniforms?: Uniforms
+  /**
+   * The max distance between the drawn triangles and the warped surface, in pixels. It is measured at samples: 99.9% of the surface are
+   * closer, single points may not be.
+   * @default 1
+   */
+  readonly tolerance?: number
+}
+
+/** A mesh that is divided as finely as its warped surface needs it on the screen, without cracks. Its vertices are not warped. */
+export interface DividedMesh {
+  /**
+   * Divides the mesh for the views of a frame. Returns `true` if the arrays changed: small changes of the view leave them as they are.
+   * Throws a `WarpError` for wrong views, and if a uniform is missing.
+   */
+  update(views: DetailView | readonly DetailView[], options?: DetailUpdate): boolean
+  /** 3 numbers per vertex. All arrays are views, which the next update of any mesh may overwrite: upload or copy them. */
+  readonly positions: Float32Array
+  /** Unit vectors. Present, like `uvs`, `colors` and `tangents`, if the given mesh has them. */
+  readonly normals?: Float32Array
+  readonly uvs?: Float32Array
+  readonly colors?: Float32Array
+  readonly tangents?: Float32Array
+  /** 3 indices per triangle. Triangles stay in the order of those that they are parts of. */
+  readonly indices: Uint32Array
+  /** Frees its memory. An update afterwards starts anew. */
+  dispose(): void
+}
+
+const place = new Place('createDetail')
+const updatePlace = new Place('update')
+
+const sizes = { normals: 3, uvs: 2, colors: 4, tangents: 4 } as const
+
+const meshKind = record<DetailMesh>('a mesh such as { positions, normals, indices }')
+const listKind = kind<ArrayLike<number>>('a flat array of numbers, such as a Float32Array,', isList)
+const warpKind = kind<CompiledWarp>(
+  'a result of compileWarp',
+  (given) => (given as Partial<CompiledWarp> | undefined)?.[hostWarp] !== undefined,
+)
+
+/**
+ * Makes a mesh that `update` divides for each frame. Shaders stay as they are: they warp the vertices of the divided mesh like those of
+ * the given one. `warp` is a result of `compileWarp`, with or without normals. Throws a `WarpError` if arrays do not fit together, lack
+ * what the warp reads, or if only the GPU can evaluate the warp.
+ */
+export function createDetail(mesh: DetailMesh, warp: CompiledWarp): DividedMesh {
+  const given = meshKind.read(mesh, place.argument(1))
+  const host = warpKind.read(warp, place.argument(2))[hostWarp]
+  if (!host.runs)
+    throw place.error(
+      'this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.',
+    )
+  const positions = readArray(given.positions, 'positions', 3)
+  const vertices = positions.length / 3
+  const names = (Object.keys(sizes) as (keyof typeof sizes)[]).filter((name) => given[name])
+  const attributes = names.map((name): DetailAttribute => {
+    const values = readArray(given[name], name, sizes[name], vertices)
+    return { input: name, size: sizes[name], values, isUnit: name === 'normals' }
+  })
+  const indices = readIndices(given.indices, vertices)
+  for (const [input, name] of Object.entries({ normal: 'normals', uv: 'uvs', color: 'colors' }))
+    if (host.reads(input as 'uv') && !given[name as 'uvs'])
+      throw place.error(`the warp reads the ${input} of each vertex; pass "${name}" too.`)
+  const divided = new DetailedMesh(host, { positions, attributes, indices })
+  const result = {
+    update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {
+      const { uniforms = {}, tolerance } = updateOptions.read(options, updatePlace)
+      const all = (Array.isArray(views) ? views : [views]) as readonly DetailView[]
+      return divided.update(uniforms, all.flatMap(numbersOf), tolerance)
+    },
+    get positions() {
+      return divided.values(-1)
+    },
+    get indices() {
+      return divided.indices()
+    },
+    dispose: () => divided.dispose(),
+  }
+  names.forEach((name, i) =>
+    Object.defineProperty(result, name, { get: () => divided.values(i), enumerable: true }),
+  )
+  return result
+}
+
+function readArray(given: unknown, name: string, size: number, vertices?: number) {
+  const at = place.part(name)
+  const values = listKind.read(given, at)
+  const count = vertices === undefined ? `a multiple of ${size}` : `${size * vertices}`
+  if (vertices === undefined ? values.length % size !== 0 : values.length !== size * vertices)
+    throw at.expected(`${count} numbers, ${size} for each vertex,`, `${values.length}`)
+  const wrong = firstWrong(values, finiteFloat)
+  if (wrong >= 0)
+    throw place.part(`${name}[${wrong}]`).expected('a finite number', describeNumber(values[wrong]))
+  return values
+}
+
+function readIndices(given: unknown, vertices: number): ArrayLike<number> {
+  const indices =
+    given === undefined
+      ? Uint32Array.from({ length: vertices }, (_, i) => i)
+      : listKind.read(given, place.part('indices'))
+  if (indices.length % 3 !== 0)
+    throw place
+      .part(given === undefined ? 'positions' : 'indices')
+      .expected('3 vertices for each triangle', `${indices.length} vertices`)
+  for (let i = 0; i < indices.length; i++) {
+    const index: unknown = indices[i]
+    if (!(Number.isInteger(index) && (index as number) >= 0 && (index as number) < vertices))
+      throw place
+        .part(`indices[${i}]`)
+        .expected(`the number of one of ${vertices} vertices, from 0,`, describe(index))
+  }
+  return indices
+}
+
+const updateOptions = object({
+  uniforms: anything<Uniforms>(),
+  tolerance: positiveNumber({ default: 1 }),
+} satisfies KindsOf<DetailUpdate>)
+
+const facings = { front: 1, back: -1, both: 0 }
+const sideKind = oneOf(['front', 'back', 'both'], 'both')
+const viewOptions = object({
+  matrix: anything<ArrayLike<number>>(),
+  width: positiveNumber(),
+  height: positiveNumber(),
+  side: sideKind,
+} satisfies KindsOf<DetailView>)
+
+const viewKind = record<DetailView>('a view such as { matrix, width, height }')
+
+/** Returns the numbers of a view: see `DetailViews`. */
+function numbersOf(given: DetailView): DetailViews {
+  const view = viewKind.read(given, updatePlace.argument(1))
+  const { matrix, width, height, side } = viewOptions.read(view, updatePlace)
+  const numbers = readNumbers(updatePlace.option('matrix'), matrix, 16, {
+    layout: ', column by column,',
+  })
+  return [...numbers, width / 2, height / 2, facings[side]]
+}

@@ -1,0 +1,179 @@
+// `createDetail`: meshes that any renderer divides for the screen.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import * as THREE from 'three'
+import { compileWarp } from 'warpjet'
+import { createDetail } from 'warpjet/detail'
+import { edgesNotUsed } from '../support/deviation.js'
+import { quantile, screenErrors } from '../support/screen-error.js'
+
+const { cos, sin } = Math
+
+/** Turns points around the y axis, by as many radians as `turn` times their height. */
+const twist = ({ glsl, position: p, uniforms }) => {
+  const angle = p.y().mult(uniforms.turn)
+  const [c, s] = [angle.cos(), angle.sin()]
+  const x = p.x().mult(c).sub(p.z().mult(s))
+  return glsl.vec3(x, p.y(), p.x().mult(s).add(p.z().mult(c))).sub(p)
+}
+const warp = compileWarp(twist, { uniforms: { turn: 0.01 } })
+
+/** The same in plain numbers. */
+const twisted = (turn) => (vertices) => {
+  const p = vertices.positions
+  return Float64Array.from(p, (_, i) => {
+    const [x, y, z] = p.slice(i - (i % 3), i - (i % 3) + 3)
+    const a = turn * y
+    return [x * cos(a) - z * sin(a), y, x * sin(a) + z * cos(a)][i % 3]
+  })
+}
+
+const { attributes, index } = new THREE.BoxGeometry(240, 240, 240)
+const mesh = {
+  positions: attributes.position.array,
+  normals: attributes.normal.array,
+  uvs: attributes.uv.array,
+  indices: index.array,
+}
+
+function viewFrom(...place) {
+  const camera = new THREE.PerspectiveCamera(60, 4 / 3, 5, 3000)
+  camera.position.set(...place)
+  camera.lookAt(0, 0, 0)
+  camera.updateMatrixWorld()
+  const { projectionMatrix, matrixWorldInverse } = camera
+  const { elements } = projectionMatrix.clone().multiply(matrixWorldInverse)
+  return { matrix: elements, width: 800, height: 600 }
+}
+const near = viewFrom(300, 200, 400)
+
+const all = ({ indices }) => Array.from({ length: indices.length / 3 }, (_, t) => t)
+const errorsOf = (divided, turn, view) => screenErrors(divided, twisted(turn), view, all(divided))
+
+test('a box of 12 triangles is within a pixel of the twisted box, and has no cracks', () => {
+  const divided = createDetail(mesh, warp)
+  assert.equal(divided.update(near), true)
+  assert.ok(quantile(errorsOf(mesh, 0.01, near), 1) > 10, 'the given mesh is not')
+  const errors = errorsOf(divided, 0.01, near)
+  assert.ok(quantile(errors, 0.999) <= 1, `${quantile(errors, 0.999)}`)
+  assert.ok(quantile(errors, 1) <= 1.5, `${quantile(errors, 1)}`)
+  assert.deepEqual(edgesNotUsed(2, divided), [])
+  divided.dispose()
+})
+
+test('fewer triangles do from afar, for a larger tolerance, or if only the front is drawn', () => {
+  const divided = createDetail(mesh, warp)
+  const count = (...args) => {
+    divided.update(...args)
+    return divided.indices.length
+  }
+  const both = count(near)
+  assert.ok(count(viewFrom(3000, 2000, 4000)) < both / 2)
+  assert.ok(count(near, { tolerance: 8 }) < both / 2)
+  assert.ok(count({ ...near, side: 'front' }) < both)
+  divided.dispose()
+})
+
+test('several views are served together', () => {
+  const divided = createDetail(mesh, warp)
+  const other = viewFrom(-300, -200, -400)
+  divided.update([near, other])
+  for (const view of [near, other]) assert.ok(quantile(errorsOf(divided, 0.01, view), 0.999) <= 1)
+  divided.dispose()
+})
+
+test('update says whether arrays changed, and follows uniforms', () => {
+  const divided = createDetail(mesh, warp)
+  divided.update(near)
+  assert.equal(divided.update(near), false)
+  assert.equal(divided.update(near, { uniforms: { turn: 0.03 } }), true)
+  assert.ok(quantile(errorsOf(divided, 0.03, near), 0.999) <= 1)
+  divided.dispose()
+  assert.equal(divided.update(near), true, 'starts anew')
+  divided.dispose()
+})
+
+test('attributes are interpolated', () => {
+  const divided = createDetail(mesh, warp)
+  divided.update(near)
+  assert.deepEqual(
+    Object.keys(divided).filter((name) => name.endsWith('s')),
+    ['positions', 'indices', 'normals', 'uvs'],
+  )
+  const { positions, normals, uvs } = divided
+  for (let v = 0; v < positions.length / 3; v++) {
+    const at = (from, size) => from.subarray(size * v, size * v + size)
+    const side = at(normals, 3).findIndex((x) => Math.abs(x) > 0.5)
+    assert.ok(Math.abs(Math.hypot(...at(normals, 3)) - 1) < 1e-6)
+    assert.ok(Math.abs(at(positions, 3)[side] - 120 * at(normals, 3)[side]) < 1e-3)
+    // The texture of a side of three's box covers it: u and v are the other two coordinates, in some order and direction.
+    const places = [...at(positions, 3)].filter((_, k) => k !== side).map((x) => Math.abs(x) / 240)
+    const inTexture = [...at(uvs, 2)].map((x) => Math.abs(x - 0.5))
+    const difference = (a, b) => Math.hypot(...a.sort().map((x, k) => x - b.sort()[k]))
+    assert.ok(difference(places, inTexture) < 1e-5)
+  }
+  divided.dispose()
+})
+
+test('wrong arguments are named', () => {
+  const divided = createDetail(mesh, warp)
+  const triangle = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] }
+  const reading = compileWarp(({ normal }) => normal)
+  const onGpu = compileWarp(({ glsl, position }) => {
+    const source = 'float bump(float x) { return x; }'
+    const bump = glsl.fn({ name: 'bump', source, arity: 1, derivatives: [1] })
+    return glsl.vec3(bump(position.x()), 0, 0)
+  })
+  for (const [act, message] of [
+    [
+      () => createDetail(5, warp),
+      'createDetail: expected a mesh such as { positions, normals, indices } for argument 1, got the number 5.',
+    ],
+    [
+      () => createDetail(mesh, {}),
+      'createDetail: expected a result of compileWarp for argument 2, got an empty object.',
+    ],
+    [
+      () => createDetail({ positions: [1, 2] }, warp),
+      'createDetail: expected a multiple of 3 numbers, 3 for each vertex, for positions, got 2.',
+    ],
+    [
+      () => createDetail({ ...triangle, uvs: [0, 0] }, warp),
+      'createDetail: expected 6 numbers, 2 for each vertex, for uvs, got 2.',
+    ],
+    [
+      () => createDetail({ positions: [0, 0, 0, 1, 0, 0, 0, 1, NaN] }, warp),
+      'createDetail: expected a finite number for positions[8], got NaN.',
+    ],
+    [
+      () => createDetail({ ...triangle, indices: [0, 1, 3] }, warp),
+      'createDetail: expected the number of one of 3 vertices, from 0, for indices[2], got the number 3.',
+    ],
+    [
+      () => createDetail(triangle, reading),
+      'createDetail: the warp reads the normal of each vertex; pass "normals" too.',
+    ],
+    [
+      () => divided.update(),
+      'update: expected a view such as { matrix, width, height } for argument 1, got undefined.',
+    ],
+    [
+      () => divided.update({ ...near, matrix: [1] }),
+      'update: expected an array of 16 finite numbers, column by column, for the option "matrix", got an array of 1.',
+    ],
+    [
+      () => divided.update({ ...near, width: 0 }),
+      'update: expected a number above 0 for the option "width", got the number 0.',
+    ],
+    [
+      () => divided.update(near, { tolerance: -1 }),
+      'update: expected a number above 0 for the option "tolerance", got the number -1.',
+    ],
+  ])
+    assert.throws(act, { name: 'WarpError', message })
+  assert.throws(() => createDetail(triangle, onGpu), {
+    name: 'WarpError',
+    message: /which only the GPU can do/,
+  })
+  divided.dispose()
+})

@@ -1,0 +1,90 @@
+// Measures how far drawn triangles are from the warped surface on the screen, independently of how the mesh was divided.
+
+/** Points inside of a triangle and on its sides, as weights of the corners: the lattice of quarters without the corners, and the middle. */
+const lattice = [[1 / 3, 1 / 3, 1 / 3]]
+for (let i = 0; i <= 4; i++)
+  for (let j = 0; i + j <= 4; j++)
+    if (Math.max(i, j, 4 - i - j) < 4) lattice.push([1 - (i + j) / 4, i / 4, j / 4])
+
+/**
+ * Returns the distances, in pixels, of points of the warped surface from the points of the drawn triangles that they are the truth of.
+ * Points outside of the picture are left out. `warpPositions` maps { positions, normals } → warped positions; `view` is
+ * { matrix, width, height }, as for `createDetail`; `triangles` are the numbers of those to measure.
+ */
+export function screenErrors(mesh, warpPositions, view, triangles) {
+  const { positions, normals, indices } = mesh
+  const count = triangles.length * lattice.length
+  const samples = { positions: new Float32Array(3 * count), normals: new Float32Array(3 * count) }
+  let at = 0
+  for (const t of triangles)
+    for (const weights of lattice) {
+      let square = 0
+      for (let k = 0; k < 3; k++) {
+        const mix = (from) =>
+          weights.reduce((sum, w, i) => sum + w * from[3 * indices[3 * t + i] + k], 0)
+        samples.positions[at + k] = mix(positions)
+        square += (samples.normals[at + k] = mix(normals)) ** 2
+      }
+      for (let k = 0; k < 3; k++) samples.normals[at + k] /= Math.sqrt(square)
+      at += 3
+    }
+  const corners = warpPositions({ positions, normals })
+  const truth = warpPositions(samples)
+  const errors = []
+  const flat = [0, 0, 0]
+  at = 0
+  for (const t of triangles)
+    for (const weights of lattice) {
+      for (let k = 0; k < 3; k++)
+        flat[k] = weights.reduce((sum, w, i) => sum + w * corners[3 * indices[3 * t + i] + k], 0)
+      const [a, b] = [pixelsOf(truth, at, view), pixelsOf(flat, 0, view)]
+      at += 3
+      if (a && b) errors.push(Math.hypot(a[0] - b[0], a[1] - b[1]))
+    }
+  return errors
+}
+
+/** Returns the place of a point in the picture, from its middle; `undefined` if it is outside. */
+function pixelsOf(numbers, at, { matrix: m, width, height }) {
+  const row = (i) =>
+    m[i] * numbers[at] + m[i + 4] * numbers[at + 1] + m[i + 8] * numbers[at + 2] + m[i + 12]
+  const w = row(3)
+  if (w <= 0 || Math.abs(row(0)) > w || Math.abs(row(1)) > w || Math.abs(row(2)) > w) return
+  return [((row(0) / w) * width) / 2, ((row(1) / w) * height) / 2]
+}
+
+/** Returns a quantile, such as 0.5 for the median; 0 if there are no numbers. */
+export function quantile(numbers, share) {
+  const sorted = Float64Array.from(numbers).sort()
+  return sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * share))] ?? 0
+}
+
+/** Splits every triangle of a mesh into `n` × `n`. */
+export function splitUniformly({ positions, normals, indices }, n) {
+  const found = { positions: [], normals: [], indices: [] }
+  for (let t = 0; t < indices.length; t += 3) {
+    const first = found.positions.length / 3
+    const number = (i, j) => first + i * (n + 1) - (i * (i - 1)) / 2 + j
+    for (let i = 0; i <= n; i++)
+      for (let j = 0; i + j <= n; j++) {
+        const weights = [(n - i - j) / n, i / n, j / n]
+        const mix = (from) =>
+          [0, 1, 2].map((k) => weights.reduce((s, w, c) => s + w * from[3 * indices[t + c] + k], 0))
+        found.positions.push(...mix(positions))
+        const normal = mix(normals)
+        const length = Math.hypot(...normal)
+        found.normals.push(...normal.map((x) => x / length))
+      }
+    for (let i = 0; i < n; i++)
+      for (let j = 0; i + j < n; j++) {
+        found.indices.push(number(i, j), number(i + 1, j), number(i, j + 1))
+        if (i + j < n - 1)
+          found.indices.push(number(i + 1, j), number(i + 1, j + 1), number(i, j + 1))
+      }
+  }
+  return {
+    positions: Float32Array.from(found.positions),
+    normals: Float32Array.from(found.normals),
+    indices: Uint32Array.from(found.indices),
+  }
+}
