@@ -29,7 +29,7 @@ export interface DetailMesh {
 export interface DetailView {
   /** From warped positions to clip space: the product of projection, view and model matrix, 16 numbers column by column. */
   readonly matrix: ArrayLike<number>
-  /** Of the viewport, in pixels of the canvas. */
+  /** The size of the viewport in pixels of the canvas. */
   readonly width: number
   readonly height: number
   /**

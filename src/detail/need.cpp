@@ -137,8 +137,8 @@ class ScreenOf {
   vec4 nearest_;
 };
 
-// Where the bend varies, its maximum is above that of the cells by about this share of the
-// difference to their mean. A measured figure (npm run report -- detail).
+// The bend between samples can exceed that of all cells. This estimates by how much, as a share of
+// the difference of their maximum and mean; `npm run report -- detail` shows what it leads to.
 constexpr float beyondCells = 0.3f;
 
 // The squares of the numbers of pieces that the sides of a triangle need, for an error of one

@@ -18,8 +18,8 @@ const twist = ({ glsl, position: p, uniforms }) => {
 }
 const warp = compileWarp(twist, { uniforms: { turn: 0.01 } })
 
-/** The same in plain numbers. */
-const twisted = (turn) => (vertices) => {
+/** Makes the same warp in plain numbers. */
+const twistBy = (turn) => (vertices) => {
   const p = vertices.positions
   return Float64Array.from(p, (_, i) => {
     const [x, y, z] = p.slice(i - (i % 3), i - (i % 3) + 3)
@@ -48,7 +48,7 @@ function viewFrom(...place) {
 const near = viewFrom(300, 200, 400)
 
 const all = ({ indices }) => Array.from({ length: indices.length / 3 }, (_, t) => t)
-const errorsOf = (divided, turn, view) => screenErrors(divided, twisted(turn), view, all(divided))
+const errorsOf = (divided, turn, view) => screenErrors(divided, twistBy(turn), view, all(divided))
 
 test('a box of 12 triangles is within a pixel of the twisted box, and has no cracks', () => {
   const divided = createDetail(mesh, warp)

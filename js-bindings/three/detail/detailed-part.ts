@@ -19,8 +19,9 @@ import type { ThreeWarp } from '../three-warp.js'
 import { baseOf, isOfBones, isOfInstances, poseBase, type GeometryBase } from './base.js'
 import { DividedGeometry } from './divided-geometry.js'
 import { drawnSurfaceOf, type DrawnSurface } from './drawn-surface.js'
+import type { Render } from './render.js'
 import { addToScene, sceneOf, type Divisible } from './scenes.js'
-import { viewsOf, type Render } from './views.js'
+import { viewsOf } from './views.js'
 
 /** The object with its own vertices, also while it is drawn with others. */
 const withOwnGeometry = (object: Warpable, geometry: () => BufferGeometry) =>

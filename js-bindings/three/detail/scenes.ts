@@ -4,7 +4,7 @@
  */
 import type { Camera, Object3D, Scene } from 'three'
 import { wrapMethod } from '../properties.js'
-import type { Render, Renderer } from './views.js'
+import type { Render, Renderer } from './render.js'
 
 /** An object that is drawn divided. */
 export interface Divisible {

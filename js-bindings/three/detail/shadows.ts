@@ -8,7 +8,7 @@ import {
   type PointLight,
   type SpotLight,
 } from 'three'
-import type { Render } from './views.js'
+import type { Render } from './render.js'
 
 /** A camera, and the size of its picture in pixels. */
 export interface Seen {

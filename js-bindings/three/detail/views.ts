@@ -15,23 +15,8 @@ import {
 } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
 import type { ThreeWarp } from '../three-warp.js'
+import type { Render } from './render.js'
 import { shadowCamerasOf, type Seen } from './shadows.js'
-
-/** What both renderers have. */
-export interface Renderer {
-  getDrawingBufferSize(target: Vector2): Vector2
-  getPixelRatio(): number
-  readonly shadowMap: { readonly enabled: boolean }
-  readonly isWebGPURenderer?: boolean
-}
-
-/** The arguments of `scene.onBeforeRender`. */
-export interface Render {
-  readonly renderer: Renderer
-  readonly scene: Scene
-  readonly camera: Camera
-  readonly target: { readonly width: number; readonly height: number } | null
-}
 
 /** More instances of a mesh share the division that the nearest ones need. One far away may need more, if it is seen from another side. */
 const maxInstances = 16
