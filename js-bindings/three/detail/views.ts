@@ -11,7 +11,6 @@ import {
   type Material,
   type Mesh,
   type PerspectiveCamera,
-  type Scene,
 } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
 import type { ThreeWarp } from '../three-warp.js'
