@@ -49,14 +49,14 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(errors\/.*|options\/.*|core\/inputs\/.*|cpu\/warp-program|core\/lazy-object|core\/expression\/shapes|wasm\/inlined|wasm\/instance|wasm\/tables|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(errors\/.*|options\/.*|detail\/option|core\/inputs\/.*|cpu\/warp-program|core\/lazy-object|core\/expression\/shapes|wasm\/inlined|wasm\/instance|wasm\/tables|generated\/version)\.ts$/,
   },
   {
     name: 'compiler',
     test: /\/js-bindings\/compile\/(compile|compile-warp-text|text-compiler)\.ts$/,
   },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
-  { name: 'detailed-mesh', test: /\/js-bindings\/(detail\/|wasm\/detail)/ },
+  { name: 'detailed-mesh', test: /\/js-bindings\/(detail\/(?!option)|wasm\/detail)/ },
   {
     name: 'meshes',
     test: /\/js-bindings\/(mesh|wasm\/(mesh|mikktspace)|p5\/geometry\/(model|subdivide-geometry|vary-geometry|with-mesh))[/.-]|\/node_modules\/(fast-png|iobuffer|fflate)\//,

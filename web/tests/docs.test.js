@@ -105,12 +105,21 @@ test('most blocks of JavaScript run, and the others are listed here', () => {
   const still = blocks
     .filter(({ language, sketch }) => language === 'js' && !sketch)
     .map(({ file }) => file.replace('web/docs/', ''))
-  // Babylon.js, PlayCanvas, A-Frame and CSM are not part of the site; a bundler's settings and files for Node are not sketches; and
+  // Babylon.js, PlayCanvas, A-Frame and CSM are not part of the site; a bundler's settings, files for Node and loops of renderers are not sketches; and
   // lost-context.test.js runs the code of uptime.md.
   assert.deepEqual(still, [
     'README.md',
     ...['babylon.md', 'babylon.md', 'babylon.md', 'babylon.md', 'babylon.md'],
-    ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'mesh.md'],
-    ...['operators.md', 'three.md', 'three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
+    ...['core.md', 'how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'mesh.md'],
+    ...[
+      'operators.md',
+      'three.md',
+      'three.md',
+      'three.md',
+      'three.md',
+      'three.md',
+      'three.md',
+      'uptime.md',
+    ],
   ])
 })
