@@ -1,6 +1,7 @@
 // `createDetail`: a mesh that is divided for the screen, for any renderer.
 import { hostWarp, type CompiledWarp } from '../compile/compile-warp.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
+import { missingInput } from '../cpu/warp-program.js'
 import { describe } from '../errors/errors.js'
 import { isList } from '../options/guards.js'
 import { anything, kind, oneOf, positiveNumber, record } from '../options/kinds.js'
@@ -103,8 +104,7 @@ export function createDetail(mesh: DetailMesh, warp: CompiledWarp): DividedMesh 
   })
   const indices = readIndices(given.indices, vertices)
   for (const [input, name] of Object.entries({ normal: 'normals', uv: 'uvs', color: 'colors' }))
-    if (host.reads(input as 'uv') && !given[name as 'uvs'])
-      throw place.error(`the warp reads the ${input} of each vertex; pass "${name}" too.`)
+    if (host.reads(input as 'uv') && !given[name as 'uvs']) throw missingInput(place, input, name)
   const divided = new DetailedMesh(host, { positions, attributes, indices })
   const result = {
     update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {

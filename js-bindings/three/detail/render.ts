@@ -1,7 +1,7 @@
 /** A render call of three.js, as the hooks of a scene get it. */
 import type { Camera, Scene, Vector2 } from 'three'
 
-/** What both renderers have. */
+/** The members that this folder needs of both renderers. */
 export interface Renderer {
   getDrawingBufferSize(target: Vector2): Vector2
   getPixelRatio(): number
