@@ -183,7 +183,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         ...(!isOld && {
           random: [
             strands(`getObjectInputs((inputs) => {
-              inputs.position += inputs.normal * random() * 0.2
+              if (inputs.position.x > 0) inputs.position += inputs.normal * random() * 0.2
               return inputs
             })`),
             /^exactNormals: the shader stays as it is\. random\(\) in getObjectInputs .* write noise\(\)/,

@@ -263,36 +263,4 @@ if (gpu) {
     assert.ok(litPixels(images.plain).length > 3000)
     assert.equal(differingPixels(images.own, images.plain, 2), 0)
   })
-
-  test('on WEBGPU unsupported source warns, and leaves the shader unchanged', async () => {
-    const expected = {
-      'random()':
-        /^exactNormals: the shader stays as it is. random\(\) in getObjectInputs returns a different number for each vertex/,
-    }
-    const { page, messages } = await runSketch(
-      browsers.WEBGPU,
-      server,
-      gpu[1],
-      `async function setup() {
-        await createCanvas(60, 60, WEBGPU)
-        ${Object.keys(expected)
-          .map(
-            (motion) => `{
-          const given = baseMaterialShader().modify(() => {
-            objectInputs.begin()
-            const p = objectInputs.position
-            objectInputs.position.y += ${motion}
-            objectInputs.end()
-          })
-          if (exactNormals(given) !== given) throw new Error('exactNormals returned another shader')
-        }`,
-          )
-          .join('\n')}
-        window.done = true
-      }`,
-    )
-    await leavePage(page)
-    assert.equal(messages.length, Object.keys(expected).length)
-    Object.values(expected).forEach((form, i) => assert.match(messages[i], form))
-  })
 }

@@ -132,6 +132,7 @@ test('offers only the inputs and functions of three.js in a three.js sketch', as
   assert.equal(words.mouseX ?? words.createWarp, undefined)
   const options = await completionsOf(sketch.replace(/^}\)$/m, '}, { § })'))
   assert.deepEqual(Object.keys(options).sort(), [
+    'detail',
     'fadeNoise',
     'normals',
     'share',
