@@ -192,7 +192,8 @@ Squares squaredNeeds(const Flat& flat, const Directions& directions, const Scree
   return max;
 }
 
-// Samples underestimate, so the aim is below the tolerance.
+// The samples of a triangle underestimate its bend, so the aim is below the tolerance. Those of all
+// triangles together don't.
 constexpr float aim = 0.8f;
 
 // Reads the warped samples of a triangle.
@@ -250,7 +251,7 @@ bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
       for (int i = 0; i < 3; ++i) {
         float& need = needs_[base.edgeOf(t, i)];
         need = std::max(need, squares[i] / (aim * tolerance));
-        uniform = std::max(uniform, squares[3 + i] / (aim * tolerance));
+        uniform = std::max(uniform, squares[3 + i] / tolerance);
       }
     }
   }

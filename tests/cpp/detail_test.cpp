@@ -263,8 +263,8 @@ Detail cutSquare(float maxLength) {
 }
 
 // With a second derivative of 100 pixels everywhere, a side of length h errs by 100 h^2 / 8, and the
-// diagonal, along which the bend is the same, makes triangles err by 4/3 of it. For 0.8 pixels,
-// there must be 4.6 pieces of each side.
+// diagonal, along which the bend is the same, makes triangles err by 4/3 of it. For a pixel,
+// there must be 4.1 pieces of each side.
 TEST(Detail, ASurfaceThatBendsEquallyEverywhereIsDividedUniformly) {
   Detail detail = cutSquare(0.1f);
   const auto bend = [](float* p) { p[2] = p[0] * p[0] / 2; };
