@@ -230,8 +230,8 @@ std::uint32_t roundUp(float need) {
 }
 
 bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
-                   std::span<const float> warped,
-                   std::span<const ScreenView> views, float tolerance) {
+                   std::span<const float> warped, std::span<const ScreenView> views,
+                   float tolerance) {
   const auto place = [&](std::uint32_t vertex) {
     const float* p = base.attributes()[0].values.data() + 3 * vertex;
     return vec3(p[0], p[1], p[2]);

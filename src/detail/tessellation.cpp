@@ -48,9 +48,7 @@ std::vector<dvec3> rowsOfPoints(double length, double height, int longest) {
   return points;
 }
 
-bool areEqual(const SidePieces& pieces) {
-  return pieces[0] == pieces[1] && pieces[1] == pieces[2];
-}
+bool areEqual(const SidePieces& pieces) { return pieces[0] == pieces[1] && pieces[1] == pieces[2]; }
 
 // Divides the triangle into n * n, by lines parallel to its sides.
 Tessellation makeRegular(std::uint32_t n) {

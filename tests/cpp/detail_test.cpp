@@ -157,7 +157,8 @@ TEST(Detail, PiecesStayWhileTheyAreNotMuchMoreThanNeeded) {
   const BaseMesh base = square();
   Needs needs;
   const auto bend = [&](float c) {
-    return needs.update(base, {}, warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }),
+    return needs.update(base, {},
+                        warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }),
                         std::array{viewAlongX()}, 1);
   };
   EXPECT_TRUE(bend(1));      // needs 4.56, gets 6
@@ -262,8 +263,8 @@ Detail cutSquare(float maxLength) {
   return detail;
 }
 
-// With a second derivative of 100 pixels everywhere, a side of length h errs by 100 h^2 / 8, and the
-// diagonal, along which the bend is the same, makes triangles err by 4/3 of it. For a pixel,
+// With a second derivative of 100 pixels everywhere, a side of length h errs by 100 h^2 / 8, and
+// the diagonal, along which the bend is the same, makes triangles err by 4/3 of it. For a pixel,
 // there must be 4.1 pieces of each side.
 TEST(Detail, ASurfaceThatBendsEquallyEverywhereIsDividedUniformly) {
   Detail detail = cutSquare(0.1f);
