@@ -96,7 +96,7 @@ export class DetailedPart implements Divisible {
     const { warp, object, toWorld, views } = this
     const place = toWorld ? object.matrixWorld.elements : []
     const base = pose()
-    mesh.update(warp.given, views, warp.settings.detail!, toWorld, place)
+    mesh.update(warp.given, views, warp.settings.detail!.tolerance, toWorld, place)
     return base
   }
 
@@ -142,7 +142,8 @@ export class DetailedPart implements Divisible {
     if (problem) return warnOfDetail(warp, nameOf(object), problem)
     const { geometry } = object
     const base = baseOf(warp, object as Mesh)
-    const mesh = new DetailedMesh(warp, base)
+    const { isCurved } = warp.settings.detail!
+    const mesh = new DetailedMesh(warp, { ...base, isCurved })
     const drawn = new DividedGeometry(base, geometry)
     const pose = hasPose(object)
       ? remembered(
