@@ -11,6 +11,7 @@ import {
   type Warped,
 } from './material.js'
 import { carry, install, isOurs, markNode } from './nodes/context.js'
+import { warmUpWhenIdle } from './nodes/exact-normals/warm-up.js'
 import { nodeFor } from './nodes/vertex.js'
 import { provideNodes } from './renderers.js'
 import { readOptions, type ThreeOffset, type WarpOptions } from './settings.js'
@@ -70,6 +71,7 @@ function carryMaterial(material: Material, warp: ThreeWarp) {
 
 install()
 provideNodes({ check: checkMaterial, carryObject: carry, isOurs })
+warmUpWhenIdle()
 
 export interface NodeWarpedMaterial<
   Kind extends Material = Material,
