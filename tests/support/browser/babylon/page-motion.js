@@ -87,7 +87,7 @@ function warpByMotion(material, normals) {
   return warp
 }
 
-/** The same motion after a reflection in x; its matrix is constant, or given by uniforms. */
+/** Reflects in x before the motion. The matrix is constant, or given by uniforms. */
 const mirrored = Matrix.Scaling(-1, 1, 1).multiply(motion)
 const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
 const mirrorWarps = {
