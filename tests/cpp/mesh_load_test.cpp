@@ -107,6 +107,12 @@ TEST(LoadMesh, FillsAttributesThatOnlySomePartsHave) {
                 "Only some parts have tangents and normals; the tangents are left out."});
 }
 
+TEST(LoadMesh, AcceptsJsonPaddedWithZeroBytes) {
+  File file = triangleFile().embedded();
+  file.resize(file.size() + 3);
+  EXPECT_EQ(loadValid(file).positions, triangle);
+}
+
 TEST(LoadMesh, NamesEachFileOnceAndWarnsOnce) {
   GltfBuilder file = triangleFile();
   std::vector<std::string> names;
