@@ -173,6 +173,15 @@ rejects([
   ],
 ])
 
+test('a long line is cut only where it is long', () => {
+  const comment = ` // ${'x'.repeat(300)}`
+  assert.throws(
+    () => glslOffset(`float x = y;${comment}`),
+    /\n {2}float x = y; \/\/ x+\n {12}\^$/,
+  )
+  assert.throws(() => glslOffset(`/*${'x'.repeat(300)}*/ float x = y;`), /\n {2}…x+.* y;\n +\^$/)
+})
+
 test('#line changes the reported line number, but not the line that is shown', () => {
   assert.throws(
     () => glslOffset('#line 70\nfloat x = y;'),
