@@ -33,6 +33,19 @@ export type DetailViews = number[]
 /** Brings samples into the space of the offset. It writes into `positions` and returns the other arrays. */
 export type ToSpace = (samples: Vertices, positions: Float32Array) => Vertices
 
+export interface DetailParts {
+  readonly vertices: number
+  readonly triangles: number
+  readonly sides: number
+  /** See src/detail/topology.hpp. */
+  readonly topology: Uint32Array
+  /** By edge. */
+  readonly pieces: Uint32Array
+  readonly samples: Vertices
+  /** The numbers of an attribute at the vertices. Its place is as for `DetailedMesh.values`. */
+  readonly attribute: (i: number, size: number) => Float32Array
+}
+
 /** A mesh in the wasm, which is freed with the `DetailedMesh` that owns it. */
 interface Held {
   readonly bound: DetailModule
@@ -63,6 +76,8 @@ export class DetailedMesh {
   private posed: DetailBase | undefined
   /** Changes with the arrays. */
   version = 0
+  /** Changes when the mesh is cut, or moved. */
+  baseVersion = 0
   private readonly maxLength: number
 
   constructor(
@@ -85,7 +100,7 @@ export class DetailedMesh {
   ): boolean {
     if (!this.held || this.held.bound.isBroken) this.start()
     const { detail } = this.held!
-    const state = [...this.warp.state(given), ...place]
+    const state = this.stateOf(given, place)
     const seen = [...views, tolerance]
     if (!this.state || !areEqual(state, this.state)) {
       this.cut(given, toSpace)
@@ -99,6 +114,37 @@ export class DetailedMesh {
     return isChanged
   }
 
+  /** The numbers that the warped samples depend on. */
+  stateOf(given: DrawValues, place: readonly number[] = []): number[] {
+    return [...this.warp.state(given), ...place]
+  }
+
+  /** Cuts the mesh as `update` does, for compute passes that do the rest. */
+  cutFor(given: DrawValues, toSpace?: ToSpace) {
+    const before = this.baseVersion
+    this.cut(given, toSpace)
+    if (this.baseVersion !== before) this.state = undefined
+  }
+
+  /** The base and its present division, for compute passes. Valid after an update, until the next call of any mesh. */
+  parts(): DetailParts {
+    const { detail } = this.held!
+    const vertices = detail.vertexCount()
+    const topology = detail.topology()
+    // There are three samples for each side and each triangle.
+    const triangles = (topology.length - detail.sampleCount() + vertices) / 3
+    return {
+      vertices,
+      triangles,
+      sides: (topology.length - 6 * triangles) / 3,
+      topology,
+      pieces: detail.pieces(),
+      samples: this.samples,
+      // The first of all samples are the vertices.
+      attribute: (i, size) => detail.sample(i + 1).subarray(0, size * vertices),
+    }
+  }
+
   /** Moves the vertices of the base for the frames from now on. The triangles stay as they are. */
   pose(posed: DetailBase) {
     this.posed = posed
@@ -107,6 +153,7 @@ export class DetailedMesh {
     this.held.detail.pose()
     this.readSamples()
     this.state = undefined
+    this.baseVersion++
   }
 
   /** The numbers of an attribute, by its place in the base; -1 is positions. A view, which is valid until the next call of any mesh. */
@@ -160,6 +207,7 @@ export class DetailedMesh {
     detail.begin()
     this.readSamples()
     this.state = undefined
+    this.baseVersion++
     if (this.posed) this.pose(this.posed)
   }
 
@@ -182,6 +230,7 @@ export class DetailedMesh {
       detail.phases(size).set(this.phases)
       if (!detail.cut(this.maxLength, sizes, steps)) return
       this.readSamples()
+      this.baseVersion++
     }
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "detail/criterion.hpp"
 #include "detail/tessellation.hpp"
 
 namespace warpjet {
@@ -43,9 +44,7 @@ struct Flat {
     const vec3 u = b - a, v = c - a;
     width = glm::length(u);
     apex.x = dot(u, v) / width;
-    // Slivers count as higher than they are: second differences of floats, divided by the square
-    // of almost no height, would be rounding errors.
-    const float lowest = 0.01f * std::sqrt(dot(u, u) + dot(v, v));
+    const float lowest = criterion.lowest * std::sqrt(dot(u, u) + dot(v, v));
     apex.y = std::max(lowest, std::sqrt(std::max(0.0f, dot(v, v) - apex.x * apex.x)));
   }
 };
@@ -87,13 +86,13 @@ class ScreenOf {
 
   // False if all samples are far outside of one side of the view, or hidden since they face away.
   bool isVisible() const {
-    constexpr float margin = 1.3f;
     const auto areOutside = [&](auto&& isOutside) {
       return std::all_of(clip_.begin(), clip_.end(), isOutside);
     };
     for (int i = 0; i < 2; ++i) {
-      if (areOutside([i](vec4 c) { return c[i] > margin * std::abs(c.w); })) return false;
-      if (areOutside([i](vec4 c) { return -c[i] > margin * std::abs(c.w); })) return false;
+      if (areOutside([i](vec4 c) { return c[i] > criterion.margin * std::abs(c.w); })) return false;
+      if (areOutside([i](vec4 c) { return -c[i] > criterion.margin * std::abs(c.w); }))
+        return false;
     }
     if (areOutside([](vec4 c) { return c.w <= 0; })) return false;
     return view_.facing == 0 || !facesAway();
@@ -112,8 +111,9 @@ class ScreenOf {
         (clip_[0] + clip_[sampleAt(pieces, 0)] + clip_[sampleAt(pieces, pieces)]) / 3.0f;
     vec4 found =
         *std::min_element(clip_.begin(), clip_.end(), [](vec4 a, vec4 b) { return a.w < b.w; });
-    found.w = std::max(found.w, 0.1f * std::abs(middle.w));
-    for (int i = 0; i < 2; ++i) found[i] = std::clamp(found[i], -1.5f * found.w, 1.5f * found.w);
+    found.w = std::max(found.w, criterion.nearest * std::abs(middle.w));
+    const float aside = criterion.aside * found.w;
+    for (int i = 0; i < 2; ++i) found[i] = std::clamp(found[i], -aside, aside);
     return found;
   }
 
@@ -128,7 +128,7 @@ class ScreenOf {
       }
       const vec2 u = screen[1] - screen[0], v = screen[2] - screen[0];
       const float area = view_.facing * (u.x * v.y - u.y * v.x);
-      return area < -0.2f * glm::length(u) * glm::length(v);
+      return area < -criterion.away * glm::length(u) * glm::length(v);
     });
   }
 
@@ -137,13 +137,8 @@ class ScreenOf {
   vec4 nearest_;
 };
 
-// The bend between samples can exceed that of all cells. This estimates by how much, as a share of
-// the difference of their maximum and mean; `npm run report -- detail` shows what it leads to.
-constexpr float beyondCells = 0.3f;
-
 // The squares of the numbers of pieces that the sides of a triangle need, for an error of one
-// pixel. A piece of length h errs by h^2 / 8 of the second derivative; a triangle errs most in its
-// middle, by 4/3 of that.
+// pixel.
 vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& samples) {
   const vec2 corner(flat.width, 0);
   vec3 max(0), sum(0);
@@ -162,14 +157,8 @@ vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& sampl
     sum += along;
   }
   const vec3 mean = sum / static_cast<float>(cells.size());
-  return (max + beyondCells * (max - mean)) * (4.0f / 3 / 8);
+  return (max + criterion.beyondCells * (max - mean)) * criterion.error;
 }
-
-// Samples underestimate, so the aim is below the tolerance.
-constexpr float aim = 0.8f;
-
-// A number of pieces is lowered only if it would do for that many times the need.
-constexpr float hysteresis = 1.25f;
 
 // Reads the warped samples of a triangle.
 Samples samplesOf(const BaseMesh& base, std::size_t triangle, std::span<const float> warped) {
@@ -219,7 +208,7 @@ bool Needs::update(const BaseMesh& base, std::span<const float> warped,
     for (const ScreenView& view : views) {
       const ScreenOf screen(view, samples);
       if (!screen.isVisible()) continue;
-      const vec3 squares = squaredNeeds(flat, screen, samples) / (aim * tolerance);
+      const vec3 squares = squaredNeeds(flat, screen, samples) / (criterion.aim * tolerance);
       for (int i = 0; i < 3; ++i) {
         float& need = needs_[base.edgeOf(t, i)];
         need = std::max(need, squares[i]);
@@ -229,7 +218,8 @@ bool Needs::update(const BaseMesh& base, std::span<const float> warped,
   bool isChanged = false;
   for (std::size_t edge = 0; edge < needs_.size(); ++edge) {
     const float need = std::sqrt(needs_[edge]);
-    const std::uint32_t next = std::clamp(pieces_[edge], roundUp(need), roundUp(need * hysteresis));
+    const std::uint32_t next =
+        std::clamp(pieces_[edge], roundUp(need), roundUp(need * criterion.hysteresis));
     isChanged |= next != pieces_[edge];
     pieces_[edge] = next;
   }

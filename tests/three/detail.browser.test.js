@@ -12,11 +12,15 @@ const hosts = [
     script: 'detail/page-webgl.js',
     settings: {},
   })),
-  ...['webgl', 'webgpu'].map((backend) => ({
-    name: `WebGPURenderer, ${backend}`,
+  ...[
+    { backend: 'webgl', hasPasses: false },
+    { backend: 'webgpu', hasPasses: false },
+    { backend: 'webgpu', hasPasses: true },
+  ].map((settings) => ({
+    name: `WebGPURenderer, ${settings.backend}${settings.hasPasses ? ', compute passes' : ''}`,
     version: 'three',
     script: 'detail/page-webgpu.js',
-    settings: { backend },
+    settings,
   })),
 ]
 
@@ -154,7 +158,7 @@ for (const { name, version, script, settings } of hosts)
       assert.equal(counts.clone, 2 * counts.removed)
       assert.equal(counts.outside, 12)
       assert.equal(counts.back, counts.removed)
-      assert.deepEqual(found.calls, ['before', true, 'before', true, 'after', true])
+      assert.deepEqual(found.calls, ['before', true, 'after', true, 'before', true])
       assert.deepEqual(after, before)
       assert.ok(found.isSame && found.isRestored)
       assert.deepEqual(found.hooks, ['function', 'function'])
