@@ -13,6 +13,9 @@
 
 namespace warpjet {
 
+// A point of a triangle, by the weights of its corners. They add up to 1.
+using Weights = std::array<float, 3>;
+
 // The numbers of all vertices. Attribute 0 of a mesh is its positions, with three numbers each.
 struct Attribute {
   std::uint32_t size;   // numbers per vertex
@@ -27,6 +30,7 @@ class BaseMesh {
   struct Side {
     std::array<std::uint32_t, 2> ends;
     std::uint32_t edge;
+    std::uint32_t triangle;  // the first one that has the side
   };
 
   BaseMesh(std::vector<Attribute> attributes, std::vector<Corners> triangles);
@@ -55,10 +59,12 @@ class BaseMesh {
   // Replaces the numbers of vertices. Edges stay those that the first positions share.
   void setAttributes(const std::vector<Attribute>& attributes) { attributes_ = attributes; }
 
-  // The attributes of samples, which divide each side into four. First those of all vertices, then
-  // three for each side, from its first end to its second, then three for each triangle, of which
-  // sample i is the one nearest to corner i.
-  std::vector<Attribute> samples() const;
+  // A point of a side, as one of the side's triangle. The weights are those of its ends.
+  Weights onTriangle(std::uint32_t side, const std::array<float, 2>& weights) const;
+
+  // The numbers of samples, which divide each side into four. First come all vertices, then three
+  // for each side, from its first end to its second, then three for each triangle, of which sample
+  // i is the one nearest to corner i.
   std::uint32_t sampleOfSide(std::uint32_t side, int i) const {
     return static_cast<std::uint32_t>(vertexCount()) + 3 * side + i;
   }
@@ -79,14 +85,5 @@ class BaseMesh {
   Pairs sidesByEnds_;
   std::uint32_t edgeCount_ = 0;
 };
-
-// Appends a vertex between others of `from`. The weights add up to 1.
-template <std::size_t count>
-void blend(Attribute& to, const Attribute& from, const std::array<std::uint32_t, count>& vertices,
-           const std::array<float, count>& weights);
-extern template void blend<2>(Attribute&, const Attribute&, const std::array<std::uint32_t, 2>&,
-                              const std::array<float, 2>&);
-extern template void blend<3>(Attribute&, const Attribute&, const std::array<std::uint32_t, 3>&,
-                              const std::array<float, 3>&);
 
 }  // namespace warpjet

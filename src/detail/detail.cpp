@@ -54,10 +54,11 @@ float distanceOf(const float* a, const float* b, std::uint32_t size) {
 }  // namespace
 
 Detail::Detail(std::vector<Attribute> attributes, std::uint32_t triangles,
-               std::vector<std::uint32_t> groups)
+               std::vector<std::uint32_t> groups, bool isCurved)
     : given_(std::move(attributes)),
       givenIndices_(3 * std::size_t{triangles}),
-      givenGroups_(std::move(groups)) {}
+      givenGroups_(std::move(groups)),
+      isCurved_(isCurved) {}
 
 void Detail::begin() {
   std::vector<Corners> triangles;
@@ -65,26 +66,40 @@ void Detail::begin() {
     triangles.push_back({givenIndices_[i], givenIndices_[i + 1], givenIndices_[i + 2]});
   baseGroups_ = givenGroups_;
   cuts_.clear();
-  use(BaseMesh(given_, std::move(triangles)));
+  BaseMesh mesh(given_, std::move(triangles));
+  std::vector<Patch> patches;
+  surface_.reset();
+  const auto normals = std::find_if(given_.begin(), given_.end(), [](auto& a) { return a.isUnit; });
+  if (isCurved_ && normals != given_.end()) {
+    surface_.emplace(mesh, static_cast<std::size_t>(normals - given_.begin()));
+    patches = wholePatches(mesh.triangles().size());
+  }
+  use(std::move(mesh), std::move(patches));
 }
 
-void Detail::use(BaseMesh base) {
+Interpolation Detail::between(const BaseMesh& mesh, const std::vector<Patch>& patches) const {
+  return surface_ ? Interpolation(mesh, &*surface_, patches) : Interpolation(mesh);
+}
+
+void Detail::use(BaseMesh base, std::vector<Patch> patches) {
   base_.emplace(std::move(base));
-  samples_ = base_->samples();
+  patches_ = std::move(patches);
+  samples_ = between().samples();
   warped_.resize(samples_[0].values.size());
   needs_ = {};
   indices_.clear();
 }
 
 void Detail::pose() {
+  if (surface_) surface_->setAttributes(given_);
   const std::vector<Attribute>* attributes = &given_;
   for (Cut& cut : cuts_) {
     cut.mesh.setAttributes(*attributes);
-    division_.write(cut.mesh, cut.pieces, tessellations_);
+    division_.write(between(cut.mesh, cut.patches), cut.pieces, tessellations_);
     attributes = &division_.attributes;
   }
   base_->setAttributes(*attributes);
-  samples_ = base_->samples();
+  samples_ = between().samples();
   indices_.clear();
 }
 
@@ -104,7 +119,7 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
   for (const std::uint32_t size : sizes) stride += size;
   const float* positions = samples_[0].values.data();
   for (std::size_t i = 0; i < base_->sides().size(); ++i) {
-    const auto& [ends, edge] = base_->sides()[i];
+    const auto& [ends, edge, triangle] = base_->sides()[i];
     float& length = lengths[edge];
     length = std::max(length,
                       distanceOf(positions + 3 * ends[0], positions + 3 * ends[1], 3) / maxLength);
@@ -137,11 +152,13 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
     isCut |= isLong;
   }
   if (!isCut) return false;
-  division_.write(*base_, pieces, tessellations_);
+  division_.write(between(), pieces, tessellations_);
+  std::vector<Patch> patches;
+  if (surface_) patches = dividePatches(between(), pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
-  cuts_.push_back(
-      {std::move(*base_), std::move(pieces), division_.firstTriangles, division_.firstOfSides});
-  use(BaseMesh(division_.attributes, division_.triangles));
+  cuts_.push_back({std::move(*base_), std::move(patches_), std::move(pieces),
+                   division_.firstTriangles, division_.firstOfSides});
+  use(BaseMesh(division_.attributes, division_.triangles), std::move(patches));
   return true;
 }
 
@@ -149,7 +166,7 @@ bool Detail::update(std::span<const float> numbers, float tolerance) {
   const std::vector<ScreenView> views = readViews(numbers);
   const bool isChanged = needs_.update(*base_, warped_, views, tolerance);
   if (!isChanged && !indices_.empty()) return false;
-  division_.write(*base_, needs_.pieces(), tessellations_);
+  division_.write(between(), needs_.pieces(), tessellations_);
   indices_.clear();
   for (const Corners& corners : division_.triangles)
     indices_.insert(indices_.end(), corners.begin(), corners.end());

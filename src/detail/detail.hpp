@@ -9,16 +9,19 @@
 
 #include "detail/base_mesh.hpp"
 #include "detail/division.hpp"
+#include "detail/interpolation.hpp"
 #include "detail/need.hpp"
+#include "detail/pn_triangles.hpp"
 #include "detail/tessellation.hpp"
 
 namespace warpjet {
 
 class Detail {
  public:
-  // `groups` are the numbers of triangles at which groups begin, in ascending order.
+  // `groups` are the numbers of triangles at which groups begin, in ascending order. `isCurved`
+  // continues the surface by PN triangles instead of flat ones, if the mesh has normals.
   Detail(std::vector<Attribute> attributes, std::uint32_t triangles,
-         std::vector<std::uint32_t> groups);
+         std::vector<std::uint32_t> groups, bool isCurved = false);
 
   // The arrays of the mesh, to be filled before `begin`.
   std::vector<float>& given(std::size_t attribute) { return given_[attribute].values; }
@@ -66,15 +69,21 @@ class Detail {
   // A mesh and the numbers of pieces that it was cut into; the others as in `Division`.
   struct Cut {
     BaseMesh mesh;
+    std::vector<Patch> patches;
     std::vector<std::uint32_t> pieces, firstTriangles, firstOfSides;
   };
 
-  void use(BaseMesh base);
+  void use(BaseMesh base, std::vector<Patch> patches);
+  Interpolation between(const BaseMesh& mesh, const std::vector<Patch>& patches) const;
+  Interpolation between() const { return between(*base_, patches_); }
 
   std::vector<Attribute> given_;
   std::vector<std::uint32_t> givenIndices_, givenGroups_;
   std::vector<Cut> cuts_;         // in order
-  std::optional<BaseMesh> base_;  // after all cuts
+  bool isCurved_;
+  std::optional<PnTriangles> surface_;  // if it is curved
+  std::optional<BaseMesh> base_;        // after all cuts
+  std::vector<Patch> patches_;          // of the base, if it is curved
   std::vector<std::uint32_t> baseGroups_;
   std::vector<Attribute> samples_;
   std::vector<float> phases_, warped_;

@@ -1,65 +1,105 @@
 #include "detail/division.hpp"
 
+#include <tuple>
+#include <utility>
+
 namespace warpjet {
 
-void Division::write(const BaseMesh& base, std::span<const std::uint32_t> pieces,
+namespace {
+
+// The weights of the ends of a side at point i of those that divide it into `count` pieces.
+std::pair<float, float> weightsAt(std::uint32_t i, std::uint32_t count) {
+  const float scale = 1 / static_cast<float>(count);
+  return {static_cast<float>(count - i) * scale, static_cast<float>(i) * scale};
+}
+
+SidePieces piecesOf(const BaseMesh& base, std::size_t triangle,
+                    std::span<const std::uint32_t> pieces) {
+  SidePieces counts{};
+  for (int i = 0; i < 3; ++i) counts[i] = pieces[base.edgeOf(triangle, i)];
+  return counts;
+}
+
+}  // namespace
+
+void Division::write(const Interpolation& between, std::span<const std::uint32_t> pieces,
                      Tessellations& tessellations) {
-  attributes.resize(base.attributes().size());
+  const std::span<const Attribute> given = between.base().attributes();
+  attributes.resize(given.size());
   for (std::size_t i = 0; i < attributes.size(); ++i) {
-    const auto& [size, isUnit, values] = base.attributes()[i];
+    const auto& [size, isUnit, values] = given[i];
     attributes[i].size = size;
     attributes[i].isUnit = isUnit;
     attributes[i].values.assign(values.begin(), values.end());
   }
-  writeSides(base, pieces);
-  writeTriangles(base, pieces, tessellations);
+  writeSides(between, pieces);
+  writeTriangles(between, pieces, tessellations);
 }
 
-void Division::writeSides(const BaseMesh& base, std::span<const std::uint32_t> pieces) {
+void Division::writeSides(const Interpolation& between, std::span<const std::uint32_t> pieces) {
+  const BaseMesh& base = between.base();
   firstOfSides.clear();
-  std::uint32_t vertex = static_cast<std::uint32_t>(base.vertexCount());
-  for (const BaseMesh::Side& side : base.sides()) {
+  auto vertex = static_cast<std::uint32_t>(base.vertexCount());
+  for (std::uint32_t side = 0; side < base.sides().size(); ++side) {
     firstOfSides.push_back(vertex);
-    const std::uint32_t count = pieces[side.edge];
-    const float scale = 1 / static_cast<float>(count);
+    const std::uint32_t count = pieces[base.sides()[side].edge];
     for (std::uint32_t i = 1; i < count; ++i, ++vertex) {
-      const std::array weights{static_cast<float>(count - i) * scale,
-                               static_cast<float>(i) * scale};
-      for (std::size_t k = 0; k < attributes.size(); ++k)
-        blend(attributes[k], base.attributes()[k], side.ends, weights);
+      const auto [start, end] = weightsAt(i, count);
+      between.appendOnSide(attributes, side, {start, end});
     }
   }
 }
 
-void Division::writeTriangles(const BaseMesh& base, std::span<const std::uint32_t> pieces,
+void Division::writeTriangles(const Interpolation& between, std::span<const std::uint32_t> pieces,
                               Tessellations& tessellations) {
+  const BaseMesh& base = between.base();
   triangles.clear();
   firstTriangles.clear();
   std::vector<std::uint32_t> points;
   for (std::size_t t = 0; t < base.triangles().size(); ++t) {
     firstTriangles.push_back(static_cast<std::uint32_t>(triangles.size()));
     const Corners& corners = base.triangles()[t];
+    const SidePieces counts = piecesOf(base, t, pieces);
     points.clear();
-    SidePieces counts{};
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t side = base.sidesOf(t)[i], first = firstOfSides[side];
-      const std::uint32_t count = counts[i] = pieces[base.sides()[side].edge];
       const bool isForward = base.startsAt(side, corners[i]);
       points.push_back(corners[i]);
-      for (std::uint32_t k = 0; k + 1 < count; ++k)
-        points.push_back(first + (isForward ? k : count - 2 - k));
+      for (std::uint32_t k = 0; k + 1 < counts[i]; ++k)
+        points.push_back(first + (isForward ? k : counts[i] - 2 - k));
     }
     const Tessellation& tessellation = tessellations.of(counts);
     auto vertex = static_cast<std::uint32_t>(attributes[0].values.size() / 3);
-    for (const std::array<float, 3>& weights : tessellation.inner) {
+    for (const Weights& weights : tessellation.inner) {
       points.push_back(vertex++);
-      for (std::size_t k = 0; k < attributes.size(); ++k)
-        blend(attributes[k], base.attributes()[k], corners, weights);
+      between.appendInside(attributes, t, weights);
     }
     for (const Corners& each : tessellation.triangles)
       triangles.push_back({points[each[0]], points[each[1]], points[each[2]]});
   }
   firstTriangles.push_back(static_cast<std::uint32_t>(triangles.size()));
+}
+
+std::vector<Patch> dividePatches(const Interpolation& between, std::span<const std::uint32_t> pieces,
+                                 Tessellations& tessellations) {
+  std::vector<Patch> patches;
+  std::vector<Weights> places;
+  for (std::size_t t = 0; t < between.base().triangles().size(); ++t) {
+    const SidePieces counts = piecesOf(between.base(), t, pieces);
+    const Tessellation& tessellation = tessellations.of(counts);
+    places.clear();
+    for (int i = 0; i < 3; ++i) {
+      for (std::uint32_t k = 0; k < counts[i]; ++k) {
+        Weights weights{};
+        std::tie(weights[i], weights[(i + 1) % 3]) = weightsAt(k, counts[i]);
+        places.push_back(between.onPatch(t, weights));
+      }
+    }
+    for (const Weights& weights : tessellation.inner) places.push_back(between.onPatch(t, weights));
+    for (const auto& [a, b, c] : tessellation.triangles)
+      patches.push_back({between.patchOf(t), {places[a], places[b], places[c]}});
+  }
+  return patches;
 }
 
 }  // namespace warpjet

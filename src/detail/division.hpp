@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "detail/base_mesh.hpp"
+#include "detail/interpolation.hpp"
 #include "detail/tessellation.hpp"
 
 namespace warpjet {
@@ -18,18 +19,22 @@ struct Division {
   // Maps a triangle of the base -> its first triangle here. The last entry is the number of
   // triangles.
   std::vector<std::uint32_t> firstTriangles;
-
   // Maps a side of the base -> its first vertex here, if it is divided.
   std::vector<std::uint32_t> firstOfSides;
 
   // `pieces` are by edge, from `pieceCounts`.
-  void write(const BaseMesh& base, std::span<const std::uint32_t> pieces,
+  void write(const Interpolation& between, std::span<const std::uint32_t> pieces,
              Tessellations& tessellations);
 
  private:
-  void writeSides(const BaseMesh& base, std::span<const std::uint32_t> pieces);
-  void writeTriangles(const BaseMesh& base, std::span<const std::uint32_t> pieces,
+  void writeSides(const Interpolation& between, std::span<const std::uint32_t> pieces);
+  void writeTriangles(const Interpolation& between, std::span<const std::uint32_t> pieces,
                       Tessellations& tessellations);
 };
+
+// Returns the triangles of a divided curved mesh as parts of patches.
+std::vector<Patch> dividePatches(const Interpolation& between,
+                                 std::span<const std::uint32_t> pieces,
+                                 Tessellations& tessellations);
 
 }  // namespace warpjet

@@ -103,14 +103,14 @@ ScreenView viewAlongX() {
 // Warps the samples of a mesh.
 template <class F>
 std::vector<float> warpedSamples(const BaseMesh& base, F&& f) {
-  std::vector<float> warped = base.samples()[0].values;
+  std::vector<float> warped = Interpolation(base).samples()[0].values;
   for (std::size_t i = 0; i < warped.size(); i += 3) f(&warped[i]);
   return warped;
 }
 
 std::uint32_t piecesBetween(const BaseMesh& base, const Needs& needs, std::uint32_t a,
                             std::uint32_t b) {
-  for (const auto& [ends, edge] : base.sides()) {
+  for (const auto& [ends, edge, triangle] : base.sides()) {
     if (std::set{ends[0], ends[1]} == std::set{a, b}) return needs.pieces()[edge];
   }
   ADD_FAILURE() << "there is no such side";

@@ -1,0 +1,175 @@
+// Curved PN triangles, by values worked out by hand from the formulas of the paper.
+#include "detail/pn_triangles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "detail/detail.hpp"
+
+namespace warpjet {
+namespace {
+
+using glm::vec3;
+
+Attribute vectors(const std::vector<vec3>& all, bool isUnit = false) {
+  Attribute attribute{3, isUnit, {}};
+  for (const vec3& v : all) attribute.values.insert(attribute.values.end(), {v.x, v.y, v.z});
+  return attribute;
+}
+
+PnTriangles triangleOf(const std::vector<vec3>& corners, const std::vector<vec3>& normals) {
+  return {BaseMesh({vectors(corners), vectors(normals, true)}, {{0, 1, 2}}), 1};
+}
+
+void expectNear(vec3 value, vec3 expected) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], expected[i], 1e-6);
+}
+
+const std::vector<vec3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+// Between (1, 0) and (0, 1), with normals from the origin, the control points are (1, 1/3) and
+// (1/3, 1).
+TEST(PnTriangles, ASideIsACubicCurveThroughItsEndsAtRightAnglesToTheNormals) {
+  const PnTriangles octant = triangleOf(axes, axes);
+  expectNear(octant.position(0, {1, 0, 0}), {1, 0, 0});
+  expectNear(octant.position(0, {0.5f, 0.5f, 0}), {0.625f, 0.625f, 0});
+  const float third = 1.0f / 3;
+  expectNear(octant.position(0, {2 * third, third, 0}), {22.0f / 27, 11.0f / 27, 0});
+}
+
+// Both come from the mean of the six control points of the sides, 4/9 of (1, 1, 1).
+TEST(PnTriangles, TheInnerControlPointLiesAboveTheSides) {
+  const PnTriangles octant = triangleOf(axes, axes);
+  const float third = 1.0f / 3;
+  expectNear(octant.position(0, {third, third, third}), vec3(4.0f / 9));
+  expectNear(octant.normal(0, {third, third, third}), vec3(std::sqrt(third)));
+}
+
+TEST(PnTriangles, AFlatTriangleStaysFlatAndLinear) {
+  const vec3 a(0, 0, 2), b(3, 0, 2), c(1, 4, 2), up(0, 0, 1);
+  const PnTriangles flat = triangleOf({a, b, c}, {up, up, up});
+  expectNear(flat.position(0, {0.2f, 0.5f, 0.3f}), 0.2f * a + 0.5f * b + 0.3f * c);
+  expectNear(flat.position(0, {0, 0.25f, 0.75f}), 0.25f * b + 0.75f * c);
+  expectNear(flat.normal(0, {0.2f, 0.5f, 0.3f}), up);
+}
+
+// Equal normals that lean along a side make an S, which leans the other way in its middle: there,
+// the normal is (0.6 - 0.3, 0, 0.8 + 0.4) / 4 before it gets length 1.
+TEST(PnTriangles, NormalsShowAnInflection) {
+  const vec3 leaning(0.6f, 0, 0.8f);
+  const PnTriangles wave =
+      triangleOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {leaning, leaning, leaning});
+  const float scale = std::sqrt(0.6f * 0.6f + 2.4f * 2.4f);
+  expectNear(wave.normal(0, {0.5f, 0.5f, 0}), vec3(0.6f, 0, 2.4f) / scale);
+}
+
+TEST(PnTriangles, CornersWithoutADirectionAreFlat) {
+  const PnTriangles flat = triangleOf(axes, {vec3(0), vec3(NAN), vec3(0)});
+  expectNear(flat.position(0, {0.5f, 0.5f, 0}), {0.5f, 0.5f, 0});
+  expectNear(flat.position(0, {0.25f, 0.25f, 0.5f}), {0.25f, 0.25f, 0.5f});
+  expectNear(flat.normal(0, {0.5f, 0.25f, 0.25f}), vec3(0));
+  // A triangle with two corners in one place, as at the pole of a sphere.
+  const PnTriangles sliver = triangleOf({axes[0], axes[1], axes[1]}, {axes[0], axes[1], axes[1]});
+  expectNear(sliver.position(0, {0, 0.5f, 0.5f}), axes[1]);
+  expectNear(sliver.normal(0, {0, 0.5f, 0.5f}), axes[1]);
+}
+
+// A prism with `count` sides and caps, whose walls have the normals of a cylinder of radius 1.
+// Each face has vertices of its own.
+struct Prism {
+  std::vector<vec3> places, normals;
+  std::vector<std::uint32_t> indices;
+
+  void add(vec3 place, vec3 normal) {
+    indices.push_back(static_cast<std::uint32_t>(places.size()));
+    places.push_back(place);
+    normals.push_back(normal);
+  }
+
+  explicit Prism(int count) {
+    const auto at = [&](int i) {
+      const float angle = 2 * std::acos(-1.0f) * static_cast<float>(i % count) / static_cast<float>(count);
+      return vec3(std::cos(angle), std::sin(angle), 0);
+    };
+    const vec3 up(0, 0, 1);
+    for (int i = 0; i < count; ++i) {
+      const vec3 a = at(i), b = at(i + 1);
+      for (const vec3 wall : {a, b, b + up}) add(wall, wall.z > 0 ? wall - up : wall);
+      for (const vec3 wall : {a, b + up, a + up}) add(wall, wall.z > 0 ? wall - up : wall);
+      for (const vec3 cap : {up, a + up, b + up}) add(cap, up);
+      for (const vec3 cap : {vec3(0), b, a}) add(cap, -up);
+    }
+  }
+};
+
+// Cuts it three times, as detail does, and divides it.
+Detail divided(const Prism& prism, bool isCurved) {
+  Detail detail({vectors(prism.places), vectors(prism.normals, true)},
+                static_cast<std::uint32_t>(prism.indices.size() / 3), {}, isCurved);
+  detail.givenIndices() = prism.indices;
+  detail.begin();
+  for (const float length : {0.5f, 0.3f, 0.1f}) EXPECT_TRUE(detail.cut(length, {}, {}));
+  detail.warped() = detail.samples()[0].values;
+  detail.update({}, 1);
+  return detail;
+}
+
+// Tests that each side of a triangle is, with the same bits, that of exactly one neighbor.
+void expectClosed(const Detail& detail) {
+  const std::vector<float>& p = detail.division().attributes[0].values;
+  std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, int> sides;
+  const auto place = [&](std::uint32_t i) {
+    return std::array{p[3 * i] + 0, p[3 * i + 1] + 0, p[3 * i + 2] + 0};
+  };
+  for (const Corners& t : detail.division().triangles)
+    for (int i = 0; i < 3; ++i) ++sides[{place(t[i]), place(t[(i + 1) % 3])}];
+  for (const auto& [ends, count] : sides) {
+    EXPECT_EQ(count, 1);
+    EXPECT_TRUE(sides.count({ends.second, ends.first}));
+  }
+}
+
+// The smallest distance from the axis of the vertices of walls at their rims.
+float deepestAtRims(const Detail& detail) {
+  const std::vector<float>& p = detail.division().attributes[0].values;
+  const std::vector<float>& normals = detail.division().attributes[1].values;
+  float min = 1;
+  for (std::size_t i = 0; i < p.size(); i += 3)
+    if ((p[i + 2] == 0 || p[i + 2] == 1) && normals[i + 2] == 0)
+      min = std::min(min, std::hypot(p[i], p[i + 1]));
+  return min;
+}
+
+// The middle of a straight side is cos(30 degrees) from the axis. The control points of its curve
+// are a sixth of that further out, which moves the middle by an eighth.
+TEST(PnTriangles, ACylinderGetsRoundWithoutCracksAtItsRims) {
+  const float straight = std::sqrt(0.75f);
+  const Detail flat = divided(Prism(6), false), curved = divided(Prism(6), true);
+  EXPECT_NEAR(deepestAtRims(flat), straight, 1e-6);
+  EXPECT_NEAR(deepestAtRims(curved), straight * 9 / 8, 1e-6);
+  expectClosed(curved);
+}
+
+TEST(PnTriangles, APoseMovesTheCurvedSurface) {
+  Detail detail = divided(Prism(6), true);
+  const std::vector<float> before = detail.samples()[0].values;
+  // Turns it by a quarter: (x, y, z) becomes (y, -x, z).
+  for (int attribute = 0; attribute < 2; ++attribute) {
+    std::vector<float>& v = detail.given(attribute);
+    for (std::size_t i = 0; i < v.size(); i += 3) std::tie(v[i], v[i + 1]) = std::pair(v[i + 1], -v[i]);
+  }
+  detail.pose();
+  const std::vector<float>& after = detail.samples()[0].values;
+  for (std::size_t i = 0; i < after.size(); i += 3)
+    expectNear({after[i], after[i + 1], after[i + 2]}, {before[i + 1], -before[i], before[i + 2]});
+  detail.update({}, 1);
+  expectClosed(detail);
+}
+
+}  // namespace
+}  // namespace warpjet
