@@ -41,6 +41,8 @@ export interface DetailParts {
   readonly topology: Uint32Array
   /** By edge. */
   readonly pieces: Uint32Array
+  /** `true` if vertices between others are not blends of them. */
+  readonly isCurved: boolean
   readonly samples: Vertices
   /** The numbers of an attribute at the vertices. Its place is as for `DetailedMesh.values`. */
   readonly attribute: (i: number, size: number) => Float32Array
@@ -139,6 +141,7 @@ export class DetailedMesh {
       sides: (topology.length - 6 * triangles) / 3,
       topology,
       pieces: detail.pieces(),
+      isCurved: detail.isCurved(),
       samples: this.samples,
       // The first of all samples are the vertices.
       attribute: (i, size) => detail.sample(i + 1).subarray(0, size * vertices),

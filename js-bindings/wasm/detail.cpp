@@ -95,6 +95,7 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("lines", &Detail::lines)
       .function("topology", &topology)
       .function("pieces", &pieces)
+      .function("isCurved", &Detail::isCurved)
       .function("vertexCount", &vertexCount);
 
   class_<TessellationTable>("TessellationTable")

@@ -53,6 +53,7 @@ class Detail {
   // The mesh after all cuts, and the pieces of its edges.
   const BaseMesh& base() const { return *base_; }
   std::span<const std::uint32_t> pieces() const { return needs_.pieces(); }
+  bool isCurved() const { return surface_.has_value(); }
 
   // The divided mesh.
   const Division& division() const { return division_; }

@@ -13,9 +13,9 @@ std::vector<std::uint32_t> topologyOf(const BaseMesh& base) {
       words.push_back(2 * side + (base.startsAt(side, corners[i]) ? 1 : 0));
     }
   }
-  for (const auto& [ends, edge] : base.sides()) {
-    words.insert(words.end(), ends.begin(), ends.end());
-    words.push_back(edge);
+  for (const BaseMesh::Side& side : base.sides()) {
+    words.insert(words.end(), side.ends.begin(), side.ends.end());
+    words.push_back(side.edge);
   }
   return words;
 }

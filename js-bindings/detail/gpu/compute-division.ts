@@ -53,10 +53,11 @@ export class ComputeDivision {
     this.reading = this.make('counts', base.state.size, usage.mapRead | usage.copyTo)
   }
 
-  /** `sizes` are the numbers per vertex of the attributes, of which the first one is positions. Returns `undefined` if the mesh is too large. */
+  /** `sizes` are the numbers per vertex of the attributes, of which the first one is positions. Returns `undefined` if the mesh is too large, or curved. */
   static of(device: GpuDevice, passes: Passes, mesh: DetailedMesh, sizes: readonly number[]) {
     const parts = mesh.parts()
     const { vertices, triangles, sides, pieces, samples } = parts
+    if (parts.isCurved) return undefined
     const base = makeBaseBuffers(device, passes, parts, sizes)
     const divided = base && DividedBuffers.copyOf(device, mesh, sizes)
     if (!divided) {
