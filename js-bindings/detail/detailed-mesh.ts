@@ -3,6 +3,7 @@ import type { HostWarp } from '../compile/host-warp.js'
 import type { DrawValues } from '../compile/offset-warp.js'
 import type { Vertices } from '../core/inputs/vertices.js'
 import { details, type Detail, type DetailModule } from '../wasm/detail.js'
+import { areEqual, copyInto, diagonalOf } from './arrays.js'
 
 export interface DetailAttribute {
   /** The array that it is for the warp; missing if the warp doesn't read it. */
@@ -39,7 +40,7 @@ export interface DetailParts {
   readonly sides: number
   /** See src/detail/topology.hpp. */
   readonly topology: Uint32Array
-  /** By edge. */
+  /** The numbers of pieces, by edge. */
   readonly pieces: Uint32Array
   /** `true` if vertices between others are not blends of them. */
   readonly isCurved: boolean
@@ -119,13 +120,6 @@ export class DetailedMesh {
   /** The numbers that the warped samples depend on. */
   stateOf(given: DrawValues, place: readonly number[] = []): number[] {
     return [...this.warp.state(given), ...place]
-  }
-
-  /** Cuts the mesh as `update` does, for compute passes that do the rest. */
-  cutFor(given: DrawValues, toSpace?: ToSpace) {
-    const before = this.baseVersion
-    this.cut(given, toSpace)
-    if (this.baseVersion !== before) this.state = undefined
   }
 
   /** The base and its present division, for compute passes. Valid after an update, until the next call of any mesh. */
@@ -254,23 +248,3 @@ export class DetailedMesh {
     return toSpace ? toSpace(this.samples, this.inSpace) : this.samples
   }
 }
-
-function diagonalOf(positions: ArrayLike<number>): number {
-  const min = [Infinity, Infinity, Infinity]
-  const max = [-Infinity, -Infinity, -Infinity]
-  for (let i = 0; i < positions.length; i++) {
-    min[i % 3] = Math.min(min[i % 3]!, positions[i]!)
-    max[i % 3] = Math.max(max[i % 3]!, positions[i]!)
-  }
-  return Math.hypot(...max.map((high, i) => high - min[i]!))
-}
-
-/** Copies into the array if it has the right length, or else into a new one. */
-function copyInto(to: ArrayLike<number> | undefined, from: Float32Array): Float32Array {
-  if (!(to instanceof Float32Array) || to.length !== from.length) return from.slice()
-  to.set(from)
-  return to
-}
-
-const areEqual = (a: readonly number[], b: readonly number[]) =>
-  a.length === b.length && a.every((x, i) => x === b[i])

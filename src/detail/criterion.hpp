@@ -9,7 +9,7 @@ struct Criterion {
   float margin = 1.3f;
   // Samples count as at least this share as far from the eye as the middle of their triangle.
   float nearest = 0.1f;
-  // Samples count as at most this far aside, in halves of the view.
+  // Samples farther aside than this, in halves of the view, count as this far.
   float aside = 1.5f;
   // A cell faces away if its signed area on the screen is below minus this share of its sides.
   float away = 0.2f;

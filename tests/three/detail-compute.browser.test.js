@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { webgpuFlags } from '../support/browser/browser.js'
-import { threePages } from '../support/browser/three/open.js'
 import { countOpenSides } from '../support/browser/three/detail/sides.js'
+import { threePages } from '../support/browser/three/open.js'
 
 let pages, page, messages
 before(async () => {

@@ -6,7 +6,10 @@ import type { Passes } from './passes.js'
 import { usage, type GpuBuffer, type GpuDevice } from './webgpu.js'
 
 export type BaseBuffers = Readonly<
-  Record<'samples' | 'warped' | 'topology' | 'base' | 'needs' | 'pieces' | 'sums' | 'state', GpuBuffer>
+  Record<
+    'samples' | 'warped' | 'topology' | 'base' | 'needs' | 'pieces' | 'sums' | 'state',
+    GpuBuffer
+  >
 >
 
 /** `sizes` are the numbers per vertex of the attributes. Returns `undefined` if a buffer would be too large. */
@@ -20,9 +23,9 @@ export function makeBaseBuffers(
   const count = samples.positions.length / 3
   const items = sides + triangles
   const arrays = {
-    samples: joined(inputs.map(({ input }) => samples[arrayNames[input]]!)),
+    samples: concatenate(inputs.map(({ input }) => samples[arrayNames[input]]!)),
     topology,
-    base: joined(sizes.map((size, i) => attribute(i - 1, size))),
+    base: concatenate(sizes.map((size, i) => attribute(i - 1, size))),
     pieces: pieces.map((each) => pieceCounts.indexOf(each)),
   }
   const bytes = {
@@ -52,7 +55,7 @@ export function makeBaseBuffers(
   return buffers
 }
 
-function joined(arrays: readonly ArrayLike<number>[]): Float32Array<ArrayBuffer> {
+function concatenate(arrays: readonly ArrayLike<number>[]): Float32Array<ArrayBuffer> {
   const all = new Float32Array(arrays.reduce((sum, { length }) => sum + length, 0))
   let at = 0
   for (const array of arrays) {

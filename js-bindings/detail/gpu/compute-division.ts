@@ -1,8 +1,9 @@
 // A mesh that compute passes divide for each frame. It takes over from a `DetailedMesh`, which the CPU has divided.
 import type { DrawValues } from '../../compile/offset-warp.js'
-import type { DetailedMesh, DetailViews } from '../detailed-mesh.js'
+import { areEqual } from '../arrays.js'
+import type { DetailViews, DetailedMesh } from '../detailed-mesh.js'
 import { makeBaseBuffers, type BaseBuffers } from './base-buffers.js'
-import { blockSize, lanes, parametersBytes, parameterNames, type Counts } from './common-wgsl.js'
+import { blockSize, lanes, parameterNames, parametersBytes, type Counts } from './common-wgsl.js'
 import { DividedBuffers, type Room } from './divided-buffers.js'
 import type { PassName, Passes } from './passes.js'
 import { mapRead, usage, type GpuBuffer, type GpuDevice, type GpuEncoder } from './webgpu.js'
@@ -24,10 +25,10 @@ export class ComputeDivision {
   private readonly reading: GpuBuffer
   private views = { array: new Float32Array(), buffer: undefined as GpuBuffer | undefined }
   private bindings: Readonly<Record<PassName, object>> | undefined
-  /** What the last run depended on. */
+  /** The numbers that the last run depended on. */
   private last: readonly number[] = []
   private isReading = false
-  /** What the last run had too little room for. */
+  /** The counts for which the last run had too little room. */
   private missing: Room | undefined
 
   private constructor(
@@ -65,7 +66,13 @@ export class ComputeDivision {
       return undefined
     }
     const counts = {
-      ...{ vertices, triangles, sides, edges: pieces.length, samples: samples.positions.length / 3 },
+      ...{
+        vertices,
+        triangles,
+        sides,
+        edges: pieces.length,
+        samples: samples.positions.length / 3,
+      },
       ...{ views: 0, instances: 1, maxVertices: 0, maxTriangles: 0 },
     }
     const made = new ComputeDivision(device, passes, counts, base, divided)
@@ -111,12 +118,7 @@ export class ComputeDivision {
       buffer?.destroy()
   }
 
-  private writeInputs(
-    given: DrawValues,
-    views: DetailViews,
-    tolerance: number,
-    instances: number,
-  ) {
+  private writeInputs(given: DrawValues, views: DetailViews, tolerance: number, instances: number) {
     const { queue } = this.device
     const { numbers } = this.passes
     numbers.update(given)
@@ -203,6 +205,3 @@ export class ComputeDivision {
 function destroyAll(buffers: BaseBuffers) {
   for (const buffer of Object.values(buffers)) buffer.destroy()
 }
-
-const areEqual = (a: readonly number[], b: readonly number[]) =>
-  a.length === b.length && a.every((x, i) => x === b[i])

@@ -17,7 +17,7 @@ async function makeTable() {
   const bound = details.get()
   const table = new bound.TessellationTable()
   try {
-    for (let isDone = false; !isDone; ) {
+    for (let isDone = false; !isDone;) {
       await whenIdle()
       if (bound.isBroken) throw new Error('the wasm module failed')
       const end = performance.now() + sliceLength

@@ -57,8 +57,7 @@ export const sampleNames = {
   color: 'sampleColor',
 }
 
-const drawName = (name: string) =>
-  name === 'millis' ? shaderNames.millis : `warpjetDraw_${name}`
+const drawName = (name: string) => (name === 'millis' ? shaderNames.millis : `warpjetDraw_${name}`)
 
 /** Writes the warp for samples: statements that compute `shaderNames.position`; `undefined` if it reads what samples lack. */
 export function warpInWgsl(warp: HostWarp) {

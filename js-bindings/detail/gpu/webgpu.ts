@@ -19,13 +19,7 @@ export interface GpuEncoder {
     dispatchWorkgroups(count: number): void
     end(): void
   }
-  copyBufferToBuffer(
-    from: GpuBuffer,
-    at: number,
-    to: GpuBuffer,
-    toAt: number,
-    bytes: number,
-  ): void
+  copyBufferToBuffer(from: GpuBuffer, at: number, to: GpuBuffer, toAt: number, bytes: number): void
   finish(): object
 }
 

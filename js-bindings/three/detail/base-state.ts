@@ -1,4 +1,4 @@
-/** What the base of a divided mesh depends on. */
+/** Tells when the arrays of a mesh that is divided have changed. */
 import type { Mesh } from 'three'
 import { versionOf } from '../attribute.js'
 import { fillOf } from '../surface.js'

@@ -1,6 +1,6 @@
-/** What 'warpjet/three/webgpu' adds to detail: compute passes that divide a mesh. */
+/** The border to 'warpjet/three/webgpu', whose compute passes divide a mesh. */
 import type { BufferGeometry } from 'three'
-import type { DetailedMesh, DetailViews, ToSpace } from '../../detail/detailed-mesh.js'
+import type { DetailViews, DetailedMesh, ToSpace } from '../../detail/detailed-mesh.js'
 import type { Warpable } from '../pose.js'
 import type { ThreeWarp } from '../three-warp.js'
 import type { GeometryBase } from './base.js'

@@ -164,7 +164,9 @@ export class DetailedPart implements Divisible {
           },
         )
       : () => base
-    const compute = hasPose(object) ? undefined : computeDivision({ warp, object, mesh, base, toWorld: this.toWorld })
+    const compute = hasPose(object)
+      ? undefined
+      : computeDivision({ warp, object, mesh, base, toWorld: this.toWorld })
     this.divided = { mesh, drawn, pose, compute }
     // Like three.js, which makes its buffers anew when a disposed geometry is drawn again.
     const onDispose = () => {
@@ -195,4 +197,3 @@ function toWorldOf(warp: ThreeWarp, object: Warpable): ToSpace {
     return { ...placed, positions }
   }
 }
-

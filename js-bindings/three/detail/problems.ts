@@ -1,5 +1,11 @@
 /** The objects that are not divided, and why. */
-import { IntType, type BatchedMesh, type InstancedBufferGeometry, type InstancedMesh, type Mesh } from 'three'
+import {
+  IntType,
+  type BatchedMesh,
+  type InstancedBufferGeometry,
+  type InstancedMesh,
+  type Mesh,
+} from 'three'
 import { isInstancedMesh2 } from '../instances.js'
 import { isSkinned, morphTextureOf, type Warpable } from '../pose.js'
 import type { ThreeWarp } from '../three-warp.js'

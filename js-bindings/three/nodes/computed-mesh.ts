@@ -5,15 +5,13 @@
 import { Matrix3, type BufferGeometry, type InstancedMesh, type Material, type Mesh } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
 import { ComputeDivision } from '../../detail/gpu/compute-division.js'
+import { CutWatch } from '../../detail/gpu/cut-watch.js'
 import { compilePasses, type Passes, type World } from '../../detail/gpu/passes.js'
 import type { GpuDevice } from '../../detail/gpu/webgpu.js'
 import type { ComputeDetail, ComputeInput } from '../detail/compute.js'
 import type { Render } from '../detail/render.js'
 import { placeOf } from '../detail/views.js'
 import { disposeIndirect, indirectGeometry, sizesOf, type Backend } from './indirect-geometry.js'
-
-/** While the surface moves, its mesh is cut anew only this often, since the CPU evaluates the warp for that. In milliseconds. */
-const cutInterval = 250
 
 interface Compiled {
   readonly backend: Backend
@@ -25,8 +23,9 @@ interface Drawn {
   readonly division: ComputeDivision
   readonly geometry: BufferGeometry
   readonly version: number
-  /** Those of the mesh from which it was made. */
+  /** The version of the mesh from which it was made. */
   readonly baseVersion: number
+  readonly watch: CutWatch
 }
 
 export class ComputedMesh implements ComputeDetail {
@@ -34,31 +33,37 @@ export class ComputedMesh implements ComputeDetail {
   private renderer: object | undefined
   private compiled: Compiled | undefined
   private drawn: Drawn | undefined
-  /** What the samples depended on when the mesh was cut, and when that was. */
-  private cut = { state: [] as readonly number[], at: 0 }
 
   constructor(private readonly input: ComputeInput) {}
 
   geometryFor(render: Render, views: DetailViews): BufferGeometry | undefined {
-    const { warp, object, mesh } = this.input
-    if (!this.drawn || render.renderer !== this.renderer || !this.isPossible(render))
+    const { warp, object, mesh, toWorld } = this.input
+    const { drawn } = this
+    if (!drawn || render.renderer !== this.renderer || !this.isPossible(render)) return undefined
+    const { division, baseVersion, watch } = drawn
+    // A ray can have cut the mesh.
+    if (mesh.baseVersion !== baseVersion) {
+      this.release()
       return undefined
-    const state = mesh.stateOf(warp.given, placeOf(warp, object))
-    this.cutIfDue(state)
-    const { division, baseVersion } = this.drawn
-    if (mesh.baseVersion === baseVersion && !division.isTooLarge) {
-      const { count = 1 } = object as InstancedMesh
-      division.update(warp.given, state, views, warp.settings.detail!, count)
-      if (!division.isTooLarge) return this.geometryNow(this.drawn)
     }
-    if (division.isTooLarge) this.compiled = undefined
+    const state = mesh.stateOf(warp.given, placeOf(warp, object))
+    if (watch.isCoarse(warp.given, state, toWorld)) return undefined
+    const { count = 1 } = object as InstancedMesh
+    division.update(warp.given, state, views, warp.settings.detail!, count)
+    if (!division.isTooLarge) return this.geometryNow(drawn)
     this.release()
+    this.compiled = undefined
     return undefined
   }
 
   takeOver(render: Render) {
     const { warp, object, mesh, base } = this.input
-    if (this.drawn || !this.isPossible(render)) return
+    if (!this.isPossible(render)) return
+    if (this.drawn && render.renderer === this.renderer) {
+      // The CPU has tried to cut the mesh. If it did not, there would be too many triangles.
+      if (this.drawn.baseVersion === mesh.baseVersion) return this.drawn.watch.stop()
+      this.release()
+    }
     const { backend: present } = render.renderer as { backend?: Backend }
     if (!this.renderer && present?.isWebGPUBackend) {
       this.renderer = render.renderer
@@ -72,9 +77,9 @@ export class ComputedMesh implements ComputeDetail {
       return
     }
     const geometry = indirectGeometry(backend, base, object.geometry, division.divided)
+    const watch = new CutWatch(warp.surfacePhases(), mesh.parts())
     const { baseVersion } = mesh
-    this.drawn = { division, geometry, version: division.version, baseVersion }
-    this.cut = { state: mesh.stateOf(warp.given, placeOf(warp, object)), at: performance.now() }
+    this.drawn = { division, geometry, version: division.version, baseVersion, watch }
   }
 
   dispose() {
@@ -115,26 +120,12 @@ export class ComputedMesh implements ComputeDetail {
     )
   }
 
-  /** Cuts the mesh at once when the surface changes after a rest, and now and then while it moves. */
-  private cutIfDue(state: readonly number[]) {
-    const { warp, mesh, toWorld } = this.input
-    const isSame = state.every((number, i) => number === this.cut.state[i])
-    if (isSame || performance.now() < this.cut.at + cutInterval) return
-    mesh.cutFor(warp.given, toWorld)
-    this.cut = { state, at: performance.now() }
-  }
-
   private geometryNow(drawn: Drawn): BufferGeometry {
     const { division, geometry, version } = drawn
     if (version === division.version) return geometry
     const { base, object } = this.input
     disposeIndirect(geometry, base)
-    const grown = indirectGeometry(
-      this.compiled!.backend,
-      base,
-      object.geometry,
-      division.divided,
-    )
+    const grown = indirectGeometry(this.compiled!.backend, base, object.geometry, division.divided)
     this.drawn = { ...drawn, geometry: grown, version: division.version }
     return grown
   }

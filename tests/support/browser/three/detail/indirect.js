@@ -26,6 +26,9 @@ export async function readDrawn(renderer, { indirect, index, attributes }, name 
   const vertices = indices.reduce((a, b) => Math.max(a, b), 0) + 1
   const numbers = new Float32Array(itemSize * vertices)
   for (let i = 0; i < vertices; i++)
-    numbers.set(all.subarray(data.stride * i + offset, data.stride * i + offset + itemSize), itemSize * i)
+    numbers.set(
+      all.subarray(data.stride * i + offset, data.stride * i + offset + itemSize),
+      itemSize * i,
+    )
   return { indices, numbers }
 }

@@ -158,8 +158,6 @@ async function refine() {
   await all[0].begin()
   await all[1].draw(camera())
   for (const { warped } of all) warped.uniforms.waves.value = 60
-  // Longer than what passes between two cuts.
-  await wait(300)
   const picture = await all[0].draw(camera())
   const expected = await all[1].draw(camera())
   await all[0].begin()

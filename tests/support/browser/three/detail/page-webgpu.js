@@ -73,7 +73,8 @@ async function hostFor(backend, hasPasses) {
 globalThis.detail = Object.fromEntries(
   Object.entries(checks).map(([name, check]) => [
     name,
-    async ({ backend, hasPasses, ...settings }) => check(await hostFor(backend, hasPasses), settings),
+    async ({ backend, hasPasses, ...settings }) =>
+      check(await hostFor(backend, hasPasses), settings),
   ]),
 )
 document.title = 'ready'
