@@ -5,6 +5,7 @@
 export {
   createDetail,
   type DetailMesh,
+  type DetailMeshOptions,
   type DetailUpdate,
   type DetailView,
   type DividedMesh,

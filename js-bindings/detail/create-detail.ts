@@ -4,7 +4,7 @@ import type { Uniforms } from '../core/inputs/vertices.js'
 import { missingInput } from '../cpu/warp-program.js'
 import { describe } from '../errors/errors.js'
 import { isList } from '../options/guards.js'
-import { anything, kind, oneOf, positiveNumber, record } from '../options/kinds.js'
+import { anything, boolean, kind, oneOf, positiveNumber, record } from '../options/kinds.js'
 import { describeNumber, finiteFloat, firstWrong, readNumbers } from '../options/numbers.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -24,6 +24,15 @@ export interface DetailMesh {
   readonly tangents?: ArrayLike<number>
   /** 3 indices per triangle, counterclockwise as seen from the front; without indices, every 3 vertices are a triangle. */
   readonly indices?: ArrayLike<number>
+}
+
+export interface DetailMeshOptions {
+  /**
+   * `true` rounds the mesh before it is warped: its triangles become curved ones that meet at the vertices, at right angles to the
+   * normals there (PN triangles: Vlachos et al., "Curved PN Triangles", 2001).
+   * @default false
+   */
+  readonly curved?: boolean
 }
 
 /** A picture in which the mesh is seen. */
@@ -76,6 +85,7 @@ const updatePlace = new Place('update')
 
 const sizes = { normals: 3, uvs: 2, colors: 4, tangents: 4 } as const
 
+const meshOptions = object({ curved: boolean(false) } satisfies KindsOf<DetailMeshOptions>)
 const meshKind = record<DetailMesh>('a mesh such as { positions, normals, indices }')
 const listKind = kind<ArrayLike<number>>('a flat array of numbers, such as a Float32Array,', isList)
 const warpKind = kind<CompiledWarp>(
@@ -86,10 +96,15 @@ const warpKind = kind<CompiledWarp>(
 /**
  * Makes a mesh that `update` divides for each frame. Shaders stay as they are: they warp the vertices of the divided mesh like those of
  * the given one. `warp` is a result of `compileWarp`, with or without normals. Throws a `WarpError` if arrays do not fit together, lack
- * what the warp reads, or if only the GPU can evaluate the warp.
+ * what the warp or a curved mesh reads, or if only the GPU can evaluate the warp.
  */
-export function createDetail(mesh: DetailMesh, warp: CompiledWarp): DividedMesh {
+export function createDetail(
+  mesh: DetailMesh,
+  warp: CompiledWarp,
+  options?: DetailMeshOptions,
+): DividedMesh {
   const given = meshKind.read(mesh, place.argument(1))
+  const { curved: isCurved } = meshOptions.read(options, place)
   const host = warpKind.read(warp, place.argument(2))[hostWarp]
   if (!host.runs)
     throw place.error(
@@ -105,7 +120,9 @@ export function createDetail(mesh: DetailMesh, warp: CompiledWarp): DividedMesh 
   const indices = readIndices(given.indices, vertices)
   for (const [input, name] of Object.entries({ normal: 'normals', uv: 'uvs', color: 'colors' }))
     if (host.reads(input as 'uv') && !given[name as 'uvs']) throw missingInput(place, input, name)
-  const divided = new DetailedMesh(host, { positions, attributes, indices })
+  if (isCurved && !given.normals)
+    throw place.part('normals').expected('3 numbers per vertex, which a curved mesh needs,', 'none')
+  const divided = new DetailedMesh(host, { positions, attributes, indices, isCurved })
   const result = {
     update(views: DetailView | readonly DetailView[], options?: DetailUpdate) {
       const { uniforms = {}, tolerance } = updateOptions.read(options, updatePlace)

@@ -23,6 +23,8 @@ export interface DetailBase {
   readonly indices: ArrayLike<number>
   /** The numbers of triangles at which groups begin, in ascending order. */
   readonly groups?: readonly number[]
+  /** `true` continues the surface between vertices by curved triangles, if an attribute is of unit vectors. */
+  readonly isCurved?: boolean
 }
 
 /**
@@ -190,12 +192,12 @@ export class DetailedMesh {
 
   private start() {
     const bound = details.get()
-    const { positions, attributes, indices, groups = [] } = this.base
+    const { positions, attributes, indices, groups = [], isCurved = false } = this.base
     const all = [{ size: 3, values: positions, isUnit: false }, ...attributes]
     const sizes = all.map(({ size }) => size)
     const areUnit = all.map(({ isUnit }) => (isUnit ? 1 : 0))
     const [vertices, triangles] = [positions.length / 3, indices.length / 3]
-    const detail = new bound.Detail(sizes, areUnit, vertices, triangles, groups)
+    const detail = new bound.Detail(sizes, areUnit, vertices, triangles, groups, isCurved)
     this.dispose()
     this.held = { bound, detail }
     registry.register(this, this.held, this)

@@ -118,7 +118,7 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
         canvas,
         warp,
         space: settings.space,
-        tolerance: settings.detail,
+        ...settings.detail,
         values,
       })
     reapply.set(shader, () => apply(uniforms))

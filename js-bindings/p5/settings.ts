@@ -6,7 +6,7 @@ import {
   type UniformOptions,
   type UniformValues,
 } from '../compile/hosts.js'
-import { detailKind, type DetailOption } from '../detail/option.js'
+import { detailKind, type DetailOption, type DetailSettings } from '../detail/option.js'
 import { anything, boolean, oneOf, optional, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
@@ -44,7 +44,8 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   normals?: NormalsOption
   /**
    * The maximum distance, in pixels of the canvas, between the drawn triangles and the warped surface: shapes are divided as finely as
-   * they need it at present. `'auto'` is 1, or 2 on devices that are used by touch. `false` draws shapes with their own vertices, as do
+   * they need it at present. `'auto'` is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }` also rounds coarse
+   * shapes. `false` draws shapes with their own vertices, as do
    * shapes between beginShape() and endShape(), instances, and warps that only the GPU can evaluate.
    * @default false
    */
@@ -94,8 +95,7 @@ export interface GivenSettings {
   readonly space: WarpSpace
   readonly defs: string
   readonly normals: NormalsOption
-  /** In pixels; `undefined` without detail. */
-  readonly detail: number | undefined
+  readonly detail: DetailSettings | undefined
   readonly fadeNoise: boolean
   readonly surfaceVariation: boolean | undefined
   readonly stroke: boolean | undefined

@@ -6,7 +6,7 @@ import {
   type Vec3,
   type WarpInputs,
 } from '../compile/hosts.js'
-import { detailKind, type DetailOption } from '../detail/option.js'
+import { detailKind, type DetailOption, type DetailSettings } from '../detail/option.js'
 import { WarpError } from '../errors/errors.js'
 import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -41,7 +41,7 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
   fadeNoise?: boolean
   /**
    * Draws meshes with as many triangles as their warped surface needs, so that it is at most this many pixels from the true one: a number,
-   * or `'auto'`, which is 1, or 2 on devices that are used by touch. `false` draws the vertices of the geometry. Of `warp` only. Bones and morph
+   * or `'auto'`, which is 1, or 2 on devices that are used by touch. `{ tolerance: 1, curved: true }` also rounds coarse meshes. `false` draws the vertices of the geometry. Of `warp` only. Bones and morph
    * targets are applied on the CPU then. Batches, points and lines keep their vertices, as do meshes with bones or morph targets in the
    * space `'rest'`, instances in the space `'world'`, and all meshes outside of a `Scene`. Shadows are as close in texels of their maps.
    * @default false
@@ -73,8 +73,7 @@ export interface Settings {
   normals: NormalsOption
   fadeNoise: boolean
   isShared: boolean
-  /** In pixels; `undefined` without detail. */
-  detail?: number | undefined
+  detail?: DetailSettings | undefined
   surfaceVariation: false | undefined
 }
 

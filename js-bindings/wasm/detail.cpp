@@ -22,12 +22,12 @@ using Words = std::vector<std::uint32_t>;
 // Makes a mesh with arrays to fill. `sizes` are the numbers per vertex of its attributes, of which
 // the first one is its positions.
 Detail* makeDetail(const Words& sizes, const Words& areUnit, std::uint32_t vertices,
-                   std::uint32_t triangles, const Words& groups) {
+                   std::uint32_t triangles, const Words& groups, bool isCurved) {
   std::vector<Attribute> attributes;
   for (std::size_t i = 0; i < sizes.size(); ++i)
     attributes.push_back(
         {sizes[i], areUnit[i] != 0, std::vector<float>(std::size_t{sizes[i]} * vertices)});
-  return new Detail(std::move(attributes), triangles, groups);
+  return new Detail(std::move(attributes), triangles, groups, isCurved);
 }
 
 View<float> given(Detail& detail, std::uint32_t attribute) { return View(detail.given(attribute)); }

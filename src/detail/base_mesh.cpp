@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/surface/weld.hpp"
+#include "detail/places.hpp"
 
 namespace warpjet {
 
@@ -13,13 +13,7 @@ BaseMesh::BaseMesh(std::vector<Attribute> attributes, std::vector<Corners> trian
 }
 
 void BaseMesh::findSides() {
-  Welder welder;
-  places_.resize(vertexCount());
-  const float* p = attributes_[0].values.data();
-  for (std::uint32_t& place : places_) {
-    place = welder.weld({p[0], p[1], p[2]});
-    p += 3;
-  }
+  places_ = placesOf(attributes_[0].values);
   Pairs edges;
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const Corners& corners = triangles_[t];

@@ -81,7 +81,7 @@ class BaseMesh {
   std::vector<Corners> triangles_;
   std::vector<std::array<std::uint32_t, 3>> sidesOf_;
   std::vector<Side> sides_;
-  std::vector<std::uint32_t> places_;  // by vertex: equal numbers for equal positions
+  std::vector<std::uint32_t> places_;  // by vertex: see `placesOf`
   Pairs sidesByEnds_;
   std::uint32_t edgeCount_ = 0;
 };

@@ -80,7 +80,7 @@ class Detail {
 
   std::vector<Attribute> given_;
   std::vector<std::uint32_t> givenIndices_, givenGroups_;
-  std::vector<Cut> cuts_;         // in order
+  std::vector<Cut> cuts_;  // in order
   bool isCurved_;
   std::optional<PnTriangles> surface_;  // if it is curved
   std::optional<BaseMesh> base_;        // after all cuts

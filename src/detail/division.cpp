@@ -80,7 +80,8 @@ void Division::writeTriangles(const Interpolation& between, std::span<const std:
   firstTriangles.push_back(static_cast<std::uint32_t>(triangles.size()));
 }
 
-std::vector<Patch> dividePatches(const Interpolation& between, std::span<const std::uint32_t> pieces,
+std::vector<Patch> dividePatches(const Interpolation& between,
+                                 std::span<const std::uint32_t> pieces,
                                  Tessellations& tessellations) {
   std::vector<Patch> patches;
   std::vector<Weights> places;

@@ -54,8 +54,7 @@ void Interpolation::appendInside(std::vector<Attribute>& to, std::size_t triangl
 Weights Interpolation::onPatch(std::size_t triangle, const Weights& weights) const {
   Weights sum{};
   for (int corner = 0; corner < 3; ++corner)
-    for (int i = 0; i < 3; ++i)
-      sum[i] += weights[corner] * patches_[triangle].corners[corner][i];
+    for (int i = 0; i < 3; ++i) sum[i] += weights[corner] * patches_[triangle].corners[corner][i];
   return sum;
 }
 

@@ -33,8 +33,8 @@ struct EndNormals {
     hasFirst = true;
   }
 
-  // Returns the part of an edge's direction that lies in the surfaces of both triangles: along the
-  // line in which they meet, if that is clear.
+  // Returns the part of an edge's direction that is tangent to both triangles: along the line in
+  // which their planes meet, if these differ clearly.
   vec3 tangent(vec3 along) const {
     constexpr float minSine = 0.25f;
     const vec3 line = cross(first, second);
@@ -43,8 +43,8 @@ struct EndNormals {
   }
 };
 
-// The normal of the edge's middle: the mean of both, mirrored at the plane across the edge, so that
-// an inflection between the ends shows (equation 5 of the paper).
+// The control point of normals along an edge: the mean of both, mirrored at the plane across the
+// edge, so that an inflection between the ends shows (equation 5 of the paper).
 vec3 middleNormal(vec3 along, vec3 first, vec3 second) {
   const vec3 sum = first + second;
   const float square = dot(along, along);
@@ -137,18 +137,20 @@ vec3 PnTriangles::position(std::size_t triangle, const Weights& weights) const {
   return sum;
 }
 
+// A quadratic Bezier triangle. The paper leaves out the factor 2 of the Bernstein polynomials, and
+// so pulls normals toward the corners: on a circle they would not be those of its points.
 vec3 PnTriangles::normal(std::size_t triangle, const Weights& weights) const {
   if (const int side = sideOf(weights); side < 3) {
     const auto [number, a, b] = onSide(triangle, side, weights);
     const auto& [start, end] = mesh_.sides()[number].ends;
-    return direction(a * a * normalAt(start) + a * b * middleNormals_[number] +
+    return direction(a * a * normalAt(start) + 2 * a * b * middleNormals_[number] +
                      b * b * normalAt(end));
   }
   vec3 sum(0);
   for (int i = 0; i < 3; ++i) {
     const auto [number, a, b] = onSide(triangle, i, weights);
     sum += weights[i] * weights[i] * normalAt(mesh_.triangles()[triangle][i]) +
-           a * b * middleNormals_[number];
+           2 * a * b * middleNormals_[number];
   }
   return direction(sum);
 }

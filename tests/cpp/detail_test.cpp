@@ -233,6 +233,18 @@ TEST(Detail, DividedMeshesHaveNoCracksAtSeams) {
   EXPECT_FALSE(detail.update(numbers, 1));
 }
 
+// Spheres of three.js have such a seam, which is at z = 0 on one side and at -2e-14 on the other.
+TEST(Detail, SidesOfSeamsThatDifferByRoundingShareAnEdge) {
+  const BaseMesh base(
+      {{3, false, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -2e-14f, 0, 1, 1e-14f, -1, 0, 0}}},
+      {{0, 1, 2}, {3, 4, 5}});
+  EXPECT_EQ(base.edgeOf(0, 2), base.edgeOf(1, 0));
+  EXPECT_EQ(base.edgeCount(), 5u);
+  const BaseMesh close({{3, false, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1e-4f, 0, 0, 0, 1, 0, -1, 0, 0}}},
+                       {{0, 1, 2}, {3, 4, 5}});
+  EXPECT_NE(close.edgeOf(0, 2), close.edgeOf(1, 0));
+}
+
 TEST(Detail, CutsSidesToAMaximumLengthWithoutCracks) {
   Detail detail = facettedTetrahedron();
   int passes = 0;

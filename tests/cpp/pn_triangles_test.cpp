@@ -58,14 +58,26 @@ TEST(PnTriangles, AFlatTriangleStaysFlatAndLinear) {
   expectNear(flat.normal(0, {0.2f, 0.5f, 0.3f}), up);
 }
 
-// Equal normals that lean along a side make an S, which leans the other way in its middle: there,
-// the normal is (0.6 - 0.3, 0, 0.8 + 0.4) / 4 before it gets length 1.
+// Equal normals that lean along a side make an S, whose slope changes its sign.
 TEST(PnTriangles, NormalsShowAnInflection) {
   const vec3 leaning(0.6f, 0, 0.8f);
   const PnTriangles wave =
       triangleOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {leaning, leaning, leaning});
-  const float scale = std::sqrt(0.6f * 0.6f + 2.4f * 2.4f);
-  expectNear(wave.normal(0, {0.5f, 0.5f, 0}), vec3(0.6f, 0, 2.4f) / scale);
+  expectNear(wave.normal(0, {0.5f, 0.5f, 0}), {0, 0, 1});
+}
+
+// On an arc of 15 degrees, as on p5's sphere. By hand, its middle is cos(h) (1 + sin(h)^2 / 2) from
+// the center, with h = 7.5 degrees, which is 0.99989.
+TEST(PnTriangles, NormalsOfACircleAreThoseOfItsPoints) {
+  const float angle = std::acos(-1.0f) / 12;
+  const vec3 first(1, 0, 0), second(std::cos(angle), std::sin(angle), 0);
+  const PnTriangles arc = triangleOf({first, second, {0, 0, 1}}, {first, second, {0, 0, 1}});
+  for (const float t : {0.1f, 0.25f, 0.4f, 0.75f}) {
+    const Weights weights{1 - t, t, 0};
+    const vec3 place = arc.position(0, weights), normal = arc.normal(0, weights);
+    EXPECT_NEAR(length(place), 1, 0.00011f);
+    EXPECT_NEAR(std::atan2(place.y, place.x), std::atan2(normal.y, normal.x), 0.0003f);
+  }
 }
 
 TEST(PnTriangles, CornersWithoutADirectionAreFlat) {
@@ -93,7 +105,8 @@ struct Prism {
 
   explicit Prism(int count) {
     const auto at = [&](int i) {
-      const float angle = 2 * std::acos(-1.0f) * static_cast<float>(i % count) / static_cast<float>(count);
+      const float angle =
+          2 * std::acos(-1.0f) * static_cast<float>(i % count) / static_cast<float>(count);
       return vec3(std::cos(angle), std::sin(angle), 0);
     };
     const vec3 up(0, 0, 1);
@@ -161,7 +174,8 @@ TEST(PnTriangles, APoseMovesTheCurvedSurface) {
   // Turns it by a quarter: (x, y, z) becomes (y, -x, z).
   for (int attribute = 0; attribute < 2; ++attribute) {
     std::vector<float>& v = detail.given(attribute);
-    for (std::size_t i = 0; i < v.size(); i += 3) std::tie(v[i], v[i + 1]) = std::pair(v[i + 1], -v[i]);
+    for (std::size_t i = 0; i < v.size(); i += 3)
+      std::tie(v[i], v[i + 1]) = std::pair(v[i + 1], -v[i]);
   }
   detail.pose();
   const std::vector<float>& after = detail.samples()[0].values;

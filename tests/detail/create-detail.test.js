@@ -115,6 +115,39 @@ test('attributes are interpolated', () => {
   divided.dispose()
 })
 
+test('curved triangles round a coarse sphere, and a box stays a box', () => {
+  const still = compileWarp(({ glsl }) => glsl.vec3(0, 0, 0))
+  const { attributes, index } = new THREE.SphereGeometry(100, 24, 16)
+  const ball = {
+    positions: attributes.position.array,
+    normals: attributes.normal.array,
+    indices: index.array,
+  }
+  const depthOf = (given, options) => {
+    const divided = createDetail(given, still, options)
+    divided.update(near, { tolerance: 0.1 })
+    const { positions, indices } = divided
+    const depth = all(divided).map((t) => {
+      const corners = [0, 1, 2].map((i) => 3 * indices[3 * t + i])
+      const middle = [0, 1, 2].map((k) => corners.reduce((sum, v) => sum + positions[v + k], 0) / 3)
+      return 100 - Math.hypot(...middle)
+    })
+    divided.dispose()
+    return Math.max(...depth)
+  }
+  assert.ok(depthOf(ball) > 0.8, 'faces of 24 × 16 lie inside of the sphere')
+  const depth = depthOf(ball, { curved: true })
+  // Toward the eye, an error of the surface is not seen.
+  assert.ok(depth < 0.3, `${depth}`)
+  const box = createDetail(mesh, still, { curved: true })
+  box.update(near)
+  for (let v = 0; v < box.positions.length / 3; v++) {
+    const place = box.positions.subarray(3 * v, 3 * v + 3).map(Math.abs)
+    assert.ok(Math.abs(Math.max(...place) - 120) < 1e-4)
+  }
+  box.dispose()
+})
+
 test('wrong arguments are named', () => {
   const divided = createDetail(mesh, warp)
   const triangle = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] }
@@ -152,6 +185,14 @@ test('wrong arguments are named', () => {
     [
       () => createDetail(triangle, reading),
       'createDetail: the warp reads the normal of each vertex; pass "normals" too.',
+    ],
+    [
+      () => createDetail(triangle, warp, { curved: true }),
+      'createDetail: expected 3 numbers per vertex, which a curved mesh needs, for normals, got none.',
+    ],
+    [
+      () => createDetail(mesh, warp, { curved: 1 }),
+      'createDetail: expected true or false for the option "curved", got the number 1.',
     ],
     [
       () => divided.update(),

@@ -59,6 +59,27 @@ for (const host of hosts) {
     }
   })
 
+  test(`${host.name}: curved triangles round the outline of a coarse sphere`, async () => {
+    const scenes = Object.fromEntries(
+      Object.entries({
+        coarse: ['still', 'sphere(90, 16, 12)'],
+        curved: ['stillCurved', 'sphere(90, 16, 12)'],
+        dense: ['still', 'sphere(90, 160, 120)'],
+      }).map(([name, [warp, shape]]) => [name, `${look} warps.${warp}(); ${shape}`]),
+    )
+    const still = `({ glsl }) => glsl.vec3(0, 0, 0)`
+    const images = await host.draw({
+      size: 240,
+      setup: `warps.still = createWarp(${still}, { normals: 'pixel' })
+      warps.stillCurved = createWarp(${still}, { normals: 'pixel', detail: { tolerance: 0.25, curved: true } })`,
+      scenes,
+    })
+    const before = differingPixels(images.coarse, images.dense, 24)
+    const after = differingPixels(images.curved, images.dense, 24)
+    assert.ok(after < 250, `the curved one differs at ${after} pixels`)
+    assert.ok(before > 2 * after, `the coarse one differs at ${before} pixels`)
+  })
+
   test(`${host.name}: the same shape several times in a frame, in each space`, async () => {
     const spaces = ['local', 'world', 'camera']
     const bends = spaces

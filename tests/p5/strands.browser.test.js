@@ -1,9 +1,8 @@
 // Compares exactNormals of p5.strands shaders, in every style in which they can be written, with the same warp made with createWarp.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { leavePage } from '../support/browser/browser.js'
 import { differingPixels, litPixels } from '../support/browser/pixels.js'
-import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from '../support/browser/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun } from '../support/browser/sketch.js'
 
 const hosts = p5HostsInThisRun
   .filter(([version]) => version === '2.x')

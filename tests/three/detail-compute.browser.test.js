@@ -76,5 +76,6 @@ test('cameras, sizes and materials change, and dispose() frees the buffers', asy
     isIndirectAsLines: false,
     isIndirectAgain: true,
     isIndirectByGroups: false,
+    isIndirectIfCurved: false,
   })
 })

@@ -56,7 +56,7 @@ describe('warp throws a message, and changes nothing, for', () => {
     'a group of sprites': [() => warp(group, none), /^warp: this Sprite /],
     'a detail of 0': [
       () => warp(mesh, none, { detail: 0 }),
-      /^warp: .*expected a number of pixels above 0, 'auto' or false.* got the number 0/,
+      /^warp: .*expected a number of pixels above 0, 'auto', false or \{ tolerance, curved \}.* got the number 0/,
     ],
     'a detail of a material': [
       () => warpMaterial(material, none, { detail: 1 }),

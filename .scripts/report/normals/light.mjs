@@ -1,5 +1,5 @@
 // The light of coarse spheres in p5, with normals at vertices and at pixels, against that of a sphere of two million triangles; and of the
-// coarsest one with the option `detail`.
+// coarsest one with the option `detail` and curved triangles.
 // Also draws the two pictures of the slider in web/docs/normals.md.
 import assert from 'node:assert/strict'
 import { writeFileSync } from 'node:fs'
@@ -145,7 +145,8 @@ async function measureView(page, name, view) {
   const images = { vertex: [], pixel: [] }
   for (const mesh of meshes)
     for (const normals of Object.keys(images)) images[normals].push(await draw({ normals }, mesh))
-  const detailed = await draw({ normals: 'pixel', detail: 1 }, coarse)
+  const detail = { tolerance: 0.5, curved: true }
+  const detailed = await draw({ normals: 'pixel', detail }, coarse)
   const { inside, outline } = regionsOf([exact, ...images.vertex, ...images.pixel, detailed])
   const differences = (pixels) => ({
     pairs: meshes.map((_, i) =>
@@ -189,7 +190,7 @@ export async function measureLight() {
   await browser.close()
   await server.close()
   assert.deepEqual(messages, [])
-  const head = ['triangles', ...meshes.map(countOf), `${countOf(coarse)}, \`detail: 1\``]
+  const head = ['triangles', ...meshes.map(countOf), `${countOf(coarse)}, \`detail\``]
   return {
     light: markdownTable(head, rows.inside, true),
     outlines: markdownTable(head, rows.outline, true),

@@ -4,6 +4,7 @@
  */
 import type { HostWarp } from '../../compile/hosts.js'
 import { DetailedMesh } from '../../detail/detailed-mesh.js'
+import type { DetailSettings } from '../../detail/option.js'
 import {
   immediateShape,
   sketchOf,
@@ -20,12 +21,10 @@ import { baseOf, drawnIndices, type DrawnShape, type ShapeBase } from './shape.j
 import { viewOf } from './views.js'
 
 /** The warp of a shader, for drawing it with detail. */
-export interface DetailOfWarp {
+export interface DetailOfWarp extends DetailSettings {
   readonly canvas: Canvas
   readonly warp: HostWarp
   readonly space: WarpSpace
-  /** In pixels. */
-  readonly tolerance: number
   /** The values of the draw call. */
   values: Readonly<Record<string, unknown>>
 }
@@ -143,7 +142,7 @@ function divide(renderer: Renderer, shape: DrawnShape): Divided | undefined {
   const detail = shader && details.get(shader)
   if (!detail || !shape.faces?.length) return undefined
   const { canvas, warp, space, tolerance, values } = detail
-  const draws = drawsFor(renderer, shader, shape, sketchOf(canvas).frameCount ?? 0)
+  const draws = drawsFor(renderer, shader, shape, detail)
   if (draws.count > maxDrawsPerFrame || !hasInputs(warp, draws.base)) return undefined
   const division = (draws.divided[draws.count - 1] ??= makeDivided(warp, shape, draws.base))
   const { views, toSpace, place } = viewOf(canvas, renderer, space)
@@ -152,7 +151,13 @@ function divide(renderer: Renderer, shape: DrawnShape): Divided | undefined {
   return division
 }
 
-function drawsFor(renderer: Renderer, shader: Shader, shape: DrawnShape, frame: number): Draws {
+function drawsFor(
+  renderer: Renderer,
+  shader: Shader,
+  shape: DrawnShape,
+  { canvas, isCurved }: DetailOfWarp,
+): Draws {
+  const frame = sketchOf(canvas).frameCount ?? 0
   let byShader = drawsOf.get(shape)
   if (!byShader) drawsOf.set(shape, (byShader = new WeakMap<Shader, Draws>()))
   let draws = byShader.get(shader)
@@ -162,7 +167,7 @@ function drawsFor(renderer: Renderer, shader: Shader, shape: DrawnShape, frame: 
     for (const { mesh } of draws?.divided ?? []) mesh.dispose()
     // Compiles the shader, which knows its attributes then.
     ;(shader as { init?: () => void }).init?.()
-    const base = baseOf(renderer, shader, shape)
+    const base = baseOf(renderer, shader, shape, isCurved)
     draws = { base, vertices: shape.vertices.length, frame, count: 0, divided: [] }
     byShader.set(shader, draws)
   }

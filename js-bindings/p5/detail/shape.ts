@@ -45,21 +45,26 @@ export const buffersOf = (renderer: Renderer, kind: 'fill' | 'user' | 'stroke'):
     kind
   ] as FillBuffer[] | undefined) ?? []
 
-/** Returns the buffers that the renderer fills for the shader. */
-function buffersFor(renderer: Renderer, shader: Shader): FillBuffer[] {
+/** Returns the buffers that the renderer fills for the shader, and that of normals if the surface is curved. */
+function buffersFor(renderer: Renderer, shader: Shader, isCurved: boolean): FillBuffer[] {
   const attributes = (shader as { attributes?: object }).attributes ?? {}
   return [...buffersOf(renderer, 'fill'), ...buffersOf(renderer, 'user')].filter(
-    ({ attr }) => attr in attributes,
+    ({ attr }) => attr in attributes || (isCurved && attr === 'aNormal'),
   )
 }
 
 /** Reads the arrays of a shape. */
-export function baseOf(renderer: Renderer, shader: Shader, shape: DrawnShape): ShapeBase {
+export function baseOf(
+  renderer: Renderer,
+  shader: Shader,
+  shape: DrawnShape,
+  isCurved: boolean,
+): ShapeBase {
   const buffers: FillBuffer[] = []
   const attributes: DetailAttribute[] = []
   let positions: ArrayLike<number> = []
   let positionBuffer = ''
-  for (const buffer of buffersFor(renderer, shader)) {
+  for (const buffer of buffersFor(renderer, shader, isCurved)) {
     const values = valuesOf(buffer, shape)
     if (values.length !== buffer.size * shape.vertices.length) continue
     if (buffer.src === 'vertices') {
@@ -71,7 +76,7 @@ export function baseOf(renderer: Renderer, shader: Shader, shape: DrawnShape): S
     buffers.push(buffer)
     attributes.push({ input, size: buffer.size, values, isUnit: input === 'normals' })
   }
-  return { positions, positionBuffer, attributes, ...trianglesOf(shape), buffers }
+  return { positions, positionBuffer, attributes, ...trianglesOf(shape), buffers, isCurved }
 }
 
 /**

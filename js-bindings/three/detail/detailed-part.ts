@@ -105,7 +105,13 @@ export class DetailedPart implements Divisible {
   private updateMesh({ mesh, pose }: Divided) {
     const { warp, object, toWorld, views } = this
     const base = pose()
-    mesh.update(warp.given, views, warp.settings.detail!, toWorld, placeOf(warp, object))
+    mesh.update(
+      warp.given,
+      views,
+      warp.settings.detail!.tolerance,
+      toWorld,
+      placeOf(warp, object),
+    )
     return base
   }
 
@@ -152,7 +158,8 @@ export class DetailedPart implements Divisible {
     if (problem) return warnOfDetail(warp, nameOf(object), problem)
     const { geometry } = object
     const base = baseOf(warp, object as Mesh)
-    const mesh = new DetailedMesh(warp, base)
+    const { isCurved } = warp.settings.detail!
+    const mesh = new DetailedMesh(warp, { ...base, isCurved })
     const drawn = new DividedGeometry(base, geometry)
     const pose = hasPose(object)
       ? remembered(

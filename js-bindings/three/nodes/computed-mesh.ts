@@ -49,7 +49,7 @@ export class ComputedMesh implements ComputeDetail {
     const state = mesh.stateOf(warp.given, placeOf(warp, object))
     if (watch.isCoarse(warp.given, state, toWorld)) return undefined
     const { count = 1 } = object as InstancedMesh
-    division.update(warp.given, state, views, warp.settings.detail!, count)
+    division.update(warp.given, state, views, warp.settings.detail!.tolerance, count)
     if (!division.isTooLarge) return this.geometryNow(drawn)
     this.release()
     this.compiled = undefined

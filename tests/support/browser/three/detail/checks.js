@@ -11,10 +11,10 @@ const outside = {
   bulb: { from: [-2.5, 3.5, 1], to: [-2.5, -1.2, -1] },
 }
 
-/** A coarse box with and without detail against a fine one. */
+/** A coarse shape, such as a box, with and without detail against a fine one. */
 export async function compare(
   { draw, triangles },
-  { name, hasShadow = false, isOutside, light, space },
+  { name, coarse = 'box', fine = 'fine', detail = 1, hasShadow = false, isOutside, light, space },
 ) {
   const view = camera()
   if (isOutside) {
@@ -32,12 +32,12 @@ export async function compare(
     warped.dispose()
     return { picture, drawn }
   }
-  const expected = await pictureOf('fine')
-  const coarse = await pictureOf('box')
-  const divided = await pictureOf('box', 1)
+  const expected = await pictureOf(fine)
+  const without = await pictureOf(coarse)
+  const divided = await pictureOf(coarse, detail)
   return {
     beyond: countBeyond(divided.picture, expected.picture),
-    without: countBeyond(coarse.picture, expected.picture),
+    without: countBeyond(without.picture, expected.picture),
     covered: covered(expected.picture),
     triangles: divided.drawn,
     fine: expected.drawn,

@@ -206,6 +206,14 @@ async function life() {
   await one.draw(near)
   counts.isIndirectByGroups = one.drawn().indirect !== null
   one.warped.dispose()
+  const options = { tolerance: 1, curved: true }
+  const curved = start(passes, { shape: 'sphere', name: 'twist', detail: options })
+  for (let i = 0; i < 10; i++) {
+    await curved.draw(near)
+    await wait(10)
+  }
+  counts.isIndirectIfCurved = curved.drawn().indirect !== null
+  curved.warped.dispose()
   await wait(20)
   // The tessellations stay for the next mesh.
   counts.left = buffers.size - before

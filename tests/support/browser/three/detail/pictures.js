@@ -38,6 +38,8 @@ const geometries = {
   box: () => new THREE.BoxGeometry(1.4, 1.8, 1.4),
   fine: () => new THREE.BoxGeometry(1.4, 1.8, 1.4, 64, 64, 64),
   sphere: () => new THREE.IcosahedronGeometry(1, 2),
+  ball: () => new THREE.SphereGeometry(1.3, 16, 12),
+  fineBall: () => new THREE.SphereGeometry(1.3, 160, 120),
 }
 
 export function camera() {
