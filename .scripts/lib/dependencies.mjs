@@ -52,7 +52,8 @@ const comments = /\/\*[\s\S]*?\*\/|(?<=^|\s)\/\/.*/g
 const strings = /'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`/g
 
 /** Matches the adapters, which have to speak the language of their hosts: p5's shaders are GLSL, and so are three's. Compute passes are WGSL. */
-const adapters = /^js-bindings\/(?:(?:p5|three|babylon)\/|glsl-source\/function-text\.ts$|detail\/gpu\/)|\.d\.ts$/
+const adapters =
+  /^js-bindings\/(?:(?:p5|three|babylon)\/|glsl-source\/function-text\.ts$|detail\/gpu\/)|\.d\.ts$/
 
 /** Finds shader source outside dialects and adapters. */
 const shaderTextProblems = () =>

@@ -62,17 +62,17 @@ for (const { name, version, script, settings } of hosts)
       })
 
     // Compute passes leave them to the CPU.
-    const testIfCurved = settings.hasPasses ? test.skip : test
-    testIfCurved('curved triangles round a coarse sphere', async (t) => {
-      const detail = { tolerance: 0.5, curved: true }
-      const shapes = { coarse: 'ball', fine: 'fineBall' }
-      const found = await measure('compare', { name: 'twist', ...shapes, detail })
-      const flat = await measure('compare', { name: 'twist', ...shapes })
-      t.diagnostic(JSON.stringify({ found, flat }))
-      assert.deepEqual(messages, [])
-      assert.ok(found.beyond <= 3, `${found.beyond} pixels`)
-      assert.ok(flat.beyond > 30, `${flat.beyond} pixels with flat triangles`)
-    })
+    if (!settings.hasPasses)
+      test('curved triangles round a coarse sphere', async (t) => {
+        const detail = { tolerance: 0.5, curved: true }
+        const shapes = { coarse: 'ball', fine: 'fineBall' }
+        const found = await measure('compare', { name: 'twist', ...shapes, detail })
+        const flat = await measure('compare', { name: 'twist', ...shapes })
+        t.diagnostic(JSON.stringify({ found, flat }))
+        assert.deepEqual(messages, [])
+        assert.ok(found.beyond <= 3, `${found.beyond} pixels`)
+        assert.ok(flat.beyond > 30, `${flat.beyond} pixels with flat triangles`)
+      })
 
     test('the shadow follows', async (t) => {
       const found = await measure('compare', { name: 'twist', hasShadow: true })

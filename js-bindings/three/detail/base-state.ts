@@ -1,4 +1,4 @@
-/** Tells when the arrays of a mesh that is divided have changed. */
+/** Numbers that change when the arrays of a mesh that is divided do. */
 import type { Mesh } from 'three'
 import { versionOf } from '../attribute.js'
 import { fillOf } from '../surface.js'

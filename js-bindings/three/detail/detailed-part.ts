@@ -105,13 +105,7 @@ export class DetailedPart implements Divisible {
   private updateMesh({ mesh, pose }: Divided) {
     const { warp, object, toWorld, views } = this
     const base = pose()
-    mesh.update(
-      warp.given,
-      views,
-      warp.settings.detail!.tolerance,
-      toWorld,
-      placeOf(warp, object),
-    )
+    mesh.update(warp.given, views, warp.settings.detail!.tolerance, toWorld, placeOf(warp, object))
     return base
   }
 
