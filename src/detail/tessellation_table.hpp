@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// Made one by one, since all together take more than a second.
+// Made one by one, since all together take more than half a second.
 class TessellationTable {
  public:
   // Appends a tessellation. Returns false if it was the last one.
