@@ -56,7 +56,7 @@ const sharedFiles = [
     test: /\/js-bindings\/compile\/(compile|compile-warp-text|text-compiler)\.ts$/,
   },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
-  { name: 'detailed-mesh', test: /\/js-bindings\/(detail\/(?!option)|wasm\/detail)/ },
+  { name: 'detailed-mesh', test: /\/js-bindings\/(detail\/(?!option|gpu)|wasm\/detail)/ },
   {
     name: 'meshes',
     test: /\/js-bindings\/(mesh|wasm\/(mesh|mikktspace)|p5\/geometry\/(model|subdivide-geometry|vary-geometry|with-mesh))[/.-]|\/node_modules\/(fast-png|iobuffer|fflate)\//,

@@ -51,8 +51,9 @@ const shaderText =
 const comments = /\/\*[\s\S]*?\*\/|(?<=^|\s)\/\/.*/g
 const strings = /'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`/g
 
-/** Matches the adapters, which have to speak the language of their hosts: p5's shaders are GLSL, and so are three's. */
-const adapters = /^js-bindings\/(?:(?:p5|three|babylon)\/|glsl-source\/function-text\.ts$)|\.d\.ts$/
+/** Matches the adapters, which have to speak the language of their hosts: p5's shaders are GLSL, and so are three's. Compute passes are WGSL. */
+const adapters =
+  /^js-bindings\/(?:(?:p5|three|babylon)\/|glsl-source\/function-text\.ts$|detail\/gpu\/)|\.d\.ts$/
 
 /** Finds shader source outside dialects and adapters. */
 const shaderTextProblems = () =>

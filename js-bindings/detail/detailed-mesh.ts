@@ -3,6 +3,7 @@ import type { HostWarp } from '../compile/host-warp.js'
 import type { DrawValues } from '../compile/offset-warp.js'
 import type { Vertices } from '../core/inputs/vertices.js'
 import { details, type Detail, type DetailModule } from '../wasm/detail.js'
+import { areEqual, copyInto, diagonalOf } from './arrays.js'
 
 export interface DetailAttribute {
   /** The array that it is for the warp; missing if the warp doesn't read it. */
@@ -35,6 +36,21 @@ export type DetailViews = number[]
 /** Brings samples into the space of the offset. It writes into `positions` and returns the other arrays. */
 export type ToSpace = (samples: Vertices, positions: Float32Array) => Vertices
 
+export interface DetailParts {
+  readonly vertices: number
+  readonly triangles: number
+  readonly sides: number
+  /** See src/detail/topology.hpp. */
+  readonly topology: Uint32Array
+  /** The numbers of pieces, by edge. */
+  readonly pieces: Uint32Array
+  /** `true` if vertices between others are not blends of them. */
+  readonly isCurved: boolean
+  readonly samples: Vertices
+  /** The numbers of an attribute at the vertices. Its place is as for `DetailedMesh.values`. */
+  readonly attribute: (i: number, size: number) => Float32Array
+}
+
 /** A mesh in the wasm, which is freed with the `DetailedMesh` that owns it. */
 interface Held {
   readonly bound: DetailModule
@@ -65,6 +81,8 @@ export class DetailedMesh {
   private posed: DetailBase | undefined
   /** Changes with the arrays. */
   version = 0
+  /** Changes when the mesh is cut, or moved. */
+  baseVersion = 0
   private readonly maxLength: number
 
   constructor(
@@ -87,7 +105,7 @@ export class DetailedMesh {
   ): boolean {
     if (!this.held || this.held.bound.isBroken) this.start()
     const { detail } = this.held!
-    const state = [...this.warp.state(given), ...place]
+    const state = this.stateOf(given, place)
     const seen = [...views, tolerance]
     if (!this.state || !areEqual(state, this.state)) {
       this.cut(given, toSpace)
@@ -101,6 +119,31 @@ export class DetailedMesh {
     return isChanged
   }
 
+  /** The numbers that the warped samples depend on. */
+  stateOf(given: DrawValues, place: readonly number[] = []): number[] {
+    return [...this.warp.state(given), ...place]
+  }
+
+  /** The base and its present division, for compute passes. Valid after an update, until the next call of any mesh. */
+  parts(): DetailParts {
+    const { detail } = this.held!
+    const vertices = detail.vertexCount()
+    const topology = detail.topology()
+    // There are three samples for each side and each triangle.
+    const triangles = (topology.length - detail.sampleCount() + vertices) / 3
+    return {
+      vertices,
+      triangles,
+      sides: (topology.length - 6 * triangles) / 3,
+      topology,
+      pieces: detail.pieces(),
+      isCurved: detail.isCurved(),
+      samples: this.samples,
+      // The first of all samples are the vertices.
+      attribute: (i, size) => detail.sample(i + 1).subarray(0, size * vertices),
+    }
+  }
+
   /** Moves the vertices of the base for the frames from now on. The triangles stay as they are. */
   pose(posed: DetailBase) {
     this.posed = posed
@@ -109,6 +152,7 @@ export class DetailedMesh {
     this.held.detail.pose()
     this.readSamples()
     this.state = undefined
+    this.baseVersion++
   }
 
   /** The numbers of an attribute, by its place in the base; -1 is positions. A view, which is valid until the next call of any mesh. */
@@ -162,6 +206,7 @@ export class DetailedMesh {
     detail.begin()
     this.readSamples()
     this.state = undefined
+    this.baseVersion++
     if (this.posed) this.pose(this.posed)
   }
 
@@ -184,6 +229,7 @@ export class DetailedMesh {
       detail.phases(size).set(this.phases)
       if (!detail.cut(this.maxLength, sizes, steps)) return
       this.readSamples()
+      this.baseVersion++
     }
   }
 
@@ -204,23 +250,3 @@ export class DetailedMesh {
     return toSpace ? toSpace(this.samples, this.inSpace) : this.samples
   }
 }
-
-function diagonalOf(positions: ArrayLike<number>): number {
-  const min = [Infinity, Infinity, Infinity]
-  const max = [-Infinity, -Infinity, -Infinity]
-  for (let i = 0; i < positions.length; i++) {
-    min[i % 3] = Math.min(min[i % 3]!, positions[i]!)
-    max[i % 3] = Math.max(max[i % 3]!, positions[i]!)
-  }
-  return Math.hypot(...max.map((high, i) => high - min[i]!))
-}
-
-/** Copies into the array if it has the right length, or else into a new one. */
-function copyInto(to: ArrayLike<number> | undefined, from: Float32Array): Float32Array {
-  if (!(to instanceof Float32Array) || to.length !== from.length) return from.slice()
-  to.set(from)
-  return to
-}
-
-const areEqual = (a: readonly number[], b: readonly number[]) =>
-  a.length === b.length && a.every((x, i) => x === b[i])

@@ -2,6 +2,7 @@
 import type { Material, Mesh, Object3D, WebGLRenderer } from 'three'
 import { WarpError } from '../errors/errors.js'
 import { nameOf, nameOfMaterial } from './describe.js'
+import type { ComputeDetail, ComputeInput } from './detail/compute.js'
 import { wrapRenderer } from './draw.js'
 import type { Settings } from './settings.js'
 import { unsupportedMaterial } from './supported.js'
@@ -14,6 +15,7 @@ export interface Nodes {
   carryObject: (target: Object3D | Material, warp: ThreeWarp) => () => void
   /** Tests whether a renderer belongs to the copy of three.js whose methods are replaced. */
   isOurs: (renderer: unknown) => boolean
+  computeDivision: (input: ComputeInput) => ComputeDetail
 }
 
 let nodes: Nodes | undefined
@@ -47,6 +49,10 @@ export function problemOf(
 /** Makes WebGPURenderer, if it is imported, warp an object or all objects with a material; call the returned function to stop. */
 export const carryByNodes = (target: Object3D | Material, warp: ThreeWarp): (() => void) =>
   nodes?.carryObject(target, warp) ?? (() => {})
+
+/** Divides a mesh by compute passes; `undefined` if WebGPURenderer is not imported. */
+export const computeDivision = (input: ComputeInput): ComputeDetail | undefined =>
+  nodes?.computeDivision(input)
 
 /** Prepares a renderer that is about to draw a warped object; throws if it cannot draw it warped. */
 export function prepareRenderer(

@@ -10,6 +10,7 @@ import {
   updateOf,
   type Warped,
 } from './material.js'
+import { ComputedMesh } from './nodes/computed-mesh.js'
 import { carry, install, isOurs, markNode } from './nodes/context.js'
 import { warmUpWhenIdle } from './nodes/exact-normals/warm-up.js'
 import { nodeFor } from './nodes/vertex.js'
@@ -70,7 +71,12 @@ function carryMaterial(material: Material, warp: ThreeWarp) {
 }
 
 install()
-provideNodes({ check: checkMaterial, carryObject: carry, isOurs })
+provideNodes({
+  check: checkMaterial,
+  carryObject: carry,
+  isOurs,
+  computeDivision: (input) => new ComputedMesh(input),
+})
 warmUpWhenIdle()
 
 export interface NodeWarpedMaterial<

@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "detail/criterion.hpp"
+#include "detail/tessellation_table.hpp"
+#include "detail/topology.hpp"
 #include "embind.hpp"
 
 using namespace warpjet;
@@ -46,6 +49,21 @@ bool update(Detail& detail, const std::vector<float>& numbers, float tolerance) 
   return detail.update(numbers, tolerance);
 }
 
+// For compute passes: the base, the pieces of its edges, and the numbers of the criterion.
+Words topology(const Detail& detail) { return topologyOf(detail.base()); }
+Words pieces(const Detail& detail) { return {detail.pieces().begin(), detail.pieces().end()}; }
+std::uint32_t vertexCount(const Detail& detail) {
+  return static_cast<std::uint32_t>(detail.base().vertexCount());
+}
+std::vector<float> criterionNumbers() {
+  const Criterion& c = criterion;
+  return {c.margin, c.nearest, c.aside,      c.away,  c.beyondCells,
+          c.error,  c.aim,     c.hysteresis, c.lowest};
+}
+Words pieceNumbers() { return {pieceCounts.begin(), pieceCounts.end()}; }
+
+View<std::uint32_t> words(const TessellationTable& table) { return View(table.words()); }
+
 std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 }  // namespace
@@ -74,7 +92,19 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("indices", &indices)
       .function("groups", &groups)
       .function("origins", &Detail::origins)
-      .function("lines", &Detail::lines);
+      .function("lines", &Detail::lines)
+      .function("topology", &topology)
+      .function("pieces", &pieces)
+      .function("isCurved", &Detail::isCurved)
+      .function("vertexCount", &vertexCount);
+
+  class_<TessellationTable>("TessellationTable")
+      .constructor<>()
+      .function("makeNext", &TessellationTable::makeNext)
+      .function("words", &words);
+
+  function("criterionNumbers", &criterionNumbers);
+  function("pieceNumbers", &pieceNumbers);
 
   function("memoryInUse", &memoryInUse);
 }

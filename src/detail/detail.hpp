@@ -50,6 +50,11 @@ class Detail {
   // changed.
   bool update(std::span<const float> views, float tolerance);
 
+  // The mesh after all cuts, and the pieces of its edges.
+  const BaseMesh& base() const { return *base_; }
+  std::span<const std::uint32_t> pieces() const { return needs_.pieces(); }
+  bool isCurved() const { return surface_.has_value(); }
+
   // The divided mesh.
   const Division& division() const { return division_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "detail/criterion.hpp"
 #include "detail/tessellation.hpp"
 
 namespace warpjet {
@@ -43,9 +44,7 @@ struct Flat {
     const vec3 u = b - a, v = c - a;
     width = glm::length(u);
     apex.x = dot(u, v) / width;
-    // Slivers count as higher than they are: second differences of floats, divided by the square
-    // of almost no height, would be rounding errors.
-    const float lowest = 0.01f * std::sqrt(dot(u, u) + dot(v, v));
+    const float lowest = criterion.lowest * std::sqrt(dot(u, u) + dot(v, v));
     apex.y = std::max(lowest, std::sqrt(std::max(0.0f, dot(v, v) - apex.x * apex.x)));
   }
 };
@@ -87,13 +86,13 @@ class ScreenOf {
 
   // False if all samples are far outside of one side of the view, or hidden since they face away.
   bool isVisible() const {
-    constexpr float margin = 1.3f;
     const auto areOutside = [&](auto&& isOutside) {
       return std::all_of(clip_.begin(), clip_.end(), isOutside);
     };
     for (int i = 0; i < 2; ++i) {
-      if (areOutside([i](vec4 c) { return c[i] > margin * std::abs(c.w); })) return false;
-      if (areOutside([i](vec4 c) { return -c[i] > margin * std::abs(c.w); })) return false;
+      if (areOutside([i](vec4 c) { return c[i] > criterion.margin * std::abs(c.w); })) return false;
+      if (areOutside([i](vec4 c) { return -c[i] > criterion.margin * std::abs(c.w); }))
+        return false;
     }
     if (areOutside([](vec4 c) { return c.w <= 0; })) return false;
     return view_.facing == 0 || !facesAway();
@@ -112,8 +111,9 @@ class ScreenOf {
         (clip_[0] + clip_[sampleAt(pieces, 0)] + clip_[sampleAt(pieces, pieces)]) / 3.0f;
     vec4 found =
         *std::min_element(clip_.begin(), clip_.end(), [](vec4 a, vec4 b) { return a.w < b.w; });
-    found.w = std::max(found.w, 0.1f * std::abs(middle.w));
-    for (int i = 0; i < 2; ++i) found[i] = std::clamp(found[i], -1.5f * found.w, 1.5f * found.w);
+    found.w = std::max(found.w, criterion.nearest * std::abs(middle.w));
+    const float aside = criterion.aside * found.w;
+    for (int i = 0; i < 2; ++i) found[i] = std::clamp(found[i], -aside, aside);
     return found;
   }
 
@@ -128,7 +128,7 @@ class ScreenOf {
       }
       const vec2 u = screen[1] - screen[0], v = screen[2] - screen[0];
       const float area = view_.facing * (u.x * v.y - u.y * v.x);
-      return area < -0.2f * glm::length(u) * glm::length(v);
+      return area < -criterion.away * glm::length(u) * glm::length(v);
     });
   }
 
@@ -136,10 +136,6 @@ class ScreenOf {
   std::array<vec4, std::tuple_size_v<Samples>> clip_;
   vec4 nearest_;
 };
-
-// The bend between samples can exceed that of all cells. This estimates by how much, as a share of
-// the difference of their maximum and mean; `npm run report -- detail` shows what it leads to.
-constexpr float beyondCells = 0.3f;
 
 // The sides of a triangle in its plane, and those of the triangle that its patch is a part of.
 using Directions = std::array<vec2, 6>;
@@ -164,8 +160,7 @@ Directions directionsOf(const Flat& flat, const Patch* patch) {
 using Squares = std::array<float, std::tuple_size_v<Directions>>;
 
 // The squares of the numbers of pieces that lines in these directions need, for an error of one
-// pixel. A piece of length h errs by h^2 / 8 of the second derivative; a triangle errs most in its
-// middle, by 4/3 of that.
+// pixel.
 Squares squaredNeeds(const Flat& flat, const Directions& directions, const ScreenOf& screen,
                      const Samples& samples) {
   Squares max{}, sum{};
@@ -187,14 +182,10 @@ Squares squaredNeeds(const Flat& flat, const Directions& directions, const Scree
   }
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const float mean = sum[i] / static_cast<float>(cells.size());
-    max[i] = (max[i] + beyondCells * (max[i] - mean)) * (4.0f / 3 / 8);
+    max[i] = (max[i] + criterion.beyondCells * (max[i] - mean)) * criterion.error;
   }
   return max;
 }
-
-// The samples of a triangle underestimate its bend, so the aim is below the tolerance. Those of all
-// triangles together don't.
-constexpr float aim = 0.8f;
 
 // Reads the warped samples of a triangle.
 Samples samplesOf(const BaseMesh& base, std::size_t triangle, std::span<const float> warped) {
@@ -250,7 +241,8 @@ bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
       const Squares squares = squaredNeeds(flat, directions, screen, samples);
       for (int i = 0; i < 3; ++i) {
         float& need = needs_[base.edgeOf(t, i)];
-        need = std::max(need, squares[i] / (aim * tolerance));
+        need = std::max(need, squares[i] / (criterion.aim * tolerance));
+        // The samples of all triangles together don't underestimate.
         uniform = std::max(uniform, squares[3 + i] / tolerance);
       }
     }
@@ -259,7 +251,8 @@ bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
   bool isChanged = false;
   for (std::size_t edge = 0; edge < needs_.size(); ++edge) {
     const float need = std::sqrt(needs_[edge]);
-    const std::uint32_t next = std::clamp(pieces_[edge], roundUp(need), roundUp(need * hysteresis));
+    const std::uint32_t next =
+        std::clamp(pieces_[edge], roundUp(need), roundUp(need * criterion.hysteresis));
     isChanged |= next != pieces_[edge];
     pieces_[edge] = next;
   }

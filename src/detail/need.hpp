@@ -20,9 +20,6 @@ struct ScreenView {
   float facing = 0;
 };
 
-// A number of pieces is lowered only if it would do for that many times the need.
-inline constexpr float hysteresis = 1.25f;
-
 // The numbers of pieces that edges have. They keep more than the surface needs until it needs
 // much less, so that the mesh rarely changes.
 class Needs {

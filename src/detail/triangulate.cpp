@@ -1,7 +1,6 @@
 #include "detail/triangulate.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace warpjet {
@@ -47,9 +46,14 @@ class Triangulation {
       return std::min(
           {area({t[0], t[1], point}), area({t[1], t[2], point}), area({t[2], t[0], point})});
     };
-    const auto found =
-        std::max_element(triangles_.begin(), triangles_.end(),
-                         [&](auto& a, auto& b) { return smallestArea(a) < smallestArea(b); });
+    auto found = triangles_.begin();
+    double largest = smallestArea(*found);
+    for (auto each = found + 1; each != triangles_.end(); ++each) {
+      const double area = smallestArea(*each);
+      if (!(largest < area)) continue;
+      found = each;
+      largest = area;
+    }
     const Corners whole = *found;
     triangles_.erase(found);
     for (int i = 0; i < 3; ++i) {
@@ -77,16 +81,23 @@ class Triangulation {
   // Replaces diagonals until no circle around a triangle contains the opposite corner of a neighbor
   // (Lawson 1977), which ends because each replacement lowers the lifted surface.
   void flipAll() {
+    // From one point to another one -> the triangle, and its corner at the first one.
+    using Side = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, int>>;
+    std::vector<Side> sides;
     for (bool isChanged = true; isChanged;) {
       isChanged = false;
-      std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, int>> sides;
+      sides.clear();
       for (std::size_t t = 0; t < triangles_.size(); ++t) {
-        for (int i = 0; i < 3; ++i) sides[{triangles_[t][i], triangles_[t][(i + 1) % 3]}] = {t, i};
+        for (int i = 0; i < 3; ++i)
+          sides.push_back({{triangles_[t][i], triangles_[t][(i + 1) % 3]}, {t, i}});
       }
+      std::sort(sides.begin(), sides.end());
       std::vector<bool> isTouched(triangles_.size());
       for (const auto& [ends, place] : sides) {
-        const auto opposite = sides.find({ends.second, ends.first});
-        if (ends.first > ends.second || opposite == sides.end()) continue;
+        if (ends.first > ends.second) continue;
+        const std::pair back{ends.second, ends.first};
+        const auto opposite = std::lower_bound(sides.begin(), sides.end(), Side{back, {0, 0}});
+        if (opposite == sides.end() || opposite->first != back) continue;
         const auto [s, i] = place;
         const auto [t, j] = opposite->second;
         if (isTouched[s] || isTouched[t]) continue;

@@ -1,27 +1,22 @@
 /** The option `detail` of `warp`: one object that is drawn with as many triangles as its warped surface needs on the screen. */
-import {
-  IntType,
-  type BatchedMesh,
-  type BufferGeometry,
-  type InstancedBufferGeometry,
-  type InstancedMesh,
-  type Mesh,
-} from 'three'
+import type { BufferGeometry, Mesh } from 'three'
 import { DetailedMesh, type DetailViews, type ToSpace } from '../../detail/detailed-mesh.js'
-import { versionOf } from '../attribute.js'
 import { nameOf } from '../describe.js'
-import { isInstancedMesh2 } from '../instances.js'
 import { warnOfDetail } from '../notes.js'
-import { isSkinned, morphTextureOf, poseState, type Warpable } from '../pose.js'
+import { isSkinned, poseState, type Warpable } from '../pose.js'
 import { remembered } from '../remembered.js'
-import { fillOf, inWorld } from '../surface.js'
+import { computeDivision } from '../renderers.js'
+import { inWorld } from '../surface.js'
 import type { ThreeWarp } from '../three-warp.js'
-import { baseOf, isOfBones, isOfInstances, poseBase, type GeometryBase } from './base.js'
+import { baseState } from './base-state.js'
+import { baseOf, poseBase, type GeometryBase } from './base.js'
+import type { ComputeDetail } from './compute.js'
 import { DividedGeometry } from './divided-geometry.js'
 import { drawnSurfaceOf, type DrawnSurface } from './drawn-surface.js'
+import { hasPose, problemOf } from './problems.js'
 import type { Render } from './render.js'
 import { addToScene, sceneOf, type Divisible } from './scenes.js'
-import { viewsOf } from './views.js'
+import { placeOf, viewsOf } from './views.js'
 
 /** The object with its own vertices, also while it is drawn with others. */
 const withOwnGeometry = (object: Warpable, geometry: () => BufferGeometry) =>
@@ -35,12 +30,16 @@ interface Divided {
   readonly drawn: DividedGeometry
   /** Moves the mesh by morph targets and bones, if they have changed, and returns its base. */
   readonly pose: () => GeometryBase
+  /** Present if 'warpjet/three/webgpu' is imported. */
+  readonly compute: ComputeDetail | undefined
 }
 
 export class DetailedPart implements Divisible {
   readonly undivided: Warpable
   /** The user's geometry, while the object has another one. */
   private own: BufferGeometry | undefined
+  /** The geometry that it has instead. */
+  private exchanged: BufferGeometry | undefined
   private divided: Divided | undefined
   private leave: (() => void) | undefined
   private scene: object | undefined
@@ -82,21 +81,31 @@ export class DetailedPart implements Divisible {
     if (!this.divided) return
     const views = viewsOf(warp, object as Mesh, render)
     if (!views.length) return
-    const { mesh, drawn } = this.divided
     this.views = views
-    this.updateMesh(this.divided)
-    drawn.write(mesh)
+    const geometry = this.geometryFor(this.divided, render)
     this.own = object.geometry
-    object.geometry = drawn.geometry
+    object.geometry = this.exchanged = geometry
     // Bones have moved the divided vertices already, and morph targets are not in the geometry.
     if (isSkinned(object)) Object.assign(object, { isSkinnedMesh: false })
   }
 
+  private geometryFor(divided: Divided, render: Render): BufferGeometry {
+    const { mesh, drawn, compute } = divided
+    const computed = compute?.geometryFor(render, this.views)
+    if (computed) {
+      drawn.dispose()
+      return computed
+    }
+    this.updateMesh(divided)
+    drawn.write(mesh)
+    compute?.takeOver(render)
+    return drawn.geometry
+  }
+
   private updateMesh({ mesh, pose }: Divided) {
     const { warp, object, toWorld, views } = this
-    const place = toWorld ? object.matrixWorld.elements : []
     const base = pose()
-    mesh.update(warp.given, views, warp.settings.detail!.tolerance, toWorld, place)
+    mesh.update(warp.given, views, warp.settings.detail!.tolerance, toWorld, placeOf(warp, object))
     return base
   }
 
@@ -116,8 +125,8 @@ export class DetailedPart implements Divisible {
     if (!this.own) return
     if (isSkinned(this.undivided)) Object.assign(this.object, { isSkinnedMesh: true })
     // The user may have assigned another one meanwhile.
-    if (this.object.geometry === this.divided?.drawn.geometry) this.object.geometry = this.own
-    this.own = undefined
+    if (this.object.geometry === this.exchanged) this.object.geometry = this.own
+    this.own = this.exchanged = undefined
   }
 
   dispose() {
@@ -130,6 +139,7 @@ export class DetailedPart implements Divisible {
     this.stopListening()
     this.divided?.mesh.dispose()
     this.divided?.drawn.dispose()
+    this.divided?.compute?.dispose()
     this.divided = this.surface = undefined
     this.views = []
   }
@@ -155,9 +165,15 @@ export class DetailedPart implements Divisible {
           },
         )
       : () => base
-    this.divided = { mesh, drawn, pose }
+    const compute = hasPose(object)
+      ? undefined
+      : computeDivision({ warp, object, mesh, base, toWorld: this.toWorld })
+    this.divided = { mesh, drawn, pose, compute }
     // Like three.js, which makes its buffers anew when a disposed geometry is drawn again.
-    const onDispose = () => drawn.dispose()
+    const onDispose = () => {
+      drawn.dispose()
+      compute?.dispose()
+    }
     geometry.addEventListener('dispose', onDispose)
     this.stopListening = () => geometry.removeEventListener('dispose', onDispose)
   }
@@ -172,37 +188,6 @@ function isShown(object: Warpable, { camera }: Render): boolean {
   return true
 }
 
-/** Numbers that change when the arrays of the base do. */
-function baseState(warp: ThreeWarp, object: Mesh): number[] {
-  const { geometry, material } = object
-  const { index, groups, drawRange, attributes, morphAttributes } = geometry
-  return [
-    numberOf(geometry),
-    ...Object.values(attributes)
-      .filter((attribute) => !isOfInstances(attribute))
-      .flatMap((attribute) => [numberOf(attribute), versionOf(attribute)]),
-    ...(index ? [numberOf(index), index.version] : []),
-    ...Object.values(morphAttributes).map(({ length }) => length),
-    ...[drawRange.start, drawRange.count],
-    ...(Array.isArray(material)
-      ? groups.flatMap(({ start, count, materialIndex }) => [start, count, materialIndex ?? -1])
-      : [-2]),
-    ...(warp.reads('color')
-      ? [Number([material].flat()[0]!.vertexColors), ...fillOf(material)]
-      : []),
-  ]
-}
-
-const numbers = new WeakMap<object, number>()
-let last = 0
-
-/** A number that no other object has. */
-function numberOf(object: object): number {
-  let number = numbers.get(object)
-  if (!number) numbers.set(object, (number = ++last))
-  return number
-}
-
 /** Brings samples into the world as the object is now. */
 function toWorldOf(warp: ThreeWarp, object: Warpable): ToSpace {
   const readsOthers = warp.reads('normal')
@@ -213,35 +198,3 @@ function toWorldOf(warp: ThreeWarp, object: Warpable): ToSpace {
     return { ...placed, positions }
   }
 }
-
-const hasPose = (object: Warpable) =>
-  isSkinned(object) ||
-  Object.values(object.geometry.morphAttributes).some((targets) => targets.length > 0)
-
-/** Describes why an object is drawn with its own vertices; `undefined` if it is divided. */
-function problemOf(warp: ThreeWarp, object: Warpable): string | undefined {
-  const { attributes } = object.geometry
-  const { isInstancedMesh } = object as InstancedMesh
-  if (!(object as Mesh).isMesh) return 'points and lines are not divided'
-  if ((object as BatchedMesh).isBatchedMesh || isInstancedMesh2(object))
-    return 'the geometries of a batch are not divided'
-  if (hasPose(object) && warp.settings.space === 'rest')
-    return "bones or morph targets move the warped surface in the space 'rest'"
-  if (morphTextureOf(object)) return 'each instance has morph targets of its own'
-  if ((object.geometry as InstancedBufferGeometry).isInstancedBufferGeometry)
-    return 'an InstancedBufferGeometry is not divided'
-  if (isInstancedMesh && warp.settings.space === 'world')
-    return "in the space 'world' each instance has a surface of its own"
-  if (!warp.runs)
-    return 'the offset calls a glsl.fn or reads an image, which only the GPU can evaluate'
-  for (const name of ['position', 'normal', 'uv'] as const)
-    if ((name === 'position' || warp.reads(name)) && !attributes[name])
-      return `its geometry lacks the attribute "${name}"`
-  const whole = Object.entries(attributes).find(
-    ([name, each]) => isWhole(each) && !(isSkinned(object) && isOfBones(name)),
-  )
-  return whole && `the attribute "${whole[0]}" consists of whole numbers`
-}
-
-/** Tests whether shaders read the attribute as whole numbers, between which there are none. */
-const isWhole = (attribute: object) => (attribute as { gpuType?: number }).gpuType === IntType

@@ -51,6 +51,7 @@ export class DividedGeometry {
   }
 
   dispose() {
+    if (!this.vertices) return
     // Disposing of a geometry frees its attributes, and those of instances are the user's.
     for (const name of Object.keys(this.base.ofInstances)) this.geometry.deleteAttribute(name)
     this.geometry.dispose()

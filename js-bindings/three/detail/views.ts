@@ -10,6 +10,7 @@ import {
   type InstancedMesh,
   type Material,
   type Mesh,
+  type Object3D,
   type PerspectiveCamera,
 } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
@@ -25,6 +26,10 @@ const matrix = new Matrix4()
 const ofInstance = new Matrix4()
 const place = new Vector3()
 const eye = new Vector3()
+
+/** The numbers that samples depend on beside the inputs of the warp. */
+export const placeOf = ({ settings }: ThreeWarp, { matrixWorld }: Object3D): readonly number[] =>
+  settings.space === 'world' ? matrixWorld.elements : []
 
 export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailViews {
   const { camera } = render

@@ -6,8 +6,10 @@ const { size } = scenes
 const renderers = {}
 let target
 
-export async function rendererFor(backend) {
-  if (renderers[backend]) return renderers[backend]
+/** Without `hasPasses` the option `detail` gets no compute passes, as on a device that has none. */
+export async function rendererFor(backend, { hasPasses = true } = {}) {
+  const key = `${backend} ${hasPasses}`
+  if (renderers[key]) return renderers[key]
   const made = new THREE.WebGPURenderer({ antialias: false, forceWebGL: backend === 'webgl' })
   await made.init()
   if ((made.backend.isWebGPUBackend === true) !== (backend === 'webgpu'))
@@ -15,7 +17,9 @@ export async function rendererFor(backend) {
   made.setSize(size, size)
   made.shadowMap.enabled = true
   document.body.append(made.domElement)
-  return (renderers[backend] = made)
+  if (backend === 'webgpu' && !hasPasses)
+    made.backend.device.createComputePipelineAsync = () => Promise.reject(new Error('none'))
+  return (renderers[key] = made)
 }
 
 export async function draw(renderer, scene, camera = scenes.camera()) {

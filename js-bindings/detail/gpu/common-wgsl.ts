@@ -1,0 +1,70 @@
+// WGSL that several passes have in common.
+import type { DetailModule } from '../../wasm/detail.js'
+
+/** The members of the struct `Parameters`, each with 4 bytes. */
+export const parameterNames = [
+  'vertices',
+  'triangles',
+  'sides',
+  'edges',
+  'samples',
+  'views',
+  'instances',
+  'maxVertices',
+  'maxTriangles',
+] as const
+
+export type Counts = Record<(typeof parameterNames)[number], number>
+
+export const parametersBytes = 48
+
+export const parameters = `struct Parameters {
+  ${parameterNames.map((name) => `${name}: u32,`).join('\n  ')}
+  tolerance: f32,
+}
+@group(0) @binding(0) var<uniform> parameters: Parameters;`
+
+/** The numbers of `Criterion` in src/detail/criterion.hpp, in the order of the binding `criterionNumbers`. */
+const criterionNames = [
+  'margin',
+  'nearest',
+  'aside',
+  'away',
+  'beyondCells',
+  'error',
+  'aim',
+  'hysteresis',
+  'lowest',
+]
+
+/** Declares the constants that the C++ of detail decides by. */
+export function constantsOf(bound: DetailModule): string {
+  const numbers = bound.criterionNumbers()
+  const counts = [...bound.pieceNumbers()]
+  return [
+    ...criterionNames.map((name, i) => `const ${name} = f32(${numbers[i]!});`),
+    `const levels = ${counts.length}u;`,
+    `const pieceCounts = array<u32, levels>(${counts.map((count) => `${count}u`).join(', ')});`,
+  ].join('\n')
+}
+
+/** The invocations of a workgroup in the passes that sum up. */
+export const blockSize = 256
+
+/** The invocations that write one side or one triangle. */
+export const lanes = 8
+
+/** The members of the struct `State`, each with 4 bytes. */
+export const stateNames = ['isStale', 'isWritten', 'vertices', 'triangles'] as const
+
+export const state = `struct State {
+  isStale: ATOMIC,
+  isWritten: u32,
+  vertices: u32,
+  triangles: u32,
+}`
+
+/** Finds the sum before an item: the sides of the base are items, then its triangles. */
+export const startOf = `fn startOf(item: u32) -> vec2u {
+  return sums[item] + sums[parameters.sides + parameters.triangles + item / ${blockSize}u];
+}`

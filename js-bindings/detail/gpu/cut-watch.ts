@@ -1,0 +1,107 @@
+// Watches whether a mesh that compute passes divide must be cut anew, on the CPU, by a few of its sides in each frame.
+import type { SurfacePhases } from '../../compile/host-warp.js'
+import type { DrawValues } from '../../compile/offset-warp.js'
+import { arrayNames, type Vertices } from '../../core/inputs/vertices.js'
+import type { DetailParts, ToSpace } from '../detailed-mesh.js'
+
+/** About half a millisecond of an expensive noise. */
+const sidesPerFrame = 256
+
+/** The ends of a side and the samples between them. */
+const samplesPerSide = 5
+
+/** Sides that are longer, in steps of a phase, are cut, as in `Detail::cut`. */
+const maxLength = 1.1
+
+export class CutWatch {
+  /** The slice of the sides that is next. */
+  private slice = 0
+  /** The slices that have not been tested for the present surface. */
+  private left = 0
+  private readonly slices: number
+  private readonly samples: Vertices
+  private readonly inSpace: Float32Array
+  private readonly phases: Float32Array
+  private state: readonly number[] = []
+
+  /** `surface` are the phases of the warp; `undefined` if it has none. */
+  constructor(
+    private surface: SurfacePhases | undefined,
+    private readonly parts: DetailParts,
+  ) {
+    this.slices = Math.ceil(parts.sides / sidesPerFrame)
+    const count = samplesPerSide * Math.ceil(parts.sides / this.slices)
+    this.samples = Object.fromEntries(
+      Object.entries(parts.samples as unknown as Arrays).map(([name, { length }]) => [
+        name,
+        new Float32Array(count * (length / (parts.samples.positions.length / 3))),
+      ]),
+    ) as unknown as Vertices
+    this.inSpace = new Float32Array(3 * count)
+    this.phases = new Float32Array((surface?.size ?? 0) * count)
+  }
+
+  /** Tests whether some sides are too long now. `state` are the numbers that the warped samples depend on. */
+  isCoarse(given: DrawValues, state: readonly number[], toSpace: ToSpace | undefined): boolean {
+    const { surface, samples, phases, inSpace } = this
+    if (!surface) return false
+    if (state.some((number, i) => number !== this.state[i])) this.left = this.slices
+    this.state = state
+    if (this.left === 0) return false
+    this.left--
+    this.slice = (this.slice + 1) % this.slices
+    const count = this.gather()
+    surface.evaluate(toSpace ? toSpace(samples, inSpace) : samples, given, phases)
+    for (let i = 0; i < count; i++) if (this.isLong(surface, i)) return true
+    return false
+  }
+
+  /** Ends the watch: the mesh cannot be cut further. */
+  stop() {
+    this.surface = undefined
+  }
+
+  /** Copies the samples of a slice; returns its number of sides. */
+  private gather() {
+    const { vertices, triangles, sides, topology } = this.parts
+    let count = 0
+    for (let side = this.slice; side < sides; side += this.slices, count++) {
+      const [middle, ends] = [vertices + 3 * side, 6 * triangles + 3 * side]
+      this.copy(count, [topology[ends]!, middle, middle + 1, middle + 2, topology[ends + 1]!])
+    }
+    return count
+  }
+
+  private copy(place: number, from: readonly number[]) {
+    const [to, all] = [this.samples, this.parts.samples] as unknown as [Arrays, Arrays]
+    for (const name of Object.values(arrayNames)) {
+      const target = to[name]
+      if (!target) continue
+      const size = target.length / (this.inSpace.length / 3)
+      const source = all[name]!
+      from.forEach((sample, i) => {
+        const at = size * (samplesPerSide * place + i)
+        for (let k = 0; k < size; k++) target[at + k] = source[size * sample + k]!
+      })
+    }
+  }
+
+  private isLong({ phases, size }: SurfacePhases, place: number): boolean {
+    let offset = 0
+    for (const phase of phases) {
+      let change = 0
+      for (let i = 1; i < samplesPerSide; i++) {
+        const at = size * (samplesPerSide * place + i) + offset
+        let square = 0
+        for (let k = 0; k < phase.size; k++)
+          square += (this.phases[at + k]! - this.phases[at - size + k]!) ** 2
+        change += Math.sqrt(square)
+      }
+      if (Number.isFinite(change) && change > maxLength * phase.step) return true
+      offset += phase.size
+    }
+    return false
+  }
+}
+
+type Arrays = Record<string, Float32Array>

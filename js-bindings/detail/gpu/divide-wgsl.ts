@@ -1,0 +1,243 @@
+// The passes that write the divided mesh for the pieces of the edges, in the order of src/detail/division.cpp.
+import { blockSize, lanes, parameters, startOf, state } from './common-wgsl.js'
+
+/** An attribute of the base; its numbers follow those of the attributes before in each vertex of the divided mesh. */
+export interface Layout {
+  readonly size: number
+  readonly isUnit: boolean
+}
+
+const plainState = state.replace('ATOMIC', 'u32')
+
+/** Chooses the level of each edge, an index of \`pieceCounts\`, and clears its need. */
+export const choosePass = (constants: string) => `${parameters}
+${constants}
+${state.replace('ATOMIC', 'atomic<u32>')}
+@group(0) @binding(1) var<storage, read_write> needs: array<u32>;
+@group(0) @binding(2) var<storage, read_write> pieces: array<u32>;
+@group(0) @binding(3) var<storage, read_write> state: State;
+
+fn roundUp(need: f32) -> u32 {
+  for (var i = 0u; i < levels; i++) { if (f32(pieceCounts[i]) >= need) { return i; } }
+  return levels - 1;
+}
+
+@compute @workgroup_size(64) fn choose(@builtin(global_invocation_id) id: vec3u) {
+  let edge = id.x;
+  if (edge >= parameters.edges) { return; }
+  let need = sqrt(bitcast<f32>(needs[edge]));
+  needs[edge] = 0;
+  let now = pieces[edge];
+  let next = clamp(now, roundUp(need), roundUp(need * hysteresis));
+  if (next == now) { return; }
+  pieces[edge] = next;
+  atomicStore(&state.isStale, 1);
+}`
+
+/** Sums up vertices and triangles within blocks of items. */
+export const placePass = (constants: string) => `${parameters}
+${constants}
+@group(0) @binding(1) var<storage, read> topology: array<u32>;
+@group(0) @binding(2) var<storage, read> pieces: array<u32>;
+@group(0) @binding(3) var<storage, read> table: array<u32>;
+@group(0) @binding(4) var<storage, read_write> sums: array<vec2u>;
+
+${levelOf}
+
+fn countOf(item: u32) -> vec2u {
+  if (item < parameters.sides) { return vec2u(pieceCounts[levelOf(item)] - 1, 0); }
+  if (item >= parameters.sides + parameters.triangles) { return vec2u(0); }
+  let words = table[2 * tessellationOf(item - parameters.sides) + 1];
+  return vec2u(words >> 16, words & 0xffff);
+}
+
+${sumOfBlock}
+
+@compute @workgroup_size(${blockSize}) fn place(
+  @builtin(global_invocation_id) id: vec3u,
+  @builtin(local_invocation_index) local: u32,
+  @builtin(workgroup_id) block: vec3u,
+) {
+  let items = parameters.sides + parameters.triangles;
+  let count = countOf(id.x);
+  let sum = sumUp(local, count);
+  if (id.x < items) { sums[id.x] = sum - count; }
+  if (local == ${blockSize - 1}) { sums[items + block.x] = sum; }
+}`
+
+/** Sums up the blocks, and decides whether the mesh is written. It is not if there is too little room; the mesh of the frame before stays. */
+export const totalPass = () => `${parameters}
+${plainState}
+@group(0) @binding(1) var<storage, read_write> sums: array<vec2u>;
+@group(0) @binding(2) var<storage, read_write> state: State;
+@group(0) @binding(3) var<storage, read_write> drawn: array<u32>;
+
+${sumOfBlock}
+
+@compute @workgroup_size(${blockSize}) fn total(@builtin(local_invocation_index) local: u32) {
+  let items = parameters.sides + parameters.triangles;
+  let blocks = (items + ${blockSize - 1}) / ${blockSize};
+  let share = (blocks + ${blockSize - 1}) / ${blockSize};
+  let first = items + min(local * share, blocks);
+  let end = items + min((local + 1) * share, blocks);
+  var sum = vec2u(0);
+  for (var i = first; i < end; i++) { sum += sums[i]; }
+  let upTo = sumUp(local, sum);
+  var before = upTo - sum;
+  for (var i = first; i < end; i++) {
+    let count = sums[i];
+    sums[i] = before;
+    before += count;
+  }
+  if (local != ${blockSize - 1}) { return; }
+  let count = upTo + vec2u(parameters.vertices, 0);
+  let fits = count.x <= parameters.maxVertices && count.y <= parameters.maxTriangles;
+  state.isWritten = select(0u, state.isStale, fits);
+  state.vertices = count.x;
+  state.triangles = count.y;
+  drawn[1] = parameters.instances;
+  if (state.isWritten == 0) { return; }
+  state.isStale = 0;
+  drawn[0] = 3 * count.y;
+}`
+
+/** Writes vertices and triangles. The vertices of the base are there already. */
+export const writePass = (constants: string, layout: readonly Layout[]) => `${parameters}
+${constants}
+${plainState}
+@group(0) @binding(1) var<storage, read> topology: array<u32>;
+@group(0) @binding(2) var<storage, read> pieces: array<u32>;
+@group(0) @binding(3) var<storage, read> table: array<u32>;
+@group(0) @binding(4) var<storage, read> sums: array<vec2u>;
+@group(0) @binding(5) var<storage, read> state: State;
+@group(0) @binding(6) var<storage, read> base: array<f32>;
+@group(0) @binding(7) var<storage, read_write> vertices: array<f32>;
+@group(0) @binding(8) var<storage, read_write> indices: array<u32>;
+
+${levelOf}
+${startOf}
+${blendOf(layout)}
+
+fn writeSide(side: u32, lane: u32) {
+  let count = pieceCounts[levelOf(side)];
+  let first = parameters.vertices + startOf(side).x;
+  let at = 6 * parameters.triangles + 3 * side;
+  let ends = vec3u(topology[at], topology[at + 1], topology[at]);
+  let scale = 1 / f32(count);
+  for (var i = 1 + lane; i < count; i += ${lanes}) {
+    blend(first + i - 1, ends, vec3f(f32(count - i) * scale, f32(i) * scale, 0));
+  }
+}
+
+var<private> corners: vec3u;
+var<private> sidesOf: vec3u;
+var<private> counts: vec3u;
+var<private> firsts: vec3u;
+
+/** The vertex of a point of the tessellation: see \`Tessellation\`. */
+fn vertexOf(point: u32, inner: u32) -> u32 {
+  var k = point;
+  for (var i = 0; i < 3; i++) {
+    let count = counts[i];
+    if (k < count) {
+      if (k == 0) { return corners[i]; }
+      return firsts[i] + select(count - 1 - k, k - 1, (sidesOf[i] & 1) == 1);
+    }
+    k -= count;
+  }
+  return inner + k;
+}
+
+fn writeTriangle(triangle: u32, lane: u32) {
+  for (var i = 0u; i < 3; i++) {
+    corners[i] = topology[6 * triangle + i];
+    sidesOf[i] = topology[6 * triangle + 3 + i];
+    let side = sidesOf[i] >> 1;
+    counts[i] = pieceCounts[levelOf(side)];
+    firsts[i] = parameters.vertices + startOf(side).x;
+  }
+  let number = tessellationOf(triangle);
+  let data = table[2 * number];
+  let innerCount = table[2 * number + 1] >> 16;
+  let count = table[2 * number + 1] & 0xffff;
+  let start = startOf(parameters.sides + triangle);
+  let inner = parameters.vertices + start.x;
+  for (var i = lane; i < innerCount; i += ${lanes}) {
+    let at = data + 3 * i;
+    let weights = vec3f(bitcast<f32>(table[at]), bitcast<f32>(table[at + 1]), bitcast<f32>(table[at + 2]));
+    blend(inner + i, corners, weights);
+  }
+  for (var i = lane; i < count; i += ${lanes}) {
+    let packed = table[data + 3 * innerCount + i];
+    let to = 3 * (start.y + i);
+    for (var k = 0u; k < 3; k++) { indices[to + k] = vertexOf((packed >> (10 * k)) & 0x3ff, inner); }
+  }
+}
+
+@compute @workgroup_size(${blockSize}) fn write(@builtin(global_invocation_id) id: vec3u) {
+  let item = id.x / ${lanes};
+  let lane = id.x % ${lanes};
+  if (state.isWritten == 0 || item >= parameters.sides + parameters.triangles) { return; }
+  if (item < parameters.sides) { writeSide(item, lane); } else { writeTriangle(item - parameters.sides, lane); }
+}`
+
+const levelOf = `fn levelOf(side: u32) -> u32 {
+  return pieces[topology[6 * parameters.triangles + 3 * side + 2]];
+}
+
+/** The place of a triangle's tessellation in the table. */
+fn tessellationOf(triangle: u32) -> u32 {
+  let at = 6 * triangle + 3;
+  let first = levelOf(topology[at] >> 1);
+  return (first * levels + levelOf(topology[at + 1] >> 1)) * levels + levelOf(topology[at + 2] >> 1);
+}`
+
+/** Returns the sum of the counts of all invocations of a workgroup up to this one. */
+const sumOfBlock = `var<workgroup> sumsOfBlock: array<vec2u, ${blockSize}>;
+fn sumUp(local: u32, count: vec2u) -> vec2u {
+  sumsOfBlock[local] = count;
+  workgroupBarrier();
+  for (var step = 1u; step < ${blockSize}; step *= 2) {
+    var sum = sumsOfBlock[local];
+    if (local >= step) { sum += sumsOfBlock[local - step]; }
+    workgroupBarrier();
+    sumsOfBlock[local] = sum;
+    workgroupBarrier();
+  }
+  return sumsOfBlock[local];
+}`
+
+/** Writes a vertex between others. */
+function blendOf(layout: readonly Layout[]) {
+  const stride = layout.reduce((sum, { size }) => sum + size, 0)
+  let before = 0
+  const parts = layout.map(({ size, isUnit }) => {
+    const at = before
+    before += size
+    const numbers = Array.from({ length: size }, (_, i) => {
+      const of = (corner: string) =>
+        `weights.${corner} * base[${at}u * parameters.vertices + ${size}u * ends.${corner} + ${i}u]`
+      return `var number${at + i} = ${['x', 'y', 'z'].map(of).join(' + ')};`
+    })
+    const names = Array.from({ length: size }, (_, i) => `number${at + i}`)
+    const squares = names.map((name) => `${name} * ${name}`).join(' + ')
+    return [
+      ...numbers,
+      ...(isUnit
+        ? [
+            `let scale${at} = normalizing(${squares});`,
+            ...names.map((name) => `${name} *= scale${at};`),
+          ]
+        : []),
+      ...names.map((name, i) => `vertices[${stride}u * vertex + ${at + i}u] = ${name};`),
+    ].join('\n  ')
+  })
+  return `/** Zero vectors and those that are not finite stay as they are. */
+fn normalizing(square: f32) -> f32 {
+  let scale = inverseSqrt(square);
+  return select(1, scale, square > 0 && (bitcast<u32>(scale) & 0x7f800000u) != 0x7f800000u);
+}
+fn blend(vertex: u32, ends: vec3u, weights: vec3f) {
+  ${parts.join('\n  ')}
+}`
+}

@@ -1,0 +1,227 @@
+// The passes that warp the samples of the base and choose the pieces of its edges. They follow src/detail/need.cpp, which explains the formulas.
+import { parameters } from './common-wgsl.js'
+import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
+
+/** An input of the warp in the buffer of samples, in which the numbers of each input follow each other. */
+export interface SampleInput {
+  readonly input: keyof typeof sampleNames
+  readonly size: number
+}
+
+/** Names of the matrices that bring samples into the world. */
+export const worldNames = { position: 'sampleToWorld', normal: 'sampleNormalToWorld' }
+
+export const worldNumbers = (
+  position: () => readonly number[],
+  normal: () => readonly number[],
+): NamedNumbers[] => [
+  { name: worldNames.position, type: 'mat4', read: position },
+  { name: worldNames.normal, type: 'mat3', read: normal },
+]
+
+interface Warp {
+  readonly code: string
+  readonly declarations: string
+  readonly result: string
+}
+
+/** Warps each sample. */
+export function evaluatePass(
+  warp: Warp,
+  numbers: PackedNumbers,
+  inputs: readonly SampleInput[],
+  isWorld: boolean,
+): string {
+  let before = 0
+  const reads = inputs.map(({ input, size }) => {
+    const at = `parameters.samples * ${before}u + i * ${size}u`
+    before += size
+    const parts = Array.from({ length: size }, (_, k) => `samples[${at} + ${k}u]`)
+    return `let ${input}Here = vec${size}f(${parts.join(', ')});`
+  })
+  const has = (input: string) => inputs.some((each) => each.input === input)
+  const { position, normal, uv, color } = sampleNames
+  return `${parameters}
+@group(0) @binding(1) var<uniform> warpjetInputs: array<vec4f, ${numbers.array.length / 4}>;
+@group(0) @binding(2) var<storage, read> samples: array<f32>;
+@group(0) @binding(3) var<storage, read_write> warped: array<vec4f>;
+${warp.declarations}
+@compute @workgroup_size(64) fn evaluate(@builtin(global_invocation_id) id: vec3u) {
+  let i = id.x;
+  if (i >= parameters.samples) { return; }
+  // A warp without numbers must bind them, too.
+  _ = warpjetInputs[0];
+  ${reads.join('\n  ')}
+  ${numbers.code}
+  ${isWorld ? toWorld(has('normal')) : `let ${position} = positionHere;`}
+  ${has('normal') && !isWorld ? `let ${normal} = normalHere;` : ''}
+  ${has('uv') ? `let ${uv} = uvHere;` : ''}
+  ${has('color') ? `let ${color} = colorHere;` : ''}
+  ${warp.code}
+  warped[i] = vec4f(${warp.result}, 1.0);
+}`
+}
+
+const toWorld = (hasNormal: boolean) =>
+  `let ${sampleNames.position} = (${worldNames.position} * vec4f(positionHere, 1.0)).xyz;${
+    hasNormal
+      ? `
+  let normalThere = ${worldNames.normal} * normalHere;
+  let ${sampleNames.normal} = normalThere / max(length(normalThere), 1e-30);`
+      : ''
+  }`
+
+/** The samples of a triangle, by row. */
+const sampleAt = (row: number, i: number) => (row * (row + 1)) / 2 + i
+
+/** Six numbers of samples for each cell: its corners, and the middles of its sides. */
+const cells = [0, 1, 2].flatMap((row) =>
+  Array.from({ length: row + 1 }, (_, i) => [
+    ...[sampleAt(row, i), sampleAt(row + 2, i), sampleAt(row + 2, i + 2)],
+    ...[sampleAt(row + 1, i), sampleAt(row + 2, i + 1), sampleAt(row + 1, i + 1)],
+  ]),
+)
+
+/** Measures what the edges of each triangle need. */
+export const measurePass = (constants: string) => `${parameters}
+${constants}
+struct View {
+  clip: mat4x4f,
+  halfSize: vec2f,
+  facing: f32,
+}
+@group(0) @binding(1) var<storage, read> views: array<View>;
+@group(0) @binding(2) var<storage, read> topology: array<u32>;
+@group(0) @binding(3) var<storage, read> base: array<f32>;
+@group(0) @binding(4) var<storage, read> warped: array<vec4f>;
+@group(0) @binding(5) var<storage, read_write> needs: array<atomic<u32>>;
+
+alias Samples = array<vec3f, 15>;
+alias Clips = array<vec4f, 15>;
+const cells = array<array<u32, 6>, 6>(${cells.map((cell) => `array<u32, 6>(${cell.join(', ')})`).join(', ')});
+
+fn samplesOf(triangle: u32) -> Samples {
+  var found: Samples;
+  let first = 6 * triangle;
+  found[0] = warped[topology[first]].xyz;
+  found[${sampleAt(4, 0)}] = warped[topology[first + 1]].xyz;
+  found[${sampleAt(4, 4)}] = warped[topology[first + 2]].xyz;
+  for (var k = 1u; k < 4; k++) {
+    let row = 4 - k;
+    let places = array<u32, 3>(k * (k + 1) / 2, ${sampleAt(4, 0)} + k, row * (row + 1) / 2 + row);
+    for (var i = 0u; i < 3; i++) {
+      let side = topology[first + 3 + i];
+      let fromEnd = select(3 - k, k - 1, (side & 1) == 1);
+      found[places[i]] = warped[parameters.vertices + 3 * (side >> 1) + fromEnd].xyz;
+    }
+  }
+  let inside = parameters.vertices + 3 * (parameters.sides + triangle);
+  found[${sampleAt(2, 1)}] = warped[inside].xyz;
+  found[${sampleAt(3, 1)}] = warped[inside + 1].xyz;
+  found[${sampleAt(3, 2)}] = warped[inside + 2].xyz;
+  return found;
+}
+
+fn facesAway(clips: ptr<function, Clips>, halfSize: vec2f, facing: f32) -> bool {
+  for (var i = 0; i < 6; i++) {
+    let cell = cells[i];
+    let a = (*clips)[cell[0]];
+    let b = (*clips)[cell[1]];
+    let c = (*clips)[cell[2]];
+    if (a.w <= 0 || b.w <= 0 || c.w <= 0) { return false; }
+    let corner = halfSize * a.xy / a.w;
+    let u = halfSize * b.xy / b.w - corner;
+    let v = halfSize * c.xy / c.w - corner;
+    if (!(facing * (u.x * v.y - u.y * v.x) < -away * length(u) * length(v))) { return false; }
+  }
+  return true;
+}
+
+fn isVisible(clips: ptr<function, Clips>, view: View) -> bool {
+  var areOutside = array<bool, 5>(true, true, true, true, true);
+  for (var i = 0; i < 15; i++) {
+    let clip = (*clips)[i];
+    let limit = margin * abs(clip.w);
+    areOutside[0] &= clip.x > limit;
+    areOutside[1] &= -clip.x > limit;
+    areOutside[2] &= clip.y > limit;
+    areOutside[3] &= -clip.y > limit;
+    areOutside[4] &= clip.w <= 0;
+  }
+  for (var i = 0; i < 5; i++) { if (areOutside[i]) { return false; } }
+  return view.facing == 0 || !facesAway(clips, view.halfSize, view.facing);
+}
+
+fn nearestOf(clips: ptr<function, Clips>) -> vec4f {
+  let middle = ((*clips)[0] + (*clips)[${sampleAt(4, 0)}] + (*clips)[${sampleAt(4, 4)}]) / 3;
+  var found = (*clips)[0];
+  for (var i = 1; i < 15; i++) { if ((*clips)[i].w < found.w) { found = (*clips)[i]; } }
+  found.w = max(found.w, nearest * abs(middle.w));
+  let limit = aside * found.w;
+  return vec4f(clamp(found.xy, vec2f(-limit), vec2f(limit)), found.zw);
+}
+
+/** Returns xx, xy and yy of the bend. */
+fn bendOf(width: f32, apex: vec2f, first: vec2f, second: vec2f, third: vec2f) -> vec3f {
+  let mixed = 0.5 * (first + third - second);
+  let xx = first / (width * width);
+  let xy = (mixed - xx * width * apex.x) / (width * apex.y);
+  let yy = (third - xx * apex.x * apex.x - 2 * xy * apex.x * apex.y) / (apex.y * apex.y);
+  let sum = vec3f(dot(xx, xx) + dot(xy, xy), dot(xy, xx + yy), dot(xy, xy) + dot(yy, yy));
+  let root = sqrt(max(0, sum.x * sum.z - sum.y * sum.y));
+  return vec3f(sum.x + root, sum.y, sum.z + root) / sqrt(sum.x + sum.z + 2 * root);
+}
+
+fn along(bend: vec3f, v: vec2f) -> f32 {
+  return bend.x * v.x * v.x + 2 * bend.y * v.x * v.y + bend.z * v.y * v.y;
+}
+
+fn placeOf(vertex: u32) -> vec3f {
+  return vec3f(base[3 * vertex], base[3 * vertex + 1], base[3 * vertex + 2]);
+}
+
+fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u; }
+
+@compute @workgroup_size(64) fn measure(@builtin(global_invocation_id) id: vec3u) {
+  let triangle = id.x;
+  if (triangle >= parameters.triangles) { return; }
+  let first = 6 * triangle;
+  let a = placeOf(topology[first]);
+  let u = placeOf(topology[first + 1]) - a;
+  let v = placeOf(topology[first + 2]) - a;
+  let width = length(u);
+  let x = dot(u, v) / width;
+  let apex = vec2f(x, max(lowest * sqrt(dot(u, u) + dot(v, v)), sqrt(max(0, dot(v, v) - x * x))));
+  var samples = samplesOf(triangle);
+  var squares = vec3f(0);
+  for (var k = 0u; k < parameters.views; k++) {
+    let view = views[k];
+    var clips: Clips;
+    for (var i = 0; i < 15; i++) { clips[i] = view.clip * vec4f(samples[i], 1); }
+    if (!isVisible(&clips, view)) { continue; }
+    let near = nearestOf(&clips);
+    var most = vec3f(0);
+    var sum = vec3f(0);
+    for (var i = 0; i < 6; i++) {
+      let cell = cells[i];
+      var bends: array<vec2f, 3>;
+      for (var j = 0u; j < 3; j++) {
+        let change = samples[cell[j]] + samples[cell[(j + 1) % 3]] - 2 * samples[cell[j + 3]];
+        let clip = view.clip * vec4f(16 * change, 0);
+        bends[j] = view.halfSize * (clip.xy - near.xy * (clip.w / near.w)) / near.w;
+      }
+      let bend = bendOf(width, apex, bends[0], bends[1], bends[2]);
+      let here = vec3f(along(bend, vec2f(width, 0)), along(bend, apex - vec2f(width, 0)), along(bend, apex));
+      if (!isFinite(here.x + here.y + here.z)) { continue; }
+      most = max(most, here);
+      sum += here;
+    }
+    squares = max(squares, (most + beyondCells * (most - sum / 6)) * error);
+  }
+  squares /= aim * parameters.tolerance;
+  for (var i = 0u; i < 3; i++) {
+    let side = topology[first + 3 + i] >> 1;
+    let edge = topology[6 * parameters.triangles + 3 * side + 2];
+    atomicMax(&needs[edge], bitcast<u32>(squares[i]));
+  }
+}`

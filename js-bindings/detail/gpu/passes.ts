@@ -1,0 +1,117 @@
+// The compute passes for a warp and the attributes of a mesh, compiled in the background.
+import type { HostWarp } from '../../compile/host-warp.js'
+import { arrayNames } from '../../core/inputs/vertices.js'
+import { details } from '../../wasm/detail.js'
+import type { DetailBase } from '../detailed-mesh.js'
+import { constantsOf } from './common-wgsl.js'
+import { choosePass, placePass, totalPass, writePass } from './divide-wgsl.js'
+import { evaluatePass, measurePass, worldNumbers, type SampleInput } from './measure-wgsl.js'
+import { tessellationTable } from './table.js'
+import { PackedNumbers, warpInWgsl } from './warp-wgsl.js'
+import { usage, type GpuBuffer, type GpuDevice, type GpuPipeline } from './webgpu.js'
+
+export type PassName = 'evaluate' | 'measure' | 'choose' | 'place' | 'total' | 'write'
+
+export interface Passes {
+  readonly pipelines: Readonly<Record<PassName, GpuPipeline>>
+  readonly numbers: PackedNumbers
+  readonly inputs: readonly SampleInput[]
+  readonly table: GpuBuffer
+  /** The counts of pieces, by level. */
+  readonly pieceCounts: readonly number[]
+}
+
+/** The matrices that bring samples into the world. */
+export interface World {
+  readonly position: () => readonly number[]
+  readonly normal: () => readonly number[]
+}
+
+interface OfDevice {
+  readonly pipelines: Map<string, Promise<GpuPipeline>>
+  table?: Promise<GpuBuffer>
+}
+
+const ofDevices = new WeakMap<GpuDevice, OfDevice>()
+
+/** Compiles the passes. Rejects if the device or the warp cannot do without the CPU. */
+export async function compilePasses(
+  device: GpuDevice,
+  warp: HostWarp,
+  { attributes }: Pick<DetailBase, 'attributes'>,
+  world: World | undefined,
+): Promise<Passes> {
+  const { maxStorageBuffersPerShaderStage, maxComputeInvocationsPerWorkgroup } = device.limits
+  if (maxStorageBuffersPerShaderStage < 8 || maxComputeInvocationsPerWorkgroup < 256)
+    throw new Error('the limits of the device are too low')
+  const text = warpInWgsl(warp)
+  if (!text) throw new Error('the warp reads what only shaders have')
+  let shared = ofDevices.get(device)
+  if (!shared) ofDevices.set(device, (shared = { pipelines: new Map() }))
+  const bound = details.get()
+  const constants = constantsOf(bound)
+  const pieceCounts = [...bound.pieceNumbers()]
+  const numbers = new PackedNumbers([
+    ...text.numbers,
+    ...(world ? worldNumbers(world.position, world.normal) : []),
+  ])
+  const inputs: SampleInput[] = [
+    { input: 'position', size: 3 },
+    ...attributes.flatMap(({ input, size }) => {
+      const name = (['normal', 'uv', 'color'] as const).find((each) => arrayNames[each] === input)
+      return name && warp.reads(name) ? [{ input: name, size }] : []
+    }),
+  ]
+  const layout = [
+    { size: 3, isUnit: false },
+    ...attributes.map(({ size, isUnit = false }) => ({ size, isUnit })),
+  ]
+  const codes: Record<PassName, string> = {
+    evaluate: evaluatePass(text, numbers, inputs, world !== undefined),
+    measure: measurePass(constants),
+    choose: choosePass(constants),
+    place: placePass(constants),
+    total: totalPass(),
+    write: writePass(constants, layout),
+  }
+  shared.table ??= uploadTable(device)
+  const names = Object.keys(codes) as PassName[]
+  const [table, ...pipelines] = await Promise.all([
+    shared.table,
+    ...names.map((name) => pipelineOf(device, shared.pipelines, name, codes[name])),
+  ])
+  return {
+    pipelines: Object.fromEntries(names.map((name, i) => [name, pipelines[i]])) as never,
+    numbers,
+    inputs,
+    table,
+    pieceCounts,
+  }
+}
+
+function pipelineOf(
+  device: GpuDevice,
+  known: Map<string, Promise<GpuPipeline>>,
+  name: string,
+  code: string,
+) {
+  let pipeline = known.get(code)
+  if (!pipeline) {
+    const label = `warpjet detail: ${name}`
+    const module = device.createShaderModule({ label, code })
+    pipeline = device.createComputePipelineAsync({ label, layout: 'auto', compute: { module } })
+    known.set(code, pipeline)
+  }
+  return pipeline
+}
+
+async function uploadTable(device: GpuDevice) {
+  const words = await tessellationTable()
+  const buffer = device.createBuffer({
+    label: 'warpjet detail: tessellations',
+    size: words.byteLength,
+    usage: usage.storage | usage.copyTo,
+  })
+  device.queue.writeBuffer(buffer, 0, words)
+  return buffer
+}

@@ -1,0 +1,38 @@
+// The tessellations of triangles for compute passes, made once per page while it is idle.
+import { details } from '../../wasm/detail.js'
+
+let made: Promise<Uint32Array<ArrayBuffer>> | undefined
+
+/** Returns the words of src/detail/tessellation_table.hpp: about 0.7 MB, which take more than half a second in total. */
+export const tessellationTable = (): Promise<Uint32Array<ArrayBuffer>> =>
+  (made ??= makeTable().catch((error) => {
+    made = undefined
+    throw error
+  }))
+
+/** In milliseconds. One tessellation can take longer. */
+const sliceLength = 4
+
+async function makeTable() {
+  const bound = details.get()
+  const table = new bound.TessellationTable()
+  try {
+    for (let isDone = false; !isDone;) {
+      await whenIdle()
+      if (bound.isBroken) throw new Error('the wasm module failed')
+      const end = performance.now() + sliceLength
+      while (!isDone && performance.now() < end) isDone = !table.makeNext()
+    }
+    return table.words().slice()
+  } finally {
+    if (!bound.isBroken) table.delete()
+  }
+}
+
+/** Safari has no `requestIdleCallback`. */
+const whenIdle = () =>
+  new Promise<unknown>((resolve) =>
+    'requestIdleCallback' in globalThis
+      ? requestIdleCallback(resolve, { timeout: 50 })
+      : setTimeout(resolve, 10),
+  )

@@ -1,0 +1,33 @@
+// The numbers by which the pieces of edges are chosen: see need.cpp. Compute passes in WGSL take
+// them from here, too.
+#pragma once
+
+namespace warpjet {
+
+struct Criterion {
+  // Triangles are invisible if all of their samples are outside of the view times this factor.
+  float margin = 1.3f;
+  // Samples count as at least this share as far from the eye as the middle of their triangle.
+  float nearest = 0.1f;
+  // Samples farther aside than this, in halves of the view, count as this far.
+  float aside = 1.5f;
+  // A cell faces away if its signed area on the screen is below minus this share of its sides.
+  float away = 0.2f;
+  // The bend between samples can exceed that of all cells. This estimates by how much, as a share
+  // of the difference of their maximum and mean; `npm run report -- detail` shows what it leads to.
+  float beyondCells = 0.3f;
+  // A piece of length h errs by h^2 / 8 of the second derivative; a triangle errs most in its
+  // middle, by 4/3 of that.
+  float error = 4.0f / 3 / 8;
+  // Samples underestimate, so the aim is below the tolerance.
+  float aim = 0.8f;
+  // A number of pieces is lowered only if it would do for that many times the need.
+  float hysteresis = 1.25f;
+  // Slivers count as higher than they are, by this share of their sides: second differences of
+  // floats, divided by the square of almost no height, would be rounding errors.
+  float lowest = 0.01f;
+};
+
+inline constexpr Criterion criterion;
+
+}  // namespace warpjet

@@ -1,0 +1,224 @@
+// A page on which compute passes divide meshes, beside a renderer that leaves that to the CPU.
+import * as THREE from 'three/webgpu'
+import { warp } from 'warpjet/three'
+import 'warpjet/three/webgpu'
+import { readDrawn } from './indirect.js'
+import { camera, countBeyond, sceneOf, size, warpBy } from './pictures.js'
+import { countOpenSides } from './sides.js'
+
+/** Maps a renderer → its target: a texture cannot belong to two devices. */
+const targets = new Map()
+const errors = []
+/** The buffers of our passes that are not destroyed. */
+const buffers = new Set()
+
+function watchBuffers(device) {
+  const { createBuffer } = device
+  device.createBuffer = (settings) => {
+    const buffer = createBuffer.call(device, settings)
+    if (!settings.label?.startsWith('warpjet detail')) return buffer
+    buffers.add(buffer)
+    const { destroy } = buffer
+    buffer.destroy = () => {
+      buffers.delete(buffer)
+      destroy.call(buffer)
+    }
+    return buffer
+  }
+}
+
+async function makeRenderer() {
+  const renderer = new THREE.WebGPURenderer({ antialias: false })
+  await renderer.init()
+  if (!renderer.backend.isWebGPUBackend) throw new Error('this browser has no WebGPU')
+  renderer.setClearColor(0, 0)
+  const { device } = renderer.backend
+  device.addEventListener('uncapturederror', ({ error }) => errors.push(error.message))
+  watchBuffers(device)
+  targets.set(renderer, new THREE.RenderTarget(size, size))
+  return renderer
+}
+
+const passes = await makeRenderer()
+const cpu = await makeRenderer()
+cpu.backend.device.createComputePipelineAsync = () => Promise.reject(new Error('none'))
+
+function render(renderer, scene, view) {
+  renderer.setRenderTarget(targets.get(renderer))
+  renderer.render(scene, view)
+  renderer.setRenderTarget(null)
+}
+
+const pictureOf = (renderer) =>
+  renderer.readRenderTargetPixelsAsync(targets.get(renderer), 0, 0, size, size)
+
+const wait = (time) => new Promise((resolve) => setTimeout(resolve, time))
+
+/** Warps a mesh → its scene, and the geometry with which it was drawn last. */
+function start(renderer, { shape, name, offset, uniforms, detail = 1, space, material }) {
+  const { scene, mesh } = sceneOf(shape, { material })
+  let drawn
+  mesh.onBeforeRender = () => (drawn = mesh.geometry)
+  const warped = offset
+    ? warp(mesh, offset, { uniforms, detail, space })
+    : warpBy(mesh, name, detail, { space })
+  return {
+    mesh,
+    warped,
+    drawn: () => drawn,
+    read: () => readDrawn(renderer, drawn),
+    async draw(view) {
+      render(renderer, scene, view)
+      return pictureOf(renderer)
+    },
+    /** Draws until compute passes divide the mesh → the number of pictures. */
+    async begin(view = camera()) {
+      for (let i = 1; i < 1000; i++) {
+        render(renderer, scene, view)
+        if (drawn.indirect) return i
+        await wait(10)
+      }
+      throw new Error(`compute passes did not begin: ${errors}`)
+    },
+  }
+}
+
+/** Cameras around the mesh, near and far. */
+const cameras = (count) =>
+  Array.from({ length: count }, (_, i) => {
+    const view = camera()
+    view.position.setFromSphericalCoords(1.6 + 3 * ((i * 0.382) % 1), 0.4 + 0.3 * i, 2.4 * i)
+    view.lookAt(0, 0, 0)
+    return view
+  })
+
+/** Divides by passes and by the CPU for the same views → what differs in each. */
+async function divide({ frames = 6, ...options }) {
+  const all = [start(passes, options), start(cpu, options)]
+  const [byPasses, byCpu] = all
+  await byPasses.begin()
+  await byCpu.draw(camera())
+  const found = []
+  for (const [i, view] of cameras(frames).entries()) {
+    for (const { warped, mesh } of all) {
+      warped.update(40 * i)
+      if (options.space === 'world') mesh.rotation.z = i / 20
+    }
+    const [picture, expectedPicture] = [await byPasses.draw(view), await byCpu.draw(view)]
+    const { indices, numbers } = await byPasses.read()
+    const { index, attributes, drawRange } = byCpu.drawn()
+    const expected = index.array.subarray(0, drawRange.count)
+    const isEqual = indices.length === expected.length && indices.every((x, k) => x === expected[k])
+    const places = attributes.position.array
+    found.push({
+      triangles: indices.length / 3,
+      expected: expected.length / 3,
+      isEqual,
+      farthest: isEqual && numbers.reduce((a, x, k) => Math.max(a, Math.abs(x - places[k])), 0),
+      openSides: countOpenSides(indices, numbers),
+      beyond: countBeyond(picture, expectedPicture),
+    })
+  }
+  for (const { warped } of all) warped.dispose()
+  return { found, errors: errors.splice(0) }
+}
+
+/** Comes close to a mesh that was small, so that the buffers have to grow → pictures beside those by the CPU. */
+async function approach(options) {
+  const all = [start(passes, options), start(cpu, options)]
+  const [byPasses, byCpu] = all
+  const [far, near] = [camera(), camera()]
+  far.position.setLength(20)
+  await byPasses.begin(far)
+  const before = await byPasses.read()
+  const first = byPasses.drawn()
+  // The mesh of the frame before is drawn until there is room, a few frames later.
+  const pictures = []
+  for (let i = 0; i < 6; i++) {
+    pictures.push(await byPasses.draw(near))
+    await wait(10)
+  }
+  const expected = await byCpu.draw(near)
+  const { indices } = await byPasses.read()
+  const isSame = byPasses.drawn() === first
+  for (const { warped } of all) warped.dispose()
+  return {
+    ...{ before: before.indices.length / 3, after: indices.length / 3, isSame },
+    beyond: pictures.map((picture) => countBeyond(picture, expected)),
+    errors: errors.splice(0),
+  }
+}
+
+/** Waves along x that become shorter, so that the mesh has to be cut anew. */
+async function refine() {
+  const offset = ({ glsl, position, uniforms }) =>
+    glsl.vec3(0, position.x().mult(uniforms.waves).sin().mult(0.1), 0)
+  const options = { shape: 'box', offset, uniforms: { waves: 4 } }
+  const all = [start(passes, options), start(cpu, options)]
+  await all[0].begin()
+  await all[1].draw(camera())
+  for (const { warped } of all) warped.uniforms.waves.value = 60
+  const picture = await all[0].draw(camera())
+  const expected = await all[1].draw(camera())
+  await all[0].begin()
+  const later = await all[0].draw(camera())
+  const { indices } = await all[0].read()
+  for (const { warped } of all) warped.dispose()
+  return {
+    triangles: indices.length / 3,
+    beyond: [picture, later].map((each) => countBeyond(each, expected)),
+    errors: errors.splice(0),
+  }
+}
+
+/** Draws with two cameras in turn, on larger targets, and as lines, and counts buffers. */
+async function life() {
+  const before = buffers.size
+  const material = new THREE.MeshNormalMaterial()
+  const one = start(passes, { shape: 'box', name: 'twist', material })
+  await one.begin()
+  const [near, far] = [camera(), camera()]
+  far.position.setLength(30)
+  const triangles = async () => (await one.read()).indices.length / 3
+  const counts = { held: buffers.size - before, pairs: [] }
+  for (let i = 0; i < 2; i++)
+    for (const view of [near, far]) {
+      await one.draw(view)
+      counts.pairs.push(await triangles())
+    }
+  const target = targets.get(passes)
+  target.setSize(4 * size, 4 * size)
+  await one.draw(near)
+  // There may be too little room at first.
+  await wait(20)
+  await one.draw(near)
+  counts.large = await triangles()
+  target.setSize(size, size)
+  material.wireframe = true
+  await one.draw(near)
+  counts.isIndirectAsLines = one.drawn().indirect !== null
+  material.wireframe = false
+  await one.draw(near)
+  counts.isIndirectAgain = one.drawn().indirect !== null
+  one.mesh.material = [material]
+  one.mesh.geometry.clearGroups()
+  one.mesh.geometry.addGroup(0, 36, 0)
+  await one.draw(near)
+  counts.isIndirectByGroups = one.drawn().indirect !== null
+  one.warped.dispose()
+  const options = { tolerance: 1, curved: true }
+  const curved = start(passes, { shape: 'sphere', name: 'twist', detail: options })
+  for (let i = 0; i < 10; i++) {
+    await curved.draw(near)
+    await wait(10)
+  }
+  counts.isIndirectIfCurved = curved.drawn().indirect !== null
+  curved.warped.dispose()
+  await wait(20)
+  // The tessellations stay for the next mesh.
+  counts.left = buffers.size - before
+  return { counts, errors: errors.splice(0) }
+}
+
+globalThis.compute = { divide, approach, refine, life }
+document.title = 'ready'
