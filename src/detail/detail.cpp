@@ -170,8 +170,9 @@ std::uint32_t Detail::chooseUniform() {
   constexpr float maxUniform = 256;
   const float need = std::max(1.0f, needs_.uniform());
   if (cuts_.empty() || need > maxUniform) return 0;
-  const auto pieces = std::clamp(uniform_, static_cast<std::uint32_t>(std::ceil(need)),
-                                 static_cast<std::uint32_t>(std::ceil(need * criterion.hysteresis)));
+  const auto pieces =
+      std::clamp(uniform_, static_cast<std::uint32_t>(std::ceil(need)),
+                 static_cast<std::uint32_t>(std::ceil(need * criterion.hysteresis)));
   double adaptive = 0;
   for (std::size_t t = 0; t < base_->triangles().size(); ++t)
     adaptive += static_cast<double>(
