@@ -2,7 +2,8 @@
  * 'warpjet/mesh': loads, warps, subdivides and exports meshes, in browsers and in Node. Its own wasm module starts when it is first
  * used. All functions leave their arguments unchanged.
  */
-export { bakeWarp, type Evaluates } from './mesh/bake.js'
+export { bakeWarp, type BakeOptions } from './mesh/bake.js'
+export type { Evaluates } from './mesh/evaluates.js'
 export { bakeNormalMap, type NormalMapOptions } from './mesh/normal-map.js'
 export { exportGLB } from './mesh/export.js'
 export { loadMesh, type LoadAsOptions, type LoadOptions } from './mesh/load.js'

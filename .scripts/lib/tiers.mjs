@@ -6,7 +6,7 @@ export const rareFiles = [
   // The benchmark and the site's pages, whose parts are covered by everyday tests.
   ...['bench', 'bench-pages', 'bench-results'].map((name) => `tests/scripts/${name}`),
   ...['drop', 'site', 'site-motion', 'site-offline', 'docs'].map((name) => `web/tests/${name}`),
-  ...['', '-costs', '-help', '-habits', '-hosts', '-examples'].map(
+  ...['', '-save', '-costs', '-help', '-habits', '-hosts', '-examples'].map(
     (name) => `web/tests/playground${name}`,
   ),
   // These hosts draw the same warps that the everyday tests draw with p5 on WebGL, but slowly without a GPU.

@@ -8,7 +8,7 @@ import type { Vec4, WarpInputs } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { describe, describeShape } from '../errors/errors.js'
 import type { Place } from '../options/place.js'
-import { imageSizeText, instanceID, textsAsFloats } from './function-text.js'
+import { instanceID, textsAsFloats } from './function-text.js'
 import { Columns, Halves, halvesOf, type GlslValue } from './halves.js'
 import type { External, Named } from './listing.js'
 import { article } from './options.js'
@@ -72,10 +72,8 @@ export function bindExternals(
     const { name } = externals[index]!
     return isDeclared(name) ? declared[name] : name
   }
-  const imageSize = (index: number) => {
-    const { target } = glsl.val!(0).session as Session
-    return glsl.vec2Param!(imageSizeText(target, String(imageOf(index))))
-  }
+  const imageSize = (index: number) =>
+    (glsl.val!(0).session as Session).imageSize(String(imageOf(index)))
   const external = (index: number) => {
     let value = made.get(index)
     if (!value) made.set(index, (value = find(externals[index]!)))

@@ -1,4 +1,4 @@
-// Writes code that the compiler does not generate, in each language: whole functions, and the size of an image.
+// Writes code that the compiler does not generate, in each language: whole functions, and conversions of variables to floats.
 import { targets, type Target } from '../core/module/serialized-module.js'
 import { languages } from '../wasm/tables.js'
 import type { Named } from './listing.js'
@@ -28,14 +28,6 @@ export function functionText(target: Target, parts: FunctionParts): string {
 
 /** The input `instance` in GLSL. */
 export const instanceID = 'gl_InstanceID'
-
-/** An expression for the size of an image in texels; WebGL 1 needs a size uniform. */
-export function imageSizeText(target: Target, image: string) {
-  if (target === 'glsl100') return `${image}Size`
-  return languages[target] === 'wgsl'
-    ? `vec2f(textureDimensions(${image}))`
-    : `vec2(textureSize(${image}, 0))`
-}
 
 /** Returns expressions that convert a variable, or with `half` the low or high 16 bits of its integers, to floats. */
 export function textsAsFloats(

@@ -1,14 +1,13 @@
 // `bakeWarp`: applies a warp to a mesh on the CPU.
+import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import { isGeometry, type Geometry } from '../core/inputs/geometry.js'
-import { uniformsOf, type Uniforms, type Vertices } from '../core/inputs/vertices.js'
-import type { CpuWarp, EvaluationOptions } from '../cpu/cpu-warp.js'
-import type { WarpedVertices } from '../cpu/results.js'
-import { warpProgram, type RunningProgram } from '../cpu/warp-program.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { isList } from '../options/guards.js'
-import { kind } from '../options/kinds.js'
-import { anyNumber, finiteFloat, firstWrong } from '../options/numbers.js'
+import { uniformsOf, type Uniforms } from '../core/inputs/vertices.js'
+import type { EvaluationOptions } from '../cpu/cpu-warp.js'
+import { warpProgram } from '../cpu/warp-program.js'
+import { optional, positiveNumber } from '../options/kinds.js'
+import { finiteFloat, firstWrong } from '../options/numbers.js'
 import { Place } from '../options/place.js'
+import { evaluateFor, readsVariation, warpKind, type Evaluates } from './evaluates.js'
 import { movedGeometry, type Plain } from './geometry.js'
 import { withJob } from './job.js'
 import {
@@ -19,26 +18,21 @@ import {
   type MeshInput,
   type MeshOrGeometry,
 } from './mesh-arrays.js'
+import { defaultGoals, refineByWarp, subdivideBy } from './subdivide.js'
 import { takeVariation, type SurfaceVariation } from './surface-variation.js'
 
-/** The part of `compileWarp`'s result that meshes need. */
-export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
-  /** @internal */
-  readonly [warpProgram]?: RunningProgram
+export interface BakeOptions extends EvaluationOptions {
+  /**
+   * First divides the mesh where the warp bends it, like `subdivide` with this tolerance: the max distance between the warped surface
+   * and the baked triangles, in units of the mesh. There is no camera, so it is not in pixels like the option `detail` of `createWarp`.
+   * By default, the mesh keeps its own vertices.
+   */
+  detail?: number | undefined
 }
-
-/** The kind of a warp that runs on the CPU; `makers` names the functions that return one, for messages. */
-export const warpKind = (makers = 'compileWarp') =>
-  kind<Evaluates>(
-    `a result of ${makers}`,
-    (given) => typeof (given as Evaluates | undefined)?.evaluate === 'function',
-  )
 
 const place = new Place('bakeWarp')
 const bakedWarp = warpKind()
-
-/** Returns whether the warp needs the gradients of normals and uvs over the mesh. */
-export const readsVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?? false
+const detailKind = optional(positiveNumber())
 
 /**
  * Returns the mesh with warped positions, normals and tangents; all else is copied. Missing normals are computed first, and also the
@@ -48,24 +42,33 @@ export const readsVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?? 
  * For a `BufferGeometry` of three.js the result is one too, with all its other attributes and its groups; its morph targets are also
  * warped. Throws a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex,
  * or the mesh is too large for the memory of the module (such as 40 million triangles).
+ *
+ * @example
+ * const baked = bakeWarp(mesh, warp, { uniforms: { millis: 1200 }, detail: 0.01 })
  */
 export function bakeWarp<Given extends Geometry>(
   geometry: Given,
   warp: Evaluates,
-  options?: EvaluationOptions,
+  options?: BakeOptions,
 ): Plain<Given>
-export function bakeWarp(mesh: MeshInput, warp: Evaluates, options?: EvaluationOptions): Mesh
-export function bakeWarp(
-  given: MeshOrGeometry,
-  warp: Evaluates,
-  options?: EvaluationOptions,
-): unknown {
+export function bakeWarp(mesh: MeshInput, warp: Evaluates, options?: BakeOptions): Mesh
+export function bakeWarp(given: MeshOrGeometry, warp: Evaluates, options?: BakeOptions): unknown {
   bakedWarp.read(warp, place.part('the warp'))
-  const uniforms = uniformsOf(place, options)
-  const bake = (mesh: MeshOrGeometry) => warpMesh(place, mesh, warp, uniforms).warped
-  const baked = bake(given)
-  if (!isGeometry(given)) return baked
-  return movedGeometry(given, baked, isMirroredBy(place, warp, uniforms), bake)
+  const values = uniformsOf(place, options, ['uniforms', 'detail'])
+  const tolerance = detailKind.read(options?.detail, place.option('detail'))
+  if (tolerance === undefined) return bake(given, warp, values)
+  const uniforms = snapshotUniforms(place, warp[warpProgram]?.declared, values)
+  const goals = { ...defaultGoals, tolerance }
+  return bake(subdivideBy(place, given, refineByWarp(place, warp, uniforms, goals)), warp, uniforms)
+}
+
+function bake(given: MeshOrGeometry, warp: Evaluates, uniforms: Uniforms | undefined): unknown {
+  const bakeMesh = (mesh: MeshOrGeometry) => warpMesh(place, mesh, warp, uniforms).warped
+  const baked = bakeMesh(given)
+  if (isGeometry(given))
+    return movedGeometry(given, baked, isMirroredBy(place, warp, uniforms), bakeMesh)
+  const { warnings } = given as Partial<Mesh>
+  return warnings ? { ...baked, warnings } : baked
 }
 
 /** Returns whether the warp mirrors all of space; false for a warp made by hand, which doesn't have this information. */
@@ -102,50 +105,6 @@ export function warpMesh(
   const baked = { ...copy, positions, normals, ...(tangents && { tangents }) }
   const isMirrored = isMirroredBy(place, warp, uniforms)
   return { rest: vertices, warped: isMirrored ? reverseTriangles(baked) : baked }
-}
-
-/** Calls `warp.evaluate`, and makes its messages name the function that the user called. */
-export function evaluateFor(
-  place: Place,
-  warp: Evaluates,
-  vertices: Vertices,
-  uniforms?: Uniforms,
-): WarpedVertices {
-  let warped: WarpedVertices
-  try {
-    warped = warp.evaluate(vertices, { uniforms })
-  } catch (error) {
-    // The warp may come from another script, which has its own class WarpError.
-    const { name, message = '' } = (error ?? {}) as Partial<Error>
-    if (name !== 'WarpError') throw error
-    throw new WarpError(message.replace(/^evaluate: /, `${place.method}: `))
-  }
-  if (!warp[warpProgram]) rejectOtherArrays(place.part("the warp's evaluate"), warped, vertices)
-  return warped
-}
-
-/** Checks the result of a warp that was made by hand. */
-function rejectOtherArrays(place: Place, warped: unknown, vertices: Vertices) {
-  const count = vertices.positions.length / 3
-  const expectToGive = (what: string, got: string) =>
-    place.error(`expected ${place.subject} to return ${what}, got ${got}.`)
-  if (typeof warped !== 'object' || warped === null)
-    throw expectToGive('{ positions, normals }', describe(warped))
-  for (const [name, size] of [
-    ['positions', 3],
-    ['normals', 3],
-    ['tangents', 4],
-  ] as const) {
-    const numbers = (warped as Record<string, unknown>)[name]
-    if (numbers === undefined && name !== 'positions') continue
-    if (!isList(numbers) || numbers.length !== size * count)
-      throw expectToGive(
-        `${name} as an array of ${size * count} numbers, ${size} per vertex`,
-        describe(numbers),
-      )
-    const wrong = firstWrong(numbers, anyNumber)
-    if (wrong >= 0) throw expectToGive(`a number as ${name}[${wrong}]`, describe(numbers[wrong]))
-  }
 }
 
 function rejectNonFinite(

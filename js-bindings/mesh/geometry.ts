@@ -141,7 +141,7 @@ export interface Origins {
 }
 
 /** Returns a finer geometry, with texture coordinates, colours and all other attributes interpolated like positions. */
-export function finerGeometry(given: Geometry, mesh: Mesh, { ends, triangles }: Origins): unknown {
+export function finerGeometry(given: Geometry, mesh: Mesh, { ends, triangles }: Origins): Geometry {
   const { Plain, Numbers } = classesOf(given)
   const made = withoutBounds(new Plain().copy(given))
   const finer = (attribute: Attribute) => finerAttribute(attribute, ends, Numbers)

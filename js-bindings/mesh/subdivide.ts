@@ -2,14 +2,13 @@
 import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import { isGeometry, type Geometry } from '../core/inputs/geometry.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
-import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { warpProgram } from '../cpu/warp-program.js'
 import { describe } from '../errors/errors.js'
 import { anything, positiveNumber, wholeNumber } from '../options/kinds.js'
 import { Place } from '../options/place.js'
 import { object, type KindsOf } from '../options/schema.js'
 import { defaultTriangles, triangleLimit } from '../wasm/mesh-tables.js'
-import { evaluateFor, readsVariation, warpKind, type Evaluates } from './bake.js'
+import { evaluateFor, readsVariation, warpKind, type Evaluates } from './evaluates.js'
 import { finerGeometry, type Plain } from './geometry.js'
 import { withJob, type Job } from './job.js'
 import { putMesh, takeMesh, type Mesh, type MeshInput, type MeshOrGeometry } from './mesh-arrays.js'
@@ -70,7 +69,18 @@ export function subdivide(
       'options such as { warp, tolerance: 0.01 } or { levels: 2 }',
       describe(options),
     )
-  const refine = 'levels' in options ? refineUniformly(options) : refineAdaptively(options)
+  return subdivideBy(
+    place,
+    given,
+    'levels' in options ? refineUniformly(options) : refineAdaptively(options),
+  )
+}
+
+/** Divides the mesh of a job, and returns warnings. */
+type Refine = (job: Job) => string[]
+
+/** Does the work of `subdivide`, with messages that name another call. */
+export function subdivideBy(place: Place, given: MeshOrGeometry, refine: Refine): MeshOrGeometry {
   return withJob(place, (job) => {
     putMesh(job, given)
     job.act('addNormals')
@@ -92,24 +102,36 @@ const levelsOptions = object({
   levels: wholeNumber({ max: 15 }),
   maxTriangles,
 } satisfies KindsOf<LevelsOptions>)
+export const defaultGoals = { angle: 0.17, maxTriangles: defaultTriangles }
 const adaptiveOptions = object({
   warp: warpKind(),
   uniforms: anything<Uniforms>(),
   tolerance: positiveNumber(),
-  angle: positiveNumber({ max: Infinity, default: 0.17 }),
+  angle: positiveNumber({ max: Infinity, default: defaultGoals.angle }),
   maxTriangles,
 } satisfies KindsOf<AdaptiveOptions>)
 
-function refineUniformly(options: LevelsOptions) {
+function refineUniformly(options: LevelsOptions): Refine {
   const { levels, maxTriangles } = levelsOptions.read(options, place)
-  return (job: Job) => job.refineUniformly(levels, maxTriangles)
+  return (job) => job.refineUniformly(levels, maxTriangles)
 }
 
-function refineAdaptively(options: AdaptiveOptions) {
-  const { warp, tolerance, angle, maxTriangles, ...given } = adaptiveOptions.read(options, place)
-  const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
-  const uniforms = snapshotUniforms(place, declared, given.uniforms)
-  return (job: Job) => {
+function refineAdaptively(options: AdaptiveOptions): Refine {
+  const { warp, uniforms, ...goals } = adaptiveOptions.read(options, place)
+  const values = snapshotUniforms(place, warp[warpProgram]?.declared, uniforms)
+  return refineByWarp(place, warp, values, goals)
+}
+
+type Goals = Required<Pick<AdaptiveOptions, 'tolerance' | 'angle' | 'maxTriangles'>>
+
+/** Divides a mesh where the warp bends it. */
+export function refineByWarp(
+  place: Place,
+  warp: Evaluates,
+  uniforms: Uniforms | undefined,
+  { tolerance, angle, maxTriangles }: Goals,
+): Refine {
+  return (job) => {
     const varies = readsVariation(warp)
     if (varies) job.act('addVariation')
     let givesNormals: boolean | undefined

@@ -104,9 +104,9 @@ export class ThreeWarp extends HostWarp {
     return this.cpu(place).bounds(box, { uniforms: this.given })
   }
 
-  /** Warps with equal code have equal keys. */
+  /** Warps with equal code have equal keys, if it was recorded equally. */
   get key(): string {
-    return (this.hash ??= this.hashOfText())
+    return (this.hash ??= this.hashOfModule())
   }
 
   /** The names in the vertex stage of the numbers that the offset function has computed beside the offset. */
@@ -129,21 +129,22 @@ export class ThreeWarp extends HostWarp {
     return { millis: this.millis.value }
   }
 
-  private hashOfText() {
-    const { code, declarations } = this.text('glsl300', [...resultsOf.tangent, ...this.others])
+  private hashOfModule() {
     const types = this.uniforms.inShader.map(({ type }) => type)
     const outer = [...(this.outerTypes?.values() ?? [])]
     const { space, fadeNoise } = this.settings
-    return hash([space, fadeNoise, types, outer, code, declarations].join('\n'))
+    const { module, settings } = this.recorded
+    const rest = [space, fadeNoise, settings.surfaceVariation, types, outer].join('\n')
+    return hash([...module, ...Array.from(rest, (letter) => letter.charCodeAt(0))])
   }
 }
 
 /** 64 bits, of two hashes that begin and multiply differently. */
-function hash(text: string) {
+function hash(words: readonly number[]) {
   let [low, high] = [0x811c9dc5, 0x9747b28c]
-  for (let i = 0; i < text.length; i++) {
-    low = Math.imul(low ^ text.charCodeAt(i), 0x01000193)
-    high = Math.imul(high ^ text.charCodeAt(i), 0x5bd1e995)
+  for (const word of words) {
+    low = Math.imul(low ^ word, 0x01000193)
+    high = Math.imul(high ^ word, 0x5bd1e995)
     high ^= high >>> 13
   }
   return `${(low >>> 0).toString(36)}${(high >>> 0).toString(36)}`

@@ -12,6 +12,7 @@ import {
 } from './material.js'
 import { ComputedMesh } from './nodes/computed-mesh.js'
 import { carry, install, isOurs, markNode } from './nodes/context.js'
+import { warmUpWhenIdle } from './nodes/exact-normals/warm-up.js'
 import { nodeFor } from './nodes/vertex.js'
 import { provideNodes } from './renderers.js'
 import { readOptions, type ThreeOffset, type WarpOptions } from './settings.js'
@@ -76,6 +77,7 @@ provideNodes({
   isOurs,
   computeDivision: (input) => new ComputedMesh(input),
 })
+warmUpWhenIdle()
 
 export interface NodeWarpedMaterial<
   Kind extends Material = Material,

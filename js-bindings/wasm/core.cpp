@@ -104,6 +104,8 @@ int callTexture(Builder& session, std::string_view image, Filter filter, Wrap wr
   return session.callTexture({filter, wrap}, image);
 }
 
+int imageSize(Builder& session, std::string_view image) { return session.imageSize(image); }
+
 int addRecorded(Builder& session, std::string_view name, std::uint32_t variables,
                 const Words& module) {
   return session.addRecorded(name, variables, module);
@@ -311,6 +313,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("problem", &Builder::problem)
       .function("input", &addInput)
       .function("callTexture", &callTexture)
+      .function("imageSize", &imageSize)
       .function("addFunction", &Builder::addFunction)
       .function("addRecorded", &addRecorded)
       .function("callRecorded", &Builder::callRecorded)

@@ -69,6 +69,8 @@ class Builder {
   int callNoise(const Noise& noise, bool isMethod);
   // Samples the host's image of that name; the operand is a vec2.
   int callTexture(const Sampling& sampling, std::string_view image);
+  // The width and height of the host's image of that name.
+  int imageSize(std::string_view image);
 
   // Adds a function that a front end recorded as a module; returns its number. Calls take numbers,
   // and return the handle of the first value; the other handles follow.
@@ -139,6 +141,7 @@ class Builder {
   std::optional<std::vector<Expression>> components(const Site& site);
   Value resize(const Value& matrix, int size);
   Value allComponents(std::uint32_t input);
+  Value sizeOf(std::uint32_t image);
   void nameInput(std::uint32_t number, const Label& label, std::string_view method);
   std::optional<std::optional<Value>> findKnownInput(std::string_view method, const Label& label,
                                                      Shape shape);

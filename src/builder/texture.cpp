@@ -1,4 +1,5 @@
-// Samples images at a vec2; host settings of the image, if any, are passed as a vec3.
+// Samples images at a vec2; host settings of the image, if any, are passed as a vec3. Also reads
+// their sizes.
 #include "texture/texture.hpp"
 
 #include <utility>
@@ -7,6 +8,20 @@
 
 namespace warpjet {
 
+// The size is an input without a label: each language writes it from the label of the image.
+Value Builder::sizeOf(std::uint32_t image) {
+  const std::uint32_t number = graph_.sizeOf(image);
+  if (number >= labels_.size()) nameInput(number, {}, "texture");
+  return allComponents(number);
+}
+
+int Builder::imageSize(std::string_view image) {
+  const int handle = input("texture", image, oneImage);
+  if (handle == failed) return failed;
+  const std::size_t before = graph_.size();
+  return finish(sizeOf(inputOf(handle)), before, "texture");
+}
+
 int Builder::callTexture(const Sampling& sampling, std::string_view image) {
   const std::vector<Value> operands = std::exchange(operands_, {});
   const Value& uv = operands[0];
@@ -14,9 +29,7 @@ int Builder::callTexture(const Sampling& sampling, std::string_view image) {
   if (handle == failed) return failed;
   const std::size_t before = graph_.size();
   const Value texels = values_.get(graph_, handle);
-  const std::uint32_t number = graph_.sizeOf(inputOf(handle));
-  nameInput(number, {}, "texture");
-  const Value size = allComponents(number), place = uv * size - constantLike(size, 0.5);
+  const Value size = sizeOf(inputOf(handle)), place = uv * size - constantLike(size, 0.5);
   Numbers arguments{place[0], place[1], texels[0], size[0], size[1]};
   if (sampling.isByHost())
     for (int i = 0; i < 3; ++i) arguments.push_back(operands[1][i]);

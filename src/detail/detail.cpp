@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "detail/criterion.hpp"
+
 namespace warpjet {
 
 namespace {
@@ -67,18 +69,17 @@ void Detail::begin() {
   baseGroups_ = givenGroups_;
   cuts_.clear();
   BaseMesh mesh(given_, std::move(triangles));
-  std::vector<Patch> patches;
   surface_.reset();
   const auto normals = std::find_if(given_.begin(), given_.end(), [](auto& a) { return a.isUnit; });
   if (isCurved_ && normals != given_.end()) {
     surface_.emplace(mesh, static_cast<std::size_t>(normals - given_.begin()));
-    patches = wholePatches(mesh.triangles().size());
   }
+  std::vector<Patch> patches = wholePatches(mesh.triangles().size());
   use(std::move(mesh), std::move(patches));
 }
 
 Interpolation Detail::between(const BaseMesh& mesh, const std::vector<Patch>& patches) const {
-  return surface_ ? Interpolation(mesh, &*surface_, patches) : Interpolation(mesh);
+  return Interpolation(mesh, surface_ ? &*surface_ : nullptr, patches);
 }
 
 void Detail::use(BaseMesh base, std::vector<Patch> patches) {
@@ -87,6 +88,7 @@ void Detail::use(BaseMesh base, std::vector<Patch> patches) {
   samples_ = between().samples();
   warped_.resize(samples_[0].values.size());
   needs_ = {};
+  uniform_ = 0;
   indices_.clear();
 }
 
@@ -153,8 +155,7 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
   }
   if (!isCut) return false;
   division_.write(between(), pieces, tessellations_);
-  std::vector<Patch> patches;
-  if (surface_) patches = dividePatches(between(), pieces, tessellations_);
+  std::vector<Patch> patches = dividePatches(between(), pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
   cuts_.push_back({std::move(*base_), std::move(patches_), std::move(pieces),
                    division_.firstTriangles, division_.firstOfSides});
@@ -162,17 +163,61 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
   return true;
 }
 
+// A uniform division is right where the surface bends about equally everywhere: it does without the
+// cuts, which are there to measure, and its number of pieces can be any. The choice changes only
+// for clearly fewer triangles, so that it doesn't alternate.
+std::uint32_t Detail::chooseUniform() {
+  constexpr float maxUniform = 256;
+  const float need = std::max(1.0f, needs_.uniform());
+  if (cuts_.empty() || need > maxUniform) return 0;
+  const auto pieces =
+      std::clamp(uniform_, static_cast<std::uint32_t>(std::ceil(need)),
+                 static_cast<std::uint32_t>(std::ceil(need * criterion.hysteresis)));
+  double adaptive = 0;
+  for (std::size_t t = 0; t < base_->triangles().size(); ++t)
+    adaptive += static_cast<double>(
+        tessellations_.of(piecesOf(*base_, t, needs_.pieces())).triangles.size());
+  const auto given = static_cast<double>(betweenGiven().base().triangles().size());
+  const double uniform = given * pieces * pieces;
+  const double advantage = uniform_ != 0 ? 1.25 : 0.9;
+  return uniform < advantage * adaptive ? pieces : 0;
+}
+
 bool Detail::update(std::span<const float> numbers, float tolerance) {
   const std::vector<ScreenView> views = readViews(numbers);
-  const bool isChanged = needs_.update(*base_, warped_, views, tolerance);
-  if (!isChanged && !indices_.empty()) return false;
-  division_.write(between(), needs_.pieces(), tessellations_);
+  const bool isChanged = needs_.update(*base_, patches_, warped_, views, tolerance);
+  const std::uint32_t uniform = chooseUniform();
+  const bool isSame = uniform == uniform_ && (uniform != 0 || !isChanged);
+  if (isSame && !indices_.empty()) return false;
+  uniform_ = uniform;
+  if (uniform_ == 0) {
+    pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
+  } else {
+    pieces_.assign(betweenGiven().base().edgeCount(), uniform_);
+  }
+  write();
+  return true;
+}
+
+void Detail::divideBase() {
+  if (uniform_ == 0) return;
+  uniform_ = 0;
+  pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
+  write();
+}
+
+void Detail::write() {
+  division_.write(uniform_ == 0 ? between() : betweenGiven(), pieces_, tessellations_);
   indices_.clear();
   for (const Corners& corners : division_.triangles)
     indices_.insert(indices_.end(), corners.begin(), corners.end());
   groups_.clear();
-  for (const std::uint32_t group : baseGroups_) groups_.push_back(division_.firstTriangles[group]);
-  return true;
+  for (const std::uint32_t group : uniform_ == 0 ? baseGroups_ : givenGroups_)
+    groups_.push_back(division_.firstTriangles[group]);
+}
+
+std::span<const Detail::Cut> Detail::usedCuts() const {
+  return uniform_ == 0 ? std::span<const Cut>(cuts_) : std::span<const Cut>();
 }
 
 std::vector<std::uint32_t> Detail::origins() const {
@@ -184,17 +229,18 @@ std::vector<std::uint32_t> Detail::origins() const {
       std::fill(next.begin() + firstTriangles[t], next.begin() + firstTriangles[t + 1], origins[t]);
     origins = std::move(next);
   };
-  for (const Cut& cut : cuts_) follow(cut.firstTriangles);
+  for (const Cut& cut : usedCuts()) follow(cut.firstTriangles);
   follow(division_.firstTriangles);
   return origins;
 }
 
 std::vector<std::uint32_t> Detail::lines(const std::vector<std::uint32_t>& ends) const {
+  const BaseMesh& divided = uniform_ == 0 ? *base_ : betweenGiven().base();
   std::vector<std::uint32_t> all;
   for (std::size_t i = 0; i < ends.size(); i += 2) {
     std::vector line{ends[i], ends[i + 1]};
-    for (const Cut& cut : cuts_) divideLine(line, cut.mesh, cut.pieces, cut.firstOfSides);
-    divideLine(line, *base_, needs_.pieces(), division_.firstOfSides);
+    for (const Cut& cut : usedCuts()) divideLine(line, cut.mesh, cut.pieces, cut.firstOfSides);
+    divideLine(line, divided, pieces_, division_.firstOfSides);
     all.push_back(static_cast<std::uint32_t>(line.size()));
     all.insert(all.end(), line.begin(), line.end());
   }

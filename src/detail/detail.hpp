@@ -54,6 +54,8 @@ class Detail {
   const BaseMesh& base() const { return *base_; }
   std::span<const std::uint32_t> pieces() const { return needs_.pieces(); }
   bool isCurved() const { return surface_.has_value(); }
+  // Divides that mesh by these pieces if the division is uniform now.
+  void divideBase();
 
   // The divided mesh.
   const Division& division() const { return division_; }
@@ -77,6 +79,15 @@ class Detail {
   void use(BaseMesh base, std::vector<Patch> patches);
   Interpolation between(const BaseMesh& mesh, const std::vector<Patch>& patches) const;
   Interpolation between() const { return between(*base_, patches_); }
+  // The given mesh, without cuts.
+  Interpolation betweenGiven() const {
+    return cuts_.empty() ? between() : between(cuts_[0].mesh, cuts_[0].patches);
+  }
+  // Returns the number of pieces of each side of the given mesh if this makes fewer triangles than
+  // the needs of each edge; 0 if not.
+  std::uint32_t chooseUniform();
+  void write();
+  std::span<const Cut> usedCuts() const;
 
   std::vector<Attribute> given_;
   std::vector<std::uint32_t> givenIndices_, givenGroups_;
@@ -84,12 +95,15 @@ class Detail {
   bool isCurved_;
   std::optional<PnTriangles> surface_;  // if it is curved
   std::optional<BaseMesh> base_;        // after all cuts
-  std::vector<Patch> patches_;          // of the base, if it is curved
+  std::vector<Patch> patches_;          // of the base
   std::vector<std::uint32_t> baseGroups_;
   std::vector<Attribute> samples_;
   std::vector<float> phases_, warped_;
   Needs needs_;
   Tessellations tessellations_;
+  std::uint32_t uniform_ = 0;  // what `chooseUniform` returned
+  // By edge of the mesh that is divided: the given one if the division is uniform, or the base.
+  std::vector<std::uint32_t> pieces_;
   Division division_;
   std::vector<std::uint32_t> indices_, groups_;
 };

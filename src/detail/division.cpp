@@ -13,14 +13,14 @@ std::pair<float, float> weightsAt(std::uint32_t i, std::uint32_t count) {
   return {static_cast<float>(count - i) * scale, static_cast<float>(i) * scale};
 }
 
+}  // namespace
+
 SidePieces piecesOf(const BaseMesh& base, std::size_t triangle,
                     std::span<const std::uint32_t> pieces) {
   SidePieces counts{};
   for (int i = 0; i < 3; ++i) counts[i] = pieces[base.edgeOf(triangle, i)];
   return counts;
 }
-
-}  // namespace
 
 void Division::write(const Interpolation& between, std::span<const std::uint32_t> pieces,
                      Tessellations& tessellations) {

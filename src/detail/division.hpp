@@ -32,7 +32,11 @@ struct Division {
                       Tessellations& tessellations);
 };
 
-// Returns the triangles of a divided curved mesh as parts of patches.
+// Returns the numbers of pieces of the sides of a triangle; `pieces` are by edge.
+SidePieces piecesOf(const BaseMesh& base, std::size_t triangle,
+                    std::span<const std::uint32_t> pieces);
+
+// Returns the triangles of a divided mesh as parts of patches.
 std::vector<Patch> dividePatches(const Interpolation& between,
                                  std::span<const std::uint32_t> pieces,
                                  Tessellations& tessellations);

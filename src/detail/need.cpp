@@ -137,11 +137,33 @@ class ScreenOf {
   vec4 nearest_;
 };
 
-// The squares of the numbers of pieces that the sides of a triangle need, for an error of one
+// The sides of a triangle in its plane, and those of the triangle that its patch is a part of.
+using Directions = std::array<vec2, 6>;
+
+Directions directionsOf(const Flat& flat, const Patch* patch) {
+  const vec2 first(flat.width, 0), second = flat.apex;
+  Directions directions{first, second - first, second};
+  if (!patch) return directions;
+  // The patch has two sides at its first corner, by the weights of the corners 1 and 2 that they
+  // add; the whole triangle has the sides (1, 0), (-1, 1) and (0, 1).
+  const auto& [a, b, c] = patch->corners;
+  const vec2 u(b[1] - a[1], b[2] - a[2]), v(c[1] - a[1], c[2] - a[2]);
+  const float area = u.x * v.y - u.y * v.x;
+  const vec2 wholeFirst = (v.y * first - u.y * second) / area;
+  const vec2 wholeSecond = (u.x * second - v.x * first) / area;
+  directions[3] = wholeFirst;
+  directions[4] = wholeSecond - wholeFirst;
+  directions[5] = wholeSecond;
+  return directions;
+}
+
+using Squares = std::array<float, std::tuple_size_v<Directions>>;
+
+// The squares of the numbers of pieces that lines in these directions need, for an error of one
 // pixel.
-vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& samples) {
-  const vec2 corner(flat.width, 0);
-  vec3 max(0), sum(0);
+Squares squaredNeeds(const Flat& flat, const Directions& directions, const ScreenOf& screen,
+                     const Samples& samples) {
+  Squares max{}, sum{};
   for (const Cell& cell : cells) {
     std::array<vec2, 3> alongSides;
     for (int i = 0; i < 3; ++i) {
@@ -150,14 +172,19 @@ vec3 squaredNeeds(const Flat& flat, const ScreenOf& screen, const Samples& sampl
       alongSides[i] = screen.pixels(static_cast<float>(pieces * pieces) * bend);
     }
     const Quadratic bend = bendOf(flat, alongSides);
-    const vec3 along(bend.along(corner), bend.along(flat.apex - corner), bend.along(flat.apex));
     // A flat cell has no bend, but NaN: a root of zero divided by zero.
-    if (!std::isfinite(along.x + along.y + along.z)) continue;
-    max = glm::max(max, along);
-    sum += along;
+    if (!std::isfinite(bend.xx + bend.xy + bend.yy)) continue;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const float along = bend.along(directions[i]);
+      max[i] = std::max(max[i], along);
+      sum[i] += along;
+    }
   }
-  const vec3 mean = sum / static_cast<float>(cells.size());
-  return (max + criterion.beyondCells * (max - mean)) * criterion.error;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const float mean = sum[i] / static_cast<float>(cells.size());
+    max[i] = (max[i] + criterion.beyondCells * (max[i] - mean)) * criterion.error;
+  }
+  return max;
 }
 
 // Reads the warped samples of a triangle.
@@ -193,28 +220,33 @@ std::uint32_t roundUp(float need) {
   return found == pieceCounts.end() ? maxPieces : *found;
 }
 
-bool Needs::update(const BaseMesh& base, std::span<const float> warped,
-                   std::span<const ScreenView> views, float tolerance) {
+bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
+                   std::span<const float> warped, std::span<const ScreenView> views,
+                   float tolerance) {
   const auto place = [&](std::uint32_t vertex) {
     const float* p = base.attributes()[0].values.data() + 3 * vertex;
     return vec3(p[0], p[1], p[2]);
   };
   needs_.assign(base.edgeCount(), 0);
+  float uniform = 0;
   pieces_.resize(base.edgeCount(), 1);
   for (std::size_t t = 0; t < base.triangles().size(); ++t) {
     const auto [a, b, c] = base.triangles()[t];
     const Flat flat(place(a), place(b), place(c));
+    const Directions directions = directionsOf(flat, patches.empty() ? nullptr : &patches[t]);
     const Samples samples = samplesOf(base, t, warped);
     for (const ScreenView& view : views) {
       const ScreenOf screen(view, samples);
       if (!screen.isVisible()) continue;
-      const vec3 squares = squaredNeeds(flat, screen, samples) / (criterion.aim * tolerance);
+      const Squares squares = squaredNeeds(flat, directions, screen, samples);
       for (int i = 0; i < 3; ++i) {
         float& need = needs_[base.edgeOf(t, i)];
-        need = std::max(need, squares[i]);
+        need = std::max(need, squares[i] / (criterion.aim * tolerance));
+        uniform = std::max(uniform, squares[3 + i] / tolerance);
       }
     }
   }
+  uniform_ = std::sqrt(uniform);
   bool isChanged = false;
   for (std::size_t edge = 0; edge < needs_.size(); ++edge) {
     const float need = std::sqrt(needs_[edge]);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "detail/base_mesh.hpp"
+#include "detail/interpolation.hpp"
 
 namespace warpjet {
 
@@ -25,12 +26,17 @@ class Needs {
  public:
   // `warped` has three numbers for each sample of the mesh (BaseMesh::samples). Returns true if a
   // number of pieces changed. Samples that are not finite need nothing.
-  bool update(const BaseMesh& base, std::span<const float> warped,
+  // `patches` are by triangle, and may be empty.
+  bool update(const BaseMesh& base, std::span<const Patch> patches, std::span<const float> warped,
               std::span<const ScreenView> views, float tolerance);
 
   std::span<const std::uint32_t> pieces() const { return pieces_; }
+  // The number of pieces, of all sides of all triangles of which the patches are parts, which would
+  // do as well. Not rounded.
+  float uniform() const { return uniform_; }
 
  private:
+  float uniform_ = 0;
   std::vector<float> needs_;           // by edge: the square of the number of pieces
   std::vector<std::uint32_t> pieces_;  // by edge
 };

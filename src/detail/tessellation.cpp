@@ -48,9 +48,38 @@ std::vector<dvec3> rowsOfPoints(double length, double height, int longest) {
   return points;
 }
 
+bool areEqual(const SidePieces& pieces) { return pieces[0] == pieces[1] && pieces[1] == pieces[2]; }
+
+// Divides the triangle into n * n, by lines parallel to its sides.
+Tessellation makeRegular(std::uint32_t n) {
+  Tessellation tessellation;
+  // The point at i pieces towards corner 1 and k towards corner 2. Inner ones are numbered row by
+  // row, the row k has n - 1 - k of them.
+  const auto pointAt = [n](std::uint32_t i, std::uint32_t k) {
+    if (k == 0) return i;
+    if (i + k == n) return n + k;
+    if (i == 0) return 3 * n - k;
+    return 3 * n + (k - 1) * (n - 1) - (k - 1) * k / 2 + i - 1;
+  };
+  for (std::uint32_t k = 0; k < n; ++k) {
+    for (std::uint32_t i = 0; i + k < n; ++i) {
+      if (i > 0 && k > 0)
+        tessellation.inner.push_back({static_cast<float>(n - i - k) / static_cast<float>(n),
+                                      static_cast<float>(i) / static_cast<float>(n),
+                                      static_cast<float>(k) / static_cast<float>(n)});
+      tessellation.triangles.push_back({pointAt(i, k), pointAt(i + 1, k), pointAt(i, k + 1)});
+      if (i + k + 1 < n)
+        tessellation.triangles.push_back(
+            {pointAt(i + 1, k), pointAt(i + 1, k + 1), pointAt(i, k + 1)});
+    }
+  }
+  return tessellation;
+}
+
 }  // namespace
 
 Tessellation makeTessellation(const SidePieces& pieces) {
+  if (areEqual(pieces)) return makeRegular(pieces[0]);
   const int longest =
       static_cast<int>(std::max_element(pieces.begin(), pieces.end()) - pieces.begin());
   const std::array<dvec2, 3> corners = cornersFor(pieces, longest);
@@ -79,6 +108,11 @@ Tessellation makeTessellation(const SidePieces& pieces) {
 }
 
 const Tessellation& Tessellations::of(const SidePieces& pieces) {
+  if (areEqual(pieces)) {
+    Tessellation& tessellation = regular_[pieces[0]];
+    if (tessellation.triangles.empty()) tessellation = makeRegular(pieces[0]);
+    return tessellation;
+  }
   std::size_t number = 0;
   for (const std::uint32_t count : pieces) {
     const auto place = std::lower_bound(pieceCounts.begin(), pieceCounts.end(), count);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "detail/triangulate.hpp"
@@ -28,12 +29,13 @@ struct Tessellation {
 // the sides have length 1. All pieces of sides are sides of triangles, so that neighbors fit.
 Tessellation makeTessellation(const SidePieces& pieces);
 
-// Makes tessellations when they are needed first. `pieces` are from `pieceCounts`.
+// Makes tessellations when they are needed first. `pieces` are from `pieceCounts`, or equal.
 class Tessellations {
  public:
   const Tessellation& of(const SidePieces& pieces);
 
  private:
+  std::map<std::uint32_t, Tessellation> regular_;  // by the number of pieces of all sides
   std::array<Tessellation, pieceCounts.size() * pieceCounts.size() * pieceCounts.size()> made_;
 };
 

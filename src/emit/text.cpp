@@ -169,8 +169,12 @@ class ShaderTextWriter {
       declare(text, graph_, library);
     }
     for (const std::uint32_t i : text.emitted.inputs) {
-      if (!graph_.input(i).image || isPlainVariable(inputs_[i]))
-        text.inputs.push_back({i, inputs_[i]});
+      // The size of an image is a variable of its own, or an expression of the image.
+      const auto image = isPlainVariable(inputs_[i]) ? std::nullopt : graph_.input(i).image;
+      const std::uint32_t read = image.value_or(i);
+      const auto isSame = [&](const Naming& known) { return known.number == read; };
+      if (std::none_of(text.inputs.begin(), text.inputs.end(), isSame))
+        text.inputs.push_back({read, inputs_[read]});
     }
     return text;
   }

@@ -65,6 +65,7 @@ class Counter {
       needsGpu_ = true;
       return costWithoutBody;
     }
+    if (graph.isInput(id)) needsGpu_ |= graph.input(graph.node(id).operands[0]).image.has_value();
     return index(graph.node(id).op) < ops::count ? 1 : 0;
   }
 

@@ -8,8 +8,11 @@ namespace warpjet {
 
 namespace {
 
-bool isImage(const Graph& graph, NodeId id) {
-  return graph.isInput(id) && graph.input(graph.node(id).operands[0]).shape == oneImage;
+// Tests for an image, or the size of one.
+bool readsImage(const Graph& graph, NodeId id) {
+  if (!graph.isInput(id)) return false;
+  const Input& input = graph.input(graph.node(id).operands[0]);
+  return input.shape == oneImage || input.image;
 }
 
 }  // namespace
@@ -43,7 +46,7 @@ ModuleProgram program(const Module& module, std::span<const std::uint32_t> resul
   const std::vector<NodeId> roots = module.roots(results);
   bool hasBodies = false;
   for (const NodeId id : reachable(module.graph, roots)) {
-    if (isImage(module.graph, id)) return {};
+    if (readsImage(module.graph, id)) return {};
     hasBodies |= module.graph.isOurCall(id) || module.graph.isFold(id);
   }
   if (!hasBodies) return {program(module.graph, roots)};

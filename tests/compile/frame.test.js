@@ -162,6 +162,7 @@ test('noise whose cells float32 cannot represent, or that does not repeat by cel
     ({ glsl, at }) => glsl.fbm(at, { octaves: 14 }),
     ({ glsl, at }) => glsl.fbm(at, { octaves: 3, lacunarity: 2.5 }),
     ({ glsl, at }) => glsl.simplex(at),
+    ({ glsl, at }) => glsl.fbm(at.xy, { noise: 'simplex' }),
     ({ glsl, position }) => glsl.noise(position),
   ]) {
     const offset = ({ glsl, position, millis }) =>

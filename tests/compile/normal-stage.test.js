@@ -44,6 +44,16 @@ describe("'auto' computes normals at pixels", () => {
 })
 
 describe("'auto' computes normals at vertices", () => {
+  test('for an offset that bends only at uvs outside of 0 to 1', () => {
+    for (const at of [(uv) => uv.x(), (uv) => uv.y()]) {
+      const outside = ({ glsl, uv }) => {
+        const distance = glsl.max(at(uv).sub(1), at(uv).neg()).max(0)
+        return glsl.vec3(0, 0, distance.mult(30).sin().mult(0.05))
+      }
+      assert.equal(stageOf(outside, { surfaceVariation: true }), 'vertex')
+    }
+  })
+
   test('for a twist of 1.5 radians per unit, and without a warp', () => {
     assert.equal(stageOf(deformers.twist({ angle: 1.5 })), 'vertex')
     assert.equal(

@@ -1,7 +1,9 @@
 // Tests glsl.texture in Node: the names in the generated code, shared calls, and errors.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
+import { Mesh, MeshBasicMaterial, PlaneGeometry, Texture } from 'three'
 import { glslOffset } from '../../dist/glsl.js'
+import { warp } from '../../dist/three.js'
 import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { throwWarpErrors, throwsWarpError } from '../support/warp-errors.js'
 
@@ -138,4 +140,35 @@ test('texture() in GLSL uses the wrapping of the shader’s own sampler, except 
   assert.match(read('glsl300'), /textureLod\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
   assert.match(read('glsl100'), /texture2D\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
   assert.match(read('wgsl'), /textureLoad\(image, vec2i\(clamp\(/)
+})
+
+const fetched = `uniform sampler2D map;
+vec3 offset(vec3 position, vec2 uv) { return texelFetch(map, ivec2(uv * 8.0), 0).rgb; }`
+const sized = `uniform sampler2D map;
+vec3 offset(vec3 position) { return position / vec3(textureSize(map, 0), 1); }`
+
+test('source that reads the size of an image lists the image, whose size only the GPU knows', () => {
+  for (const target of targets) {
+    const { uniforms } = compileWarp(glslOffset(sized), { target })
+    const isNamed = target === 'glsl100'
+    const expected = isNamed
+      ? { name: 'mapSize', type: 'vec2' }
+      : { name: 'map', type: 'sampler2D' }
+    assert.deepEqual(uniforms, [expected], target)
+  }
+  for (const text of [fetched, sized])
+    throwsWarpError(
+      () => compileWarp(glslOffset(text)).evaluate({ positions: [0, 0, 0], uvs: [0, 0] }),
+      /evaluate: .*reads an image/,
+    )
+})
+
+test('three.js warps by source that reads texels or the size of an image', () => {
+  for (const text of [fetched, sized]) {
+    const mesh = new Mesh(new PlaneGeometry(), new MeshBasicMaterial())
+    assert.equal(
+      warp(mesh, glslOffset(text), { uniforms: { map: new Texture() } }).normals,
+      'vertex',
+    )
+  }
 })

@@ -202,6 +202,14 @@ TEST_F(BoundsTest, AreThoseOfIntervalArithmeticWithoutBudget) {
   expectNear(ofBox(p[0] * (1.0 - p[0]), {.tolerance = 0, .budget = 0}), -6, 6, 1e-3);
 }
 
+// A run costs 3: the difference, the product and the result. The whole box and its two corners take
+// 9, and each side of the bounds needs some more to split.
+TEST_F(BoundsTest, SpendTheBudgetOnRangesAndOnSamples) {
+  const Expression f = p[0] * (1.0 - p[0]);
+  expectNear(ofBox(f, {.tolerance = 0, .budget = 9}), -6, 6, 1e-3);
+  EXPECT_LT(extent(ofBox(f, {.tolerance = 0, .budget = 11})), 11.9);
+}
+
 TEST_F(BoundsTest, AreNeverWiderWithMoreBudget) {
   const Expression f = sin(p[0] * p[1]) * (p[2] - p[0] * cos(p[2] * p[1]));
   double last = infinity;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "detail/tessellation.hpp"
+#include "detail_support.hpp"
 
 namespace warpjet {
 namespace {
@@ -91,15 +92,6 @@ BaseMesh square() {
   return BaseMesh({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
-// Looks along -x such that y and z are across the screen, with 100 pixels per unit.
-ScreenView viewAlongX() {
-  ScreenView view{};
-  view.clip = glm::mat4(0);
-  view.clip[1][0] = view.clip[2][1] = view.clip[3][3] = 1;
-  view.halfSize = {100, 100};
-  return view;
-}
-
 // Warps the samples of a mesh.
 template <class F>
 std::vector<float> warpedSamples(const BaseMesh& base, F&& f) {
@@ -121,7 +113,7 @@ TEST(Detail, AFlatSurfaceNeedsNoPieces) {
   const BaseMesh base = square();
   Needs needs;
   const auto sheared = warpedSamples(base, [](float* p) { p[2] = 3 * p[0] - p[1]; });
-  EXPECT_FALSE(needs.update(base, sheared, std::array{viewAlongX()}, 1));
+  EXPECT_FALSE(needs.update(base, {}, sheared, std::array{viewAlongX()}, 1));
   for (const std::uint32_t pieces : needs.pieces()) EXPECT_EQ(pieces, 1u);
 }
 
@@ -132,13 +124,13 @@ TEST(Detail, ASaddleNeedsPiecesAlongItsStraightLines) {
   const BaseMesh base = square();
   Needs needs;
   const auto saddle = warpedSamples(base, [](float* p) { p[2] = p[0] * p[1]; });
-  EXPECT_TRUE(needs.update(base, saddle, std::array{viewAlongX()}, 1));
+  EXPECT_TRUE(needs.update(base, {}, saddle, std::array{viewAlongX()}, 1));
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
   // The diagonal is longer by a root of 2: 6.45.
   EXPECT_EQ(piecesBetween(base, needs, 0, 2), 8u);
   // Four times the tolerance halves the need: 2.28 and 3.23.
   Needs fewer;
-  fewer.update(base, saddle, std::array{viewAlongX()}, 4);
+  fewer.update(base, {}, saddle, std::array{viewAlongX()}, 4);
   EXPECT_EQ(piecesBetween(base, fewer, 0, 1), 3u);
   EXPECT_EQ(piecesBetween(base, fewer, 0, 2), 4u);
 }
@@ -147,7 +139,7 @@ TEST(Detail, ASaddleNeedsPiecesAlongItsStraightLines) {
 TEST(Detail, ABendNeedsNoPiecesAcross) {
   const BaseMesh base = square();
   Needs needs;
-  needs.update(base, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
+  needs.update(base, {}, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
                std::array{viewAlongX()}, 1);
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
   EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
@@ -156,7 +148,7 @@ TEST(Detail, ABendNeedsNoPiecesAcross) {
 TEST(Detail, ErrorsAlongTheSightNeedNoPieces) {
   const BaseMesh base = square();
   Needs needs;
-  needs.update(base, warpedSamples(base, [](float* p) { p[0] += 5 * p[1] * p[1]; }),
+  needs.update(base, {}, warpedSamples(base, [](float* p) { p[0] += 5 * p[1] * p[1]; }),
                std::array{viewAlongX()}, 1);
   EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
 }
@@ -165,7 +157,8 @@ TEST(Detail, PiecesStayWhileTheyAreNotMuchMoreThanNeeded) {
   const BaseMesh base = square();
   Needs needs;
   const auto bend = [&](float c) {
-    return needs.update(base, warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }),
+    return needs.update(base, {},
+                        warpedSamples(base, [c](float* p) { p[2] = c * p[0] * p[0] / 2; }),
                         std::array{viewAlongX()}, 1);
   };
   EXPECT_TRUE(bend(1));      // needs 4.56, gets 6
@@ -177,7 +170,7 @@ TEST(Detail, PiecesStayWhileTheyAreNotMuchMoreThanNeeded) {
 TEST(Detail, SamplesThatAreNotFiniteNeedNothing) {
   const BaseMesh base = square();
   Needs needs;
-  needs.update(base, warpedSamples(base, [](float* p) { p[2] = std::sqrt(-1 - p[0]); }),
+  needs.update(base, {}, warpedSamples(base, [](float* p) { p[2] = std::sqrt(-1 - p[0]); }),
                std::array{viewAlongX()}, 1);
   for (const std::uint32_t pieces : needs.pieces()) EXPECT_EQ(pieces, 1u);
 }
@@ -199,38 +192,15 @@ Detail facettedTetrahedron() {
   return detail;
 }
 
-// Tests that each side of a triangle is, with the same bits, that of exactly one neighbor.
-void expectClosed(const Detail& detail) {
-  const std::vector<float>& positions = detail.division().attributes[0].values;
-  const auto place = [&](std::uint32_t vertex) {
-    return std::array{positions[3 * vertex] + 0, positions[3 * vertex + 1] + 0,
-                      positions[3 * vertex + 2] + 0};
-  };
-  std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, int> sides;
-  for (const Corners& t : detail.division().triangles)
-    for (int i = 0; i < 3; ++i) ++sides[{place(t[i]), place(t[(i + 1) % 3])}];
-  for (const auto& [ends, count] : sides) {
-    EXPECT_EQ(count, 1);
-    EXPECT_TRUE(sides.count({ends.second, ends.first}));
-  }
-}
-
 TEST(Detail, DividedMeshesHaveNoCracksAtSeams) {
   Detail detail = facettedTetrahedron();
-  std::vector<float>& warped = detail.warped();
-  warped = detail.samples()[0].values;
-  for (std::size_t i = 0; i < warped.size(); i += 3)
-    warped[i + 2] += 0.7f * std::sin(5 * warped[i] + 3 * warped[i + 1]);
-  const ScreenView view = viewAlongX();
-  std::vector<float> numbers;
-  for (int i = 0; i < 16; ++i) numbers.push_back(view.clip[i / 4][i % 4]);
-  numbers.insert(numbers.end(), {100, 100, 0});
-  EXPECT_TRUE(detail.update(numbers, 1));
+  const auto wave = [](float* p) { p[2] += 0.7f * std::sin(5 * p[0] + 3 * p[1]); };
+  EXPECT_TRUE(divide(detail, wave));
   EXPECT_GT(detail.division().triangles.size(), 20u);
   expectClosed(detail);
   EXPECT_EQ(detail.groups()[0], 0u);
   EXPECT_GT(detail.groups()[1], 2u);
-  EXPECT_FALSE(detail.update(numbers, 1));
+  EXPECT_FALSE(divide(detail, wave));
 }
 
 // Spheres of three.js have such a seam, which is at z = 0 on one side and at -2e-14 on the other.
@@ -250,8 +220,7 @@ TEST(Detail, CutsSidesToAMaximumLengthWithoutCracks) {
   int passes = 0;
   while (detail.cut(0.2f, {}, {}) && ++passes < 5) {
   }
-  detail.warped() = detail.samples()[0].values;
-  detail.update({}, 1);
+  EXPECT_TRUE(divide(detail, hill));
   const std::vector<float>& p = detail.division().attributes[0].values;
   for (const Corners& t : detail.division().triangles) {
     for (int i = 0; i < 3; ++i) {
@@ -281,14 +250,37 @@ TEST(Detail, CutsSidesByTheStepsOfPhases) {
 
 // Cuts a mesh in two passes, and divides it for a wave.
 void divideWave(Detail& detail) {
-  detail.warped() = detail.samples()[0].values;
-  for (std::size_t i = 0; i < detail.warped().size(); i += 3)
-    detail.warped()[i + 2] += 0.7f * std::sin(5 * detail.warped()[i]);
-  const ScreenView view = viewAlongX();
-  std::vector<float> numbers;
-  for (int i = 0; i < 16; ++i) numbers.push_back(view.clip[i / 4][i % 4]);
-  numbers.insert(numbers.end(), {100, 100, 0});
-  EXPECT_TRUE(detail.update(numbers, 1));
+  EXPECT_TRUE(divide(detail, [](float* p) { p[2] += 0.7f * std::sin(5 * p[0]); }));
+}
+
+// The two triangles of `square`, cut into pieces of at most this length.
+Detail cutSquare(float maxLength) {
+  Detail detail({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}}}, 2, {0, 1});
+  detail.givenIndices() = {0, 1, 2, 0, 2, 3};
+  detail.begin();
+  while (detail.cut(maxLength, {}, {})) {
+  }
+  return detail;
+}
+
+// With a second derivative of 100 pixels everywhere, a side of length h errs by 100 h^2 / 8, and
+// the diagonal, along which the bend is the same, makes triangles err by 4/3 of it. For a pixel,
+// there must be 4.1 pieces of each side.
+TEST(Detail, ASurfaceThatBendsEquallyEverywhereIsDividedUniformly) {
+  Detail detail = cutSquare(0.1f);
+  const auto bend = [](float* p) { p[2] = p[0] * p[0] / 2; };
+  EXPECT_TRUE(divide(detail, bend));
+  EXPECT_EQ(detail.division().triangles.size(), 2u * 25);
+  EXPECT_EQ(detail.groups(), (std::vector<std::uint32_t>{0, 25}));
+  std::vector<std::uint32_t> origins(25, 0);
+  origins.resize(50, 1);
+  EXPECT_EQ(detail.origins(), origins);
+  EXPECT_EQ(detail.lines({0, 2})[0], 6u);
+  EXPECT_FALSE(divide(detail, bend));
+  EXPECT_TRUE(divide(detail, hill));
+  EXPECT_GT(detail.division().triangles.size(), 200u);
+  EXPECT_TRUE(divide(detail, [](float*) {}));
+  EXPECT_EQ(detail.division().triangles.size(), 2u);
 }
 
 // Moves the vertices by a linear map, which cuts and divisions commute with.
@@ -368,7 +360,7 @@ TEST(Detail, LinesFollowTheDividedSides) {
 TEST(Detail, LinesWithoutTrianglesNeedPieces) {
   const BaseMesh base({{3, false, {0, 0, 0, 1, 0, 0}}}, {{0, 1, 1}});
   Needs needs;
-  needs.update(base, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
+  needs.update(base, {}, warpedSamples(base, [](float* p) { p[2] = p[0] * p[0] / 2; }),
                std::array{viewAlongX()}, 1);
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
 }

@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <tuple>
-#include <utility>
 #include <vector>
 
-#include "detail/detail.hpp"
+#include "detail_support.hpp"
 
 namespace warpjet {
 namespace {
@@ -127,24 +125,8 @@ Detail divided(const Prism& prism, bool isCurved) {
   detail.givenIndices() = prism.indices;
   detail.begin();
   for (const float length : {0.5f, 0.3f, 0.1f}) EXPECT_TRUE(detail.cut(length, {}, {}));
-  detail.warped() = detail.samples()[0].values;
-  detail.update({}, 1);
+  EXPECT_TRUE(divide(detail, hill));
   return detail;
-}
-
-// Tests that each side of a triangle is, with the same bits, that of exactly one neighbor.
-void expectClosed(const Detail& detail) {
-  const std::vector<float>& p = detail.division().attributes[0].values;
-  std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, int> sides;
-  const auto place = [&](std::uint32_t i) {
-    return std::array{p[3 * i] + 0, p[3 * i + 1] + 0, p[3 * i + 2] + 0};
-  };
-  for (const Corners& t : detail.division().triangles)
-    for (int i = 0; i < 3; ++i) ++sides[{place(t[i]), place(t[(i + 1) % 3])}];
-  for (const auto& [ends, count] : sides) {
-    EXPECT_EQ(count, 1);
-    EXPECT_TRUE(sides.count({ends.second, ends.first}));
-  }
 }
 
 // The smallest distance from the axis of the vertices of walls at their rims.
@@ -181,7 +163,7 @@ TEST(PnTriangles, APoseMovesTheCurvedSurface) {
   const std::vector<float>& after = detail.samples()[0].values;
   for (std::size_t i = 0; i < after.size(); i += 3)
     expectNear({after[i], after[i + 1], after[i + 2]}, {before[i + 1], -before[i], before[i + 2]});
-  detail.update({}, 1);
+  EXPECT_TRUE(divide(detail, hill));
   expectClosed(detail);
 }
 

@@ -1,106 +1,22 @@
-// Tests chain, add, blend, mask and inSpace: positions and normals equal those of the same composition of plain functions, computed
-// step by step.
+// Tests chain, add, blend and mask: positions and normals equal those of the same composition of plain functions.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
+import { add, blend, chain, inSpace, inflate, mask, wave } from '../../dist/deformers.js'
+import { compileWarp } from '../../dist/warpjet.js'
+import { columnMajor, dot, add as plus, rotation, subtract } from '../support/browser/matrix.js'
 import {
-  add,
-  bend,
-  blend,
-  bulge,
-  chain,
-  inSpace,
-  inflate,
-  mask,
-  shear,
-  spherify,
-  stretch,
-  taper,
-  twist,
-  wave,
-} from '../../dist/deformers.js'
-import { compile, compileWarp } from '../../dist/warpjet.js'
-import {
-  columnMajor,
-  cross,
-  dot,
-  movePoint,
-  normalize,
-  add as plus,
-  product,
-  rotation,
-  scaling,
-  subtract,
-  translation,
-  turnNormal,
-} from '../support/browser/matrix.js'
-import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
+  after,
+  agree,
+  assertClose,
+  bent,
+  inDouble,
+  normalAfter,
+  times,
+  twisted,
+  vertices,
+  waved,
+} from '../support/compositions.js'
 import { throwsWarpError } from '../support/warp-errors.js'
-import { deformers as oracles } from '../warps/deformers.js'
-import { seededRandom } from '../warps/random.js'
-
-const random = seededRandom(66)
-const anyPoint = (size) => [0, 1, 2].map(() => size * (2 * random() - 1))
-const vertices = Array.from({ length: 40 }, () => ({
-  position: anyPoint(120),
-  normal: normalize(anyPoint(1)),
-  millis: 1234,
-}))
-const step = 0.02
-
-/** Evaluates in double precision: maps a vertex and uniforms to the offset, the columns of its Jacobian, and the warped normal. */
-function inDouble(warp) {
-  return compile((glsl) => {
-    const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
-    const millis = glsl.param('millis')
-    const offset = warp({ glsl, position, normal, millis })
-    return {
-      offset,
-      derivatives: glsl.jacobian(offset, position),
-      turned: offset.adjustNormal(normal, position),
-      allRead: normal.mult(millis),
-    }
-  }).evaluate
-}
-
-function assertClose(actual, expected, tolerance) {
-  actual.forEach((value, i) => {
-    const off = Math.abs(value - expected[i])
-    assert.ok(off <= tolerance, `${actual} is not ${expected}: ${off} off`)
-  })
-}
-
-/** `oracle` is a function (position, { normal, millis, ... }) → offset. */
-function agree(warp, oracle, uniforms = {}) {
-  const evaluate = inDouble(warp)
-  for (const vertex of vertices) {
-    const inputs = { ...vertex, ...uniforms }
-    const { offset, derivatives, turned } = evaluate(inputs)
-    assertClose(offset, oracle(vertex.position, inputs), 1e-9)
-    const columns = jacobian((p) => oracle(p, inputs), vertex.position, step)
-    if (!columns) continue
-    assertClose(derivatives, columns.flat(), 1e-7)
-    const expected = warpVertex(oracle, vertex, inputs, step)
-    if (!expected.normal?.some(Boolean)) continue
-    const angle = angleBetween(turned, expected.normal)
-    assert.ok(angle < 1e-5 * expected.sensitivity, `${angle}° at ${vertex.position}`)
-  }
-}
-
-const twisted = [twist({ angle: 1.3 }), oracles.twist({ angle: 1.3 })]
-const bent = [
-  bend({ axis: 'x', angle: 1, from: -150, to: 150 }),
-  oracles.bend({ axis: 'x', angle: 1, from: -150, to: 150 }),
-]
-const waved = [wave({ amount: 5 }), oracles.wave({ amount: 5 })]
-
-const times = (v, factor) => v.map((x) => x * factor)
-const after = (a, b) => (p, inputs) => {
-  const first = a(p, inputs)
-  return plus(first, b(plus(p, first), inputs))
-}
-/** Returns the normal of the surface moved by `offset`, at the image of p, from finite differences only. */
-const normalAfter = (offset, p, inputs) =>
-  warpVertex(offset, { position: p, normal: inputs.normal }, inputs, step).normal
 
 describe('chain', () => {
   test('applies the second warp after the first', () => {
@@ -166,7 +82,7 @@ describe('chain', () => {
   })
 
   test('computes no unused normal', () => {
-    const matrix = columnMajor(spaces['a rotation'])
+    const matrix = columnMajor(rotation(0.8, 0, 1))
     const warp = chain(
       waved[0],
       inSpace(matrix, chain(twisted[0], bent[0])),
@@ -282,121 +198,4 @@ test('mask multiplies a warp by a weight, and accounts for the derivative of the
       return plus(subtract(moved, p), times(bent[1](moved, inputs), near(moved)))
     },
   )
-})
-
-const spaces = {
-  'a translation': translation(30, -20, 7),
-  'a rotation': rotation(0.8, 0, 1),
-  'a rotation, a scale and a translation': product(
-    translation(5, 6, 7),
-    rotation(1, 1, 2),
-    scaling(0.5, 2, 1.5),
-  ),
-  'a shear': [
-    [1, 0.5, 0, 0],
-    [0, 1, -0.3, 2],
-    [0, 0, 1, 0],
-    [0, 0, 0, 1],
-  ],
-  'a mirror': product(translation(1, 2, 3), scaling(-1, 1, 2)),
-}
-
-/** The inverse transform of directions. */
-function backward(matrix, v) {
-  const [a, b, c] = matrix.slice(0, 3).map((row) => row.slice(0, 3))
-  const determinant = dot(a, cross(b, c))
-  const inverse = [cross(b, c), cross(c, a), cross(a, b)]
-  return [0, 1, 2].map(
-    (i) => (inverse[0][i] * v[0] + inverse[1][i] * v[1] + inverse[2][i] * v[2]) / determinant,
-  )
-}
-const inside = (matrix, oracle) => (p, inputs) =>
-  backward(
-    matrix,
-    oracle(movePoint(matrix, p), { ...inputs, normal: turnNormal(matrix, inputs.normal) }),
-  )
-
-describe('inSpace', () => {
-  for (const [name, matrix] of Object.entries(spaces)) {
-    test(`applies a warp in the space of ${name}, for each form of the matrix`, () => {
-      const flat = columnMajor(matrix)
-      for (const form of [
-        flat,
-        Float32Array.from(flat),
-        () => flat,
-        ({ glsl }) => glsl.mat4(...flat),
-      ])
-        if (!(form instanceof Float32Array))
-          agree(inSpace(form, twisted[0]), inside(matrix, twisted[1]))
-        else assert.equal(typeof inSpace(form, twisted[0]), 'function')
-      agree(
-        inSpace(({ glsl }) => glsl.mat4Param('m'), bent[0]),
-        inside(matrix, bent[1]),
-        { m: flat },
-      )
-      agree(
-        (inputs) => inSpace(inputs.glsl.mat4(...flat), bent[0])(inputs),
-        inside(matrix, bent[1]),
-      )
-    })
-
-    test(`transforms normals into the space and back: ${name}`, () => {
-      const flat = columnMajor(matrix)
-      agree(inSpace(flat, inflate({ amount: 8 })), inside(matrix, oracles.inflate({ amount: 8 })))
-      // A normal points outwards, and an offset along it has an outward component, also under a mirror.
-      const evaluate = inDouble(inSpace(flat, inflate({ amount: 8 })))
-      for (const vertex of vertices) assert.ok(dot(evaluate(vertex).offset, vertex.normal) > 0)
-    })
-
-    test(`works inside and outside of chains: ${name}`, () => {
-      const flat = columnMajor(matrix)
-      const around = chain(waved[0], inSpace(flat, chain(twisted[0], inflate({ amount: 8 }))))
-      const evaluate = inDouble(around)
-      for (const vertex of vertices) {
-        const p = vertex.position
-        const before = waved[1](p, vertex)
-        const normal = turnNormal(matrix, normalAfter(waved[1], p, vertex))
-        const place = movePoint(matrix, plus(p, before))
-        const within = twisted[1](place, vertex)
-        const turned = normalAfter(twisted[1], place, { ...vertex, normal })
-        const expected = plus(before, backward(matrix, plus(within, times(turned, 8))))
-        assertClose(evaluate(vertex).offset, expected, 1e-5)
-      }
-    })
-  }
-
-  test('accepts a mat3, which has no translation', () => {
-    const matrix = product(rotation(0.4, 0, 2), scaling(2, 1, 0.5))
-    const numbers = [0, 1, 2].flatMap((i) => matrix.slice(0, 3).map((row) => row[i]))
-    agree(
-      inSpace(({ glsl }) => glsl.mat3(...numbers), twisted[0]),
-      inside(matrix, twisted[1]),
-    )
-    agree(
-      inSpace(({ glsl }) => glsl.mat3Param('m'), twisted[0]),
-      inside(matrix, twisted[1]),
-      { m: numbers },
-    )
-  })
-
-  test('does not move points while a computed matrix has determinant 0', () => {
-    const warp = compileWarp(inSpace(({ glsl }) => glsl.mat3Param('m'), twisted[0]))
-    const m = [1, 0, 0, 2, 0, 0, 0, 0, 1]
-    const { position, normal } = warp.evaluateAt([1, 2, 3], {
-      normal: [0, 0.6, 0.8],
-      uniforms: { m },
-    })
-    assert.deepEqual(position, [1, 2, 3])
-    assertClose(normal, [0, 0.6, 0.8], 1e-7)
-  })
-})
-
-test('deformers and compositions compile to one piece of code in all three languages', () => {
-  const all = chain(
-    blend(taper(), stretch({ keepVolume: true }), 0.4),
-    mask(add(bulge(), shear()), ({ position }) => position.y().mult(0.01).sin()),
-    inSpace(columnMajor(spaces['a rotation']), spherify({ amount: 0.3 })),
-  )
-  for (const target of ['glsl300', 'glsl100', 'wgsl'])
-    assert.match(compileWarp(all, { target }).code, /warpedNormal/)
 })

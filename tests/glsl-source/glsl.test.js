@@ -241,6 +241,16 @@ test('an array of thousands can be indexed by a constant', () => {
   )
 })
 
+test('a length can be computed by atan of one and of two numbers', () => {
+  // atan(1, -1) is 3π/4 = 2.36, and 2 atan(1) is π/2 = 1.57.
+  near(
+    offsetOf(
+      'float a[int(atan(1., -1.))]; float b[int(2. * atan(1.))]; return vec3(a.length(), b.length(), 0.);',
+    ),
+    [2, 1, 0],
+  )
+})
+
 test('integer operations have the values computed by hand', () => {
   near(offsetOf('int i = int(p.z) << 3; return vec3(i, i ^ 5, ~i);'), [24, 29, -25])
   near(

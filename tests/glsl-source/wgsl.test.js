@@ -137,6 +137,10 @@ test('differentiate writes WGSL, and GLSL if asked', () => {
 
 test('messages name types of WGSL', () => {
   assert.match(
+    message(() => wgslOffset('fn offset(p: vec3f) -> vec3f { return p.x; }')),
+    /^wgslOffset: line 1, column \d+: expected this function to return a vec3f, got an f32\./,
+  )
+  assert.match(
     message(() => wgslOffset('fn offset(p: vec3f) -> f32 { return p.x; }')),
     /^wgslOffset: offset: expected a function that returns a vec3f, the offset of a vertex, got one that returns an f32;/,
   )

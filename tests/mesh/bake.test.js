@@ -1,8 +1,11 @@
 // bakeWarp: moves positions, normals and tangents, and checks its arguments.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
+import validator from 'gltf-validator'
 import { compileWarp } from 'warpjet'
-import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
+import { bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
+import { box } from '../support/coarse-meshes.js'
+import { deviation, edgesNotUsed } from '../support/deviation.js'
 import { checkMemoryAfterEach, material, rise, twist } from '../support/mesh-tests.js'
 import { sphere, triangle } from '../support/meshes.js'
 import { throwsWarpError } from '../support/warp-errors.js'
@@ -10,6 +13,62 @@ import { throwsWarpError } from '../support/warp-errors.js'
 checkMemoryAfterEach()
 
 describe('bakeWarp', () => {
+  test('with detail, divides the mesh first, to a tolerance in its own units', async () => {
+    const cube = box([90, 90, 90])
+    const bend = ({ glsl, position, uniforms }) =>
+      glsl.vec3(0, 0, position.x().mult(0.03).sin().mult(uniforms.height))
+    const warp = compileWarp(bend, { uniforms: { height: 1 } })
+    const shape = compileWarp(bend, { uniforms: { height: 1 }, normals: false })
+    const uniforms = { height: 40 }
+    for (const detail of [4, 0.5]) {
+      const fine = subdivide(cube, { warp, uniforms, tolerance: detail })
+      assert.ok(fine.indices.length > cube.indices.length)
+      assert.ok(deviation(fine, shape, uniforms, 2) <= detail)
+      assert.deepEqual(edgesNotUsed(2, fine), [])
+      assert.deepEqual(
+        bakeWarp(cube, warp, { uniforms, detail }),
+        bakeWarp(fine, warp, { uniforms }),
+      )
+    }
+    const baked = bakeWarp(cube, warp, { uniforms, detail: 0.5 })
+    const bytes = exportGLB(baked)
+    const { issues } = await validator.validateBytes(bytes)
+    assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0])
+    assert.deepEqual((await loadMesh(bytes)).positions, baked.positions)
+    assert.deepEqual(
+      bakeWarp(cube, warp, { uniforms, detail: undefined }),
+      bakeWarp(cube, warp, { uniforms }),
+    )
+  })
+
+  test('with detail, uniforms that are functions have one value, and warnings are those of subdivide', () => {
+    let calls = 0
+    const warp = compileWarp(
+      ({ glsl, position, uniforms }) => glsl.vec3(0, position.x().sin().mult(uniforms.height), 0),
+      { uniforms: { height: () => ++calls } },
+    )
+    calls = 0 // compileWarp called it too
+    bakeWarp(sphere(), warp, { detail: 0.01 })
+    assert.equal(calls, 1)
+    const jump = compileWarp(({ glsl, position }) => glsl.vec3(0, position.x().mult(0.5).abs(), 0))
+    const { warnings } = subdivide(triangle(), { warp: jump, tolerance: 0.01 })
+    assert.deepEqual(bakeWarp(triangle(), jump, { detail: 0.01 }).warnings, warnings)
+  })
+
+  test('rejects a wrong detail', () => {
+    for (const [detail, got] of [
+      [0, 'the number 0'],
+      [-1, 'the number -1'],
+      [Infinity, 'the number Infinity'],
+      ['auto', 'the text "auto"'],
+    ])
+      throwsWarpError(
+        () => bakeWarp(triangle(), twist, { detail }),
+        new RegExp(`^bakeWarp: expected a number above 0 for the option "detail", got ${got}`),
+      )
+    throwsWarpError(() => bakeWarp(triangle(), twist, { detial: 1 }), /there is no option "detial"/)
+  })
+
   test('warps positions and normals, and keeps the rest', () => {
     const mesh = { ...sphere(), material }
     const before = structuredClone(mesh)

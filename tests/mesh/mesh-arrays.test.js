@@ -90,6 +90,10 @@ describe('a mesh whose arrays do not fit together', () => {
         /expected four finite numbers, .* for material.baseColor, got \[/,
       )
       rejectsChange(
+        { material: { baseColor: [NaN, 1, 1, 1] } },
+        /expected four finite numbers, .* for material.baseColor, got \[NaN, 1, 1, 1\]\.?$/,
+      )
+      rejectsChange(
         { material: { baseColorTexture: 'x.png' } },
         /expected \{ bytes, mimeType \} .* for material.baseColorTexture, got /,
       )

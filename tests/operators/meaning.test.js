@@ -184,18 +184,18 @@ test('functions of p5 use degrees after angleMode(DEGREES)', () => {
   const degrees = (f) => ((...x) => (f(...x) * 180) / Math.PI).bind(null)
   const scope = {
     ...Object.fromEntries(['sin', 'cos', 'tan'].map((name) => [name, inDegrees(Math[name])])),
-    ...Object.fromEntries(['asin', 'atan2'].map((name) => [name, degrees(Math[name])])),
+    ...Object.fromEntries(['asin', 'acos', 'atan', 'atan2'].map((name) => [name, degrees(Math[name])])),
   }
   const written = ({ position: { x, y, z } }) => [
-    sin(x * 90),
-    atan2(y, x) + tan(z),
-    Math.sin(x) + asin(y),
+    sin(x * 90) + cos(y),
+    atan2(y, x) + tan(z) + acos(x),
+    Math.sin(x) + asin(y) + atan(z),
   ]
   const expected = compileWarp(({ glsl, position: { x, y, z } }) =>
     glsl.vec3(
-      x.mult(90).radians().sin(),
-      y.atan(x).degrees().add(z.radians().tan()),
-      x.sin().add(y.asin().degrees()),
+      x.mult(90).radians().sin().add(y.radians().cos()),
+      y.atan(x).degrees().add(z.radians().tan()).add(x.acos().degrees()),
+      x.sin().add(y.asin().degrees()).add(z.atan().degrees()),
     ),
   ).code
   assert.equal(compileWarp(operators(written, scope)).code, expected)

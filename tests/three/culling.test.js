@@ -81,6 +81,20 @@ test('culling never hides anything visible in ten thousand settings, and draws f
   assert.ok(visibleInBatch > 100 && drawnInBatch <= 2 * visibleInBatch)
 })
 
+test('a skinned mesh is culled by boxes of its bones, without posing its vertices', () => {
+  const mesh = makeSkinnedMesh()
+  warp(mesh, wave, { uniforms: { height: 0.1 } })
+  mesh.updateMatrixWorld(true)
+  mesh.getVertexPosition = () => assert.fail('a vertex was posed')
+  const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 30)
+  camera.position.z = 5
+  camera.updateMatrixWorld()
+  const frustum = new THREE.Frustum().setFromProjectionMatrix(
+    new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
+  )
+  assert.ok(frustum.intersectsObject(mesh))
+})
+
 /** Makes a batch of a ball and a ring, each at two positions. */
 function makeBatch() {
   const geometries = [

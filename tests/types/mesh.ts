@@ -31,7 +31,7 @@ export async function use(file: File) {
   const [first]: number[] = [...mesh.positions, ...(mesh.uvs ?? []), ...(mesh.indices ?? [])]
   const color: number[] | undefined = mesh.material?.baseColor
   const bytes: Uint8Array = exportGLB(
-    bakeWarp(mesh, warp, { uniforms: { millis: 1200, wind: [1, 0] } }),
+    bakeWarp(mesh, warp, { uniforms: { millis: 1200, wind: [1, 0] }, detail: 0.01 }),
   )
   const fine: Mesh = subdivide(mesh, { warp, tolerance: 0.01, uniforms: { millis: 0 }, angle: 0.1 })
   const mapped: Mesh = bakeNormalMap(mesh, warp)

@@ -187,6 +187,11 @@ export class Session extends WasmSession {
     return this.expression(session.callTexture(image, Filter[filter], Wrap[wrap]))
   }
 
+  /** Returns the width and height of an image of the host, which each language writes in its own way. */
+  imageSize(image: string): Expression {
+    return this.expression(this.open('texture').imageSize(image))
+  }
+
   /** Adds the partial derivatives of the calls of the host's functions that a derivative depends on. */
   private addPartials() {
     const session = this.open('derivative')

@@ -1,7 +1,7 @@
 // Computes the texels of a normal map.
 import { arrayNames, type Uniforms, type Vertices } from '../../core/inputs/vertices.js'
 import type { Place } from '../../options/place.js'
-import { evaluateFor, type Evaluates } from '../bake.js'
+import { evaluateFor, type Evaluates } from '../evaluates.js'
 import { TangentFrames, normalizeVectors, type FrameKind } from './frames.js'
 import type { Surface } from './surface.js'
 import { barycentric, type UvTriangles } from './uv-triangles.js'

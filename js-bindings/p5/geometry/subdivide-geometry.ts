@@ -1,6 +1,6 @@
 // Subdivides a p5.Geometry. This code is part of the mesh module rather than the addon, since only the mesh module needs it.
 import { describe } from '../../errors/errors.js'
-import { warpKind } from '../../mesh/bake.js'
+import { warpKind } from '../../mesh/evaluates.js'
 import { subdivide, type AdaptiveOptions, type LevelsOptions } from '../../mesh/subdivide.js'
 import { Place } from '../../options/place.js'
 import type { P5Constructors, Vector, WarpModel } from './model.js'

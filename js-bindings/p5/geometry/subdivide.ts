@@ -1,6 +1,6 @@
 /** `subdivide` of a p5.Geometry, by a number or by a warp of `compileWarp` or `createWarp`. */
 import { importMesh } from '#mesh'
-import type { Evaluates } from '../../mesh/bake.js'
+import type { Evaluates } from '../../mesh/evaluates.js'
 import type { AdaptiveOptions, LevelsOptions } from '../../mesh/subdivide.js'
 import { madeWarpOf } from '../made-warps.js'
 import { withOwnErrors } from '../page/own-errors.js'

@@ -72,6 +72,10 @@ interface Nodes {
   textureSize(texture: AnyNode, level: number): AnyNode
   velocity: { previousModelWorldMatrix: AnyNode }
   Fn(work: (builder: never) => unknown): () => AnyNode
+  Loop(range: object, body: (counters: { i: AnyNode }) => void): AnyNode
+  float(value: unknown): AnyNode
+  sin(value: unknown): AnyNode
+  mx_noise_float(at: unknown): AnyNode
   wgslFn(code: string, includes?: unknown[]): Call
   glslFn(code: string, includes?: unknown[]): Call
   wgsl(code: string): unknown

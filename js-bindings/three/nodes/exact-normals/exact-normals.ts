@@ -5,6 +5,7 @@ import { normalsKinds, type NormalsOption } from '../../../compile/hosts.js'
 import { Place } from '../../../options/place.js'
 import { object, type KindsOf } from '../../../options/schema.js'
 import { describeOfThree } from '../../describe.js'
+import type { Settings } from '../../settings.js'
 import { addExact } from './exact-node-materials.js'
 
 export interface ExactNormalsOptions {
@@ -18,6 +19,19 @@ export interface ExactNormalsOptions {
 
 const place = new Place('exactNormals')
 const optionsKind = object({ normals: normalsKinds.normals } satisfies KindsOf<ExactNormalsOptions>)
+
+/** The settings of the warp that a positionNode is. */
+export const settingsWith = (normals: NormalsOption): Settings => ({
+  method: place.method,
+  space: 'local',
+  isAfterInstances: true,
+  uniforms: undefined,
+  normals,
+  // The noise is that of the node, whose code we leave as it is.
+  fadeNoise: false,
+  isShared: true,
+  surfaceVariation: undefined,
+})
 
 /**
  * Makes the normals, tangents and velocities of a material follow its `positionNode`: `exactNormals(material)`. We read the position from
@@ -50,17 +64,7 @@ export function exactNormals<Kind extends Material>(
       'expected a material that moves its vertices by positionNode, got one with a vertexNode, which replaces the position.',
     )
   const { normals } = optionsKind.read(options, place)
-  addExact(material, {
-    method: place.method,
-    space: 'local',
-    isAfterInstances: true,
-    uniforms: undefined,
-    normals,
-    // The noise is that of the node, whose code we leave as it is.
-    fadeNoise: false,
-    isShared: true,
-    surfaceVariation: undefined,
-  })
+  addExact(material, settingsWith(normals))
   material.needsUpdate = true
   return material
 }

@@ -17,6 +17,7 @@ import type { ExactNodeMaterial } from './exact-node-materials.js'
 import { ExactWarp } from './exact-warp.js'
 import { previousValues } from './previous-values.js'
 import { readPosition, siblingOf, sizeOfEffects, type PositionSource } from './read-position.js'
+import { endWarmUp } from './warm-up.js'
 
 const method = 'exactNormals'
 
@@ -51,6 +52,7 @@ function moveExactly(
   positionNode: AnyNode,
   other: ThreeWarp | undefined,
 ) {
+  endWarmUp()
   const source = readPosition(method, siblingOf(builder), positionNode)
   const warp = warpFor(exact, source, builder)
   checkBase(builder, source.base, warp, other)

@@ -20,13 +20,13 @@ import { Material } from '@babylonjs/core/Materials/material.js'
 import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
 import { SSAO2RenderingPipeline } from '@babylonjs/core/PostProcesses/RenderPipeline/Pipelines/ssao2RenderingPipeline.js'
 import '@babylonjs/core/PostProcesses/RenderPipeline/postProcessRenderPipelineManagerSceneComponent.js'
-import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
 import { Color3 } from '@babylonjs/core/Maths/math.color.js'
 import { Matrix, Quaternion, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 import { Scene } from '@babylonjs/core/scene.js'
 import * as warpjet from 'warpjet/babylon'
+import { alongNormal, torusIn } from './torus.js'
 
 const { BabylonWarp, addSurfaceVariation } = warpjet
 const size = 96
@@ -344,64 +344,6 @@ window.parseForeign = async () => {
   const isPlain = !parsed.pluginManager?.getPlugin('Warpjet')
   scene.dispose()
   return isPlain
-}
-
-const [radius, tube] = [0.9, 0.35]
-const height = (u, v) => 0.1 * Math.sin(12 * Math.PI * u) * Math.cos(8 * Math.PI * v)
-
-/** Returns a point of a torus around y, the radius of whose tube varies. */
-function pointAt(u, v) {
-  const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
-  const r = tube + height(u, v)
-  const ring = radius + r * Math.cos(b)
-  return new Vector3(ring * Math.cos(a), r * Math.sin(b), ring * Math.sin(a))
-}
-
-function normalAt(u, v) {
-  const step = 1e-5
-  const difference = (f) => f(step).subtract(f(-step))
-  return Vector3.Cross(
-    difference((h) => pointAt(u, v + h)),
-    difference((h) => pointAt(u + h, v)),
-  ).normalize()
-}
-
-/** Makes a mesh of the torus, with or without the waves; its uvs are u and v. */
-function torusIn(scene, { isMoved }) {
-  const [columns, rows] = [160, 96]
-  const [positions, normals, uvs, indices] = [[], [], [], []]
-  for (let j = 0; j <= rows; j++)
-    for (let i = 0; i <= columns; i++) {
-      const [u, v] = [i / columns, j / rows]
-      const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
-      const unitNormal = new Vector3(
-        Math.cos(a) * Math.cos(b),
-        Math.sin(b),
-        Math.sin(a) * Math.cos(b),
-      )
-      const at = isMoved
-        ? pointAt(u, v)
-        : unitNormal.scale(tube).add(new Vector3(radius * Math.cos(a), 0, radius * Math.sin(a)))
-      positions.push(...at.asArray())
-      normals.push(...(isMoved ? normalAt(u, v) : unitNormal).asArray())
-      uvs.push(u, v)
-      if (i === columns || j === rows) continue
-      const k = j * (columns + 1) + i
-      indices.push(k, k + 1, k + columns + 1, k + 1, k + columns + 2, k + columns + 1)
-    }
-  const mesh = MeshBuilder.CreateBox('torus', {}, scene)
-  mesh.setVerticesData(VertexBuffer.PositionKind, positions)
-  mesh.setVerticesData(VertexBuffer.NormalKind, normals)
-  mesh.setVerticesData(VertexBuffer.UVKind, uvs)
-  mesh.setIndices(indices, positions.length / 3)
-  mesh.refreshBoundingInfo()
-  return mesh
-}
-
-/** Moves points along the normal, as far as a wave over uv is high. */
-const alongNormal = ({ normal, uv }) => {
-  const [u, v] = [uv.x().mult(12 * Math.PI), uv.y().mult(8 * Math.PI)]
-  return normal.mult(u.sin().mult(v.cos()).mult(0.1))
 }
 
 window.torus = async (backend, kind, isExact) => {

@@ -19,6 +19,7 @@ const {
   floor,
   fract,
   instanceIndex,
+  ivec2,
 } = TSL
 const { instancedArray, mat3, min, mix, mx_fractal_noise_float, mx_noise_float, mx_noise_vec3 } =
   TSL
@@ -32,8 +33,20 @@ const {
   pow,
   rotate,
 } = TSL
-const { select, sin, smoothstep, texture, uint, uniform, uniformArray, uv, varying, vec2, vec3 } =
-  TSL
+const {
+  select,
+  sin,
+  smoothstep,
+  texture,
+  textureLoad,
+  uint,
+  uniform,
+  uniformArray,
+  uv,
+  varying,
+  vec2,
+  vec3,
+} = TSL
 
 const add = (a, b) => a.map((x, i) => x + b[i])
 const scale = (a, factor) => a.map((x) => x * factor)
@@ -292,6 +305,17 @@ export const displacements = {
     position: () => raisedBy(otherHeightmap),
     move: along(up, (p, n, [u, v]) => 0.4 * bilinear(u, v, otherHeights)),
   },
+  'texels of a heightmap': {
+    shape: 'plane',
+    position() {
+      const texel = textureLoad(heightmap, ivec2(uv().mul(8))).r
+      return positionLocal.add(vec3(0, 0, sin(uv().x.mul(9)).mul(texel).mul(0.3)))
+    },
+    move: along(up, (p, n, [u, v]) => {
+      const texel = heights[8 * Math.floor(8 * v) + Math.floor(8 * u)]
+      return 0.3 * Math.sin(9 * u) * texel
+    }),
+  },
   'a flag by uv': {
     shape: 'plane',
     position: () =>
@@ -469,8 +493,7 @@ export const unsupported = {
   },
   'an offset in a texture': {
     shape: 'plane',
-    position: () =>
-      positionLocal.add(vec3(0, 0, texture(heightmap, uv()).offset(TSL.ivec2(1, 0)).r)),
+    position: () => positionLocal.add(vec3(0, 0, texture(heightmap, uv()).offset(ivec2(1, 0)).r)),
     message: /reads an offset of a texture/,
   },
 }

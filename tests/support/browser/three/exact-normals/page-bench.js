@@ -47,8 +47,25 @@ async function draw({ scene, camera }, count) {
   renderer.setRenderTarget(target)
   for (let i = 0; i < count; i++) renderer.render(scene, camera)
   renderer.setRenderTarget(null)
-  await renderer.readRenderTargetPixelsAsync(target, 0, 0, 1, 1)
+  if (renderer.backend.isWebGPUBackend)
+    await renderer.readRenderTargetPixelsAsync(target, 0, 0, 1, 1)
+  else readPixel()
   return (performance.now() - start) / count
+}
+
+let framebuffer
+
+/** Reads a pixel on WebGL at once: three.js looks for it in the next animation frame. */
+function readPixel() {
+  const { gl, state } = renderer.backend
+  const { textureGPU } = renderer.backend.get(target.texture)
+  framebuffer ??= gl.createFramebuffer()
+  state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer)
+  gl.framebufferTexture2D(gl.READ_FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, textureGPU, 0)
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
+  state.bindFramebuffer(gl.READ_FRAMEBUFFER, null)
+  const error = gl.getError()
+  if (error) throw new Error(`reading a pixel: error ${error} of WebGL`)
 }
 
 /** Returns the milliseconds of the first frame, with the call of `exactNormals`, in a page that has drawn none of ours before. */

@@ -1,0 +1,81 @@
+/**
+ * Starts the compiler while the page waits for its renderer. The first `exactNormals` of a page takes five times as long as the second one:
+ * browsers compile each function of WebAssembly and JavaScript when it is first called. We call most of them for a small position, in
+ * steps, while the browser is idle, which it is until the GPU has answered `renderer.init()`.
+ */
+import { wgslOffset } from '../../../glsl-source/offset.js'
+import { functionFor } from '../function.js'
+import { tsl, type AnyNode } from '../tsl.js'
+import { settingsWith } from './exact-normals.js'
+import { ExactWarp } from './exact-warp.js'
+import { plainBuilder } from './plain-builder.js'
+import { functionName, maxIterations, readPosition } from './read-position.js'
+
+/** Returns a position with a loop and with noise, whose hash contains functions and integers. */
+function samplePosition(): AnyNode {
+  const { Fn, Loop, float, mx_noise_float, positionLocal, sin, uniform, vec3 } = tsl
+  return Fn(() => {
+    const height = float(0).toVar()
+    Loop(
+      { type: 'float', start: float(1), end: uniform(2) as never },
+      ({ i }: { i: AnyNode }) => void height.addAssign(mx_noise_float(positionLocal.mul(i))),
+    )
+    return positionLocal.add(vec3(0, sin(height), 0))
+  })()
+}
+
+const sampleInWgsl = `fn noise(at : vec2<f32>) -> f32 {
+  var hash : u32 = u32(i32(floor(at.x)));
+  hash = (hash << 7u) ^ (hash >> 3u);
+  return select(at.x, -at.y, (hash & 1u) == 1u);
+}
+fn ${functionName}(position : vec3<f32>) -> vec3<f32> {
+  var moved : vec3<f32> = position;
+  for (var i : f32 = 1.0; i < 3.0; i += 1.0) { moved.y = moved.y + noise(moved.xz * i); }
+  return moved;
+}`
+
+/** Makes the warp of the sample step by step. */
+function* warmUp(): Generator<void, void> {
+  const method = 'exactNormals'
+  const source = readPosition(method, plainBuilder(method), samplePosition())
+  yield
+  wgslOffset(sampleInWgsl, { function: functionName, returns: 'position', maxIterations })
+  yield
+  const warp = new ExactWarp(source, settingsWith('auto'))
+  yield
+  functionFor(warp, 'normal', false)
+  functionFor(warp, 'normal of pixel', true)
+}
+
+type Schedule = (work: () => void) => void
+
+/** Safari has no `requestIdleCallback`. Node, where modules are imported to render pages on a server, has no document. */
+const { requestIdleCallback, document } = globalThis as {
+  requestIdleCallback?: Schedule
+  document?: unknown
+}
+const schedule: Schedule | undefined = document
+  ? (requestIdleCallback?.bind(globalThis) ?? ((work) => setTimeout(work, 50)))
+  : undefined
+
+let steps: Generator<void, void> | undefined
+
+/** Warms up as soon as the page is idle. */
+export function warmUpWhenIdle() {
+  steps = warmUp()
+  schedule?.(step)
+}
+
+/** Ends it, when the first position of the page has called everything. */
+export function endWarmUp() {
+  steps = undefined
+}
+
+function step() {
+  try {
+    if (steps && !steps.next().done) schedule!(step)
+  } catch {
+    // What fails, such as WebAssembly on a page that forbids it, is reported where a warp is made.
+  }
+}

@@ -1,0 +1,39 @@
+// A fixture that checks what the builder rejects, and that it continues to work afterwards.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+
+namespace warpjet {
+
+class BuilderErrors : public testing::Test, protected Bench {
+ protected:
+  void TearDown() override {
+    if (builder.graph().isFull()) return;
+    EXPECT_EQ(text(call("sin", {x})), "sin(x)");
+  }
+
+  // An invalid handle; the builder continues to work afterwards.
+  void expectRejected(int handle, const std::string& message) {
+    EXPECT_EQ(handle, Builder::failed) << message;
+    EXPECT_EQ(builder.problem(), message);
+    EXPECT_GE(call("sin", {x}), 0) << "after: " << message;
+  }
+  // There is no shader code, but there would be without the last result.
+  void expectCodeRejected(const Bench& bench, const std::string& message) {
+    EXPECT_FALSE(bench.writeResults().text) << message;
+    EXPECT_EQ(bench.problemOfText(), message);
+  }
+  // Something of this method can't be written in GLSL.
+  template <class Change>
+  void expectWriteRejected(Change change, const std::string& message) {
+    Bench bench;
+    bench.builder.output("gen", "fine", bench.x);
+    EXPECT_TRUE(bench.writeResults().text) << bench.problemOfText();
+    change(bench);
+    expectCodeRejected(bench, message);
+  }
+};
+
+}  // namespace warpjet

@@ -1,0 +1,72 @@
+// Meshes baked with warps that mirror space: the outer side of a closed surface stays outside.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import * as THREE from 'three'
+import { compileWarp } from 'warpjet'
+import { twist } from 'warpjet/deformers'
+import { bakeWarp, exportGLB, loadMesh, subdivide } from 'warpjet/mesh'
+import { isOutside, mirror, round, volumeOf } from '../support/mirrors.js'
+
+describe('bakes', () => {
+  const warp = compileWarp(mirror)
+
+  test('without indices: vertices keep their order, and indices reverse the triangles', () => {
+    const flat = (numbers, size) =>
+      Float32Array.from(round.indices).reduce(
+        (all, i, at) => (all.set(numbers.subarray(size * i, size * i + size), size * at), all),
+        new Float32Array(size * round.indices.length),
+      )
+    const soup = { positions: flat(round.positions, 3), normals: flat(round.normals, 3) }
+    const baked = bakeWarp(soup, warp)
+    isOutside(baked, 'soup')
+    assert.equal(baked.positions.length, soup.positions.length)
+    soup.positions.forEach((x, i) => assert.ok(baked.positions[i] === (i % 3 ? x : -x)))
+    assert.deepEqual([...baked.indices.slice(0, 6)], [0, 2, 1, 3, 5, 4])
+    assert.equal(bakeWarp(soup, compileWarp(twist({ angle: 1, length: 1 }))).indices, undefined)
+  })
+
+  test('an empty mesh stays empty', () => {
+    const baked = bakeWarp({ positions: [] }, warp)
+    assert.equal(baked.positions.length, 0)
+  })
+
+  test('missing normals are computed first', () => {
+    const { positions, indices } = round
+    isOutside(bakeWarp({ positions, indices }, warp), 'computed')
+  })
+
+  test('and the result survives export and loading', async () => {
+    const mesh = await loadMesh(exportGLB(bakeWarp(round, warp)))
+    isOutside(mesh, 'from the file')
+  })
+
+  test('and subdivides for the warp', () => {
+    const finer = subdivide(round, { warp, tolerance: 0.002 })
+    assert.ok(volumeOf(finer) > 0, 'the mesh before the warp')
+    isOutside(bakeWarp(finer, warp), 'subdivided')
+  })
+
+  test('three.js geometries with groups and morph targets, indexed and not indexed', () => {
+    for (const geometry of [
+      new THREE.BoxGeometry(1, 1, 1, 8, 8, 8),
+      new THREE.BoxGeometry(1, 1, 1, 8, 8, 8).toNonIndexed(),
+    ]) {
+      geometry.morphAttributes.position = [geometry.attributes.position.clone()]
+      const baked = bakeWarp(geometry, warp)
+      assert.deepEqual(baked.groups, geometry.groups)
+      const mesh = {
+        positions: baked.attributes.position.array,
+        normals: baked.attributes.normal.array,
+        indices: baked.index.array,
+      }
+      isOutside(mesh, geometry.index ? 'indexed' : 'not indexed')
+      const untouched = bakeWarp(geometry, compileWarp(twist({ angle: 1, length: 1 })))
+      assert.deepEqual(untouched.index, geometry.index)
+    }
+  })
+
+  test('an object with its own evaluate without reversing its triangles', () => {
+    const byHand = { evaluate: ({ positions, normals }) => ({ positions, normals }) }
+    assert.deepEqual(bakeWarp(round, byHand).indices, round.indices)
+  })
+})

@@ -1,0 +1,28 @@
+// Checks that invalid GLSL is rejected with line, column and a caret.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { WarpError, compileWarp } from 'warpjet'
+import { glslOffset } from 'warpjet/glsl'
+
+export const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
+export const nest = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
+
+/** Makes a test of each row: [source, line of the mistake, part of the message]. */
+export function rejects(rows) {
+  for (const [source, line, piece] of rows)
+    test(`reports an error in line ${line}: ${piece}`, () => {
+      assert.throws(
+        () => compileWarp(glslOffset(source)),
+        (error) => {
+          assert.ok(error instanceof WarpError, error.stack)
+          const [first, ...rest] = error.message.split('\n')
+          assert.match(first, new RegExp(`^glslOffset: line ${line}, column [0-9]+: .*[.?]$`))
+          assert.ok(first.includes(piece), first)
+          assert.equal(rest.length, 2)
+          assert.match(rest[1], /^\s*\^$/)
+          assert.ok(error.message.length < 600)
+          return true
+        },
+      )
+    })
+}
