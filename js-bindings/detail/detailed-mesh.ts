@@ -127,6 +127,9 @@ export class DetailedMesh {
   /** The base and its present division, for compute passes. Valid after an update, until the next call of any mesh. */
   parts(): DetailParts {
     const { detail } = this.held!
+    // Compute passes do not choose a uniform division.
+    detail.divideBase()
+    this.version++
     const vertices = detail.vertexCount()
     const topology = detail.topology()
     // There are three samples for each side and each triangle.

@@ -96,6 +96,7 @@ EMSCRIPTEN_BINDINGS(detail) {
       .function("topology", &topology)
       .function("pieces", &pieces)
       .function("isCurved", &Detail::isCurved)
+      .function("divideBase", &Detail::divideBase)
       .function("vertexCount", &vertexCount);
 
   class_<TessellationTable>("TessellationTable")

@@ -19,7 +19,8 @@ struct Criterion {
   // A piece of length h errs by h^2 / 8 of the second derivative; a triangle errs most in its
   // middle, by 4/3 of that.
   float error = 4.0f / 3 / 8;
-  // Samples underestimate, so the aim is below the tolerance.
+  // The samples of a triangle underestimate its bend, so the aim is below the tolerance. Those of
+  // all triangles together don't.
   float aim = 0.8f;
   // A number of pieces is lowered only if it would do for that many times the need.
   float hysteresis = 1.25f;

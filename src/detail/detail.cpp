@@ -199,6 +199,13 @@ bool Detail::update(std::span<const float> numbers, float tolerance) {
   return true;
 }
 
+void Detail::divideBase() {
+  if (uniform_ == 0) return;
+  uniform_ = 0;
+  pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
+  write();
+}
+
 void Detail::write() {
   division_.write(uniform_ == 0 ? between() : betweenGiven(), pieces_, tessellations_);
   indices_.clear();

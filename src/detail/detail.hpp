@@ -54,6 +54,8 @@ class Detail {
   const BaseMesh& base() const { return *base_; }
   std::span<const std::uint32_t> pieces() const { return needs_.pieces(); }
   bool isCurved() const { return surface_.has_value(); }
+  // Divides that mesh by these pieces if the division is uniform now.
+  void divideBase();
 
   // The divided mesh.
   const Division& division() const { return division_; }

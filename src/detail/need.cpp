@@ -242,7 +242,6 @@ bool Needs::update(const BaseMesh& base, std::span<const Patch> patches,
       for (int i = 0; i < 3; ++i) {
         float& need = needs_[base.edgeOf(t, i)];
         need = std::max(need, squares[i] / (criterion.aim * tolerance));
-        // The samples of all triangles together don't underestimate.
         uniform = std::max(uniform, squares[3 + i] / tolerance);
       }
     }
