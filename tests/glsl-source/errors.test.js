@@ -175,10 +175,7 @@ rejects([
 
 test('a long line is cut only where it is long', () => {
   const comment = ` // ${'x'.repeat(300)}`
-  assert.throws(
-    () => glslOffset(`float x = y;${comment}`),
-    /\n {2}float x = y; \/\/ x+\n {12}\^$/,
-  )
+  assert.throws(() => glslOffset(`float x = y;${comment}`), /\n {2}float x = y; \/\/ x+\n {12}\^$/)
   assert.throws(() => glslOffset(`/*${'x'.repeat(300)}*/ float x = y;`), /\n {2}…x+.* y;\n +\^$/)
 })
 

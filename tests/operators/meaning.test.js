@@ -184,7 +184,9 @@ test('functions of p5 use degrees after angleMode(DEGREES)', () => {
   const degrees = (f) => ((...x) => (f(...x) * 180) / Math.PI).bind(null)
   const scope = {
     ...Object.fromEntries(['sin', 'cos', 'tan'].map((name) => [name, inDegrees(Math[name])])),
-    ...Object.fromEntries(['asin', 'acos', 'atan', 'atan2'].map((name) => [name, degrees(Math[name])])),
+    ...Object.fromEntries(
+      ['asin', 'acos', 'atan', 'atan2'].map((name) => [name, degrees(Math[name])]),
+    ),
   }
   const written = ({ position: { x, y, z } }) => [
     sin(x * 90) + cos(y),
