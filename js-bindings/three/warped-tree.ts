@@ -18,7 +18,7 @@ export class WarpedTree {
   readonly parts: Part[] = []
   readonly skipped: Object3D[] = []
   private readonly variants: Variants
-  /** The parts of clones and of objects that were added later. They are weak, since such objects may go before the warp does. */
+  /** The parts of clones and of objects that were added later. Held weakly, since these objects may be collected before the warp is disposed of. */
   private readonly later = new Set<WeakRef<Part>>()
   private readonly partOf = new WeakMap<Object3D, Part>()
   private readonly releases: (() => void)[] = []
@@ -176,7 +176,7 @@ function onAdded(object: Object3D, work: (child: Object3D) => void): () => void 
 const warpedAlready = (object: Object3D) =>
   `${nameOf(object)} is warped already, or a clone of a warped object; call dispose() of that warp first, or compose both offsets, as with chain of warpjet/deformers`
 
-/** The objects that three.js draws in one. */
+/** Lists what three.js draws of an object: itself and its descendants, as far as they have a geometry. */
 function drawnIn(object: Object3D): Warpable[] {
   const drawn: Warpable[] = []
   object.traverse((each) => {

@@ -130,6 +130,12 @@ TEST(Obj, ReadsUtf16) {
             << isBigEndian << hasMark;
 }
 
+TEST(Obj, ReadsUtf16ThatEndsWithinACharacter) {
+  // A high surrogate, whose low surrogate is missing.
+  const std::string text = utf16(square + "f 1 2 3\n# ", false, true) + std::string("\x00\xD8", 2);
+  EXPECT_EQ(meshOf(text).positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
+}
+
 TEST(Obj, IgnoresInvalidNumbersThatNoFaceUses) {
   for (const char* bad : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-1.#IND", "1.#QNAN0",
                           "inf", "-Infinity", "1e99"}) {

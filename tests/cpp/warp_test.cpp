@@ -70,7 +70,7 @@ TEST_F(WarpTest, MatchesTheCrossProductOfWarpedTangents) {
   expectNear(normalOf(offset, {x, y, z}, crossed(u, v)), expected);
 }
 
-// Unless their gradients over the surface are given.
+// Other inputs vary over the surface only if their gradients are given.
 TEST_F(WarpTest, TreatsOtherInputsAsConstant) {
   expectNear(normalOf(n * 2.0, {1, 2, 3}, {0.6, 0, 0.8}), {0.6, 0, 0.8});
 }

@@ -115,3 +115,9 @@ describe('bounds of a warp that is NaN somewhere', () => {
     assertAround([min[0], max[0]], [-1, 1])
   })
 })
+
+test('bounds of tan are finite between its poles, wherever they are', () => {
+  const warp = compileWarp(({ glsl, position }) => glsl.vec3(0, position.x().tan(), 0))
+  const { min, max } = warp.bounds({ min: [6.2, 0, 0], max: [6.4, 0, 0] })
+  assert.ok(min[1] > Math.tan(6.2) - 0.01 && max[1] < Math.tan(6.4) + 0.01, `${min[1]} ${max[1]}`)
+})

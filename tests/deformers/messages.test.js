@@ -237,6 +237,10 @@ describe('compositions throw a message about', () => {
         /for the matrix, got an array with the number NaN\.$/,
       ],
       [
+        matrix(identity.map((x, i) => ([3, 7, 11].includes(i) ? i : x))),
+        /the last row 0, 0, 0, 1, .* last row 3, 7, 11, 1\.$/,
+      ],
+      [
         matrix(identity.map((x, i) => (i === 3 ? 1 : x))),
         /the last row 0, 0, 0, 1, .* last row 1, 0, 0, 1\.$/,
       ],

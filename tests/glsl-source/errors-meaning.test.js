@@ -230,6 +230,7 @@ rejects([
   ['uniform B { sampler2D x; };', 1, 'declare the image "x" outside of it'],
   ['in B { float x; };', 1, 'only uniforms have blocks; write uniform before "B"'],
   ['uniform B { const float x; };', 1, '"const" is not allowed before a member of a block'],
+  ['uniform B { in float x; };', 1, 'a member of a block is a uniform; remove "in"'],
   ['uniform B { float x; };\nfloat x;', 2, '"x" is already declared here'],
   ['uniform B { float x; } b;\nuniform C { float x; } b;', 2, '"b" is already declared here'],
   ['uniform B { float x; } b;\n' + body('b.x = 1.; return p;'), 3, '"b" is given by the host'],

@@ -251,6 +251,20 @@ test('a length can be computed by atan of one and of two numbers', () => {
   )
 })
 
+test('a length can be a determinant of any size', () => {
+  // 1 · 9 - 2 · 3; the product of a diagonal with zeros above it; expanded along the row 0 0 0 1, -(0 - 1 (2 · 2 - 3 · 0)).
+  const lengths = [
+    'determinant(mat2(1., 2., 3., 9.))',
+    'determinant(mat3(2., 0., 0., 7., 1., 0., 5., 4., 3.))',
+    'determinant(mat4(0., 2., 0., 0., 1., 1., 0., 0., 0., 3., 0., 2., 5., 0., 1., 1.))',
+  ]
+  const arrays = lengths.map((length, i) => `float a${i}[int(${length} + 0.1)];`)
+  near(
+    offsetOf(`${arrays.join(' ')} return vec3(a0.length(), a1.length(), a2.length());`),
+    [3, 6, 4],
+  )
+})
+
 test('integer operations have the values computed by hand', () => {
   near(offsetOf('int i = int(p.z) << 3; return vec3(i, i ^ 5, ~i);'), [24, 29, -25])
   near(

@@ -48,6 +48,14 @@ const told = {
     100,
     'line 2, column 44: ">>" is not in GLSL ES 1.00, the language of #version 100; divide by a power of two and use floor(), or begin the text with #version 300 es.',
   ],
+  'in float x; vec3 offset(vec3 p) { return p; }': [
+    100,
+    'line 2, column 1: in before a global variable is not in GLSL ES 1.00, the language of #version 100; write attribute, or begin the text with #version 300 es.',
+  ],
+  'out float x; vec3 offset(vec3 p) { return p; }': [
+    100,
+    'line 2, column 1: out before a global variable is not in GLSL ES 1.00, the language of #version 100; write varying, or begin the text with #version 300 es.',
+  ],
   'vec3 offset(vec3 p) { return vec3(~int(p.x)); }': [
     100,
     'line 2, column 35: "~" is not in GLSL ES 1.00, the language of #version 100; use floor() and mod(), or begin the text with #version 300 es.',

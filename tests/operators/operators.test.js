@@ -263,7 +263,7 @@ test('variables around a function are read from the scope; without it there is a
       return true
     },
   )
-  // Without an operator on expressions there is no error.
+  // A function without operators on expressions throws no error.
   assert.equal(compileWarp(operators(({ position }) => position.mult(amount))).code, expected)
 })
 

@@ -255,6 +255,6 @@ window.fallBack = async (backend, normals, why) => {
 }
 
 window.leaning = leaning
-// Without somebody who holds it, the browser loses the device.
+// Keeps navigator.gpu alive; otherwise the browser loses the device.
 window.gpu = navigator.gpu
 document.title = 'ready'

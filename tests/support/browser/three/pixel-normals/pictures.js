@@ -81,7 +81,7 @@ export async function collapse({ draw, makers }, name, { normals, side = 'FrontS
   }
 }
 
-/** Facets, which stay what they are. */
+/** Flat-shaded facets, whose normals a warp does not smooth. */
 export async function facets({ draw, makers }, name) {
   const pictures = []
   for (const normals of ['vertex', 'pixel']) {
