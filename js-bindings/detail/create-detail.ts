@@ -67,7 +67,7 @@ export interface DividedMesh {
    * Throws a `WarpError` for wrong views, and if a uniform is missing.
    */
   update(views: DetailView | readonly DetailView[], options?: DetailUpdate): boolean
-  /** 3 numbers per vertex. All arrays are views, which the next update of any mesh may overwrite: upload or copy them. */
+  /** 3 numbers per vertex. All arrays are empty before the first update. They are views, which the next update of any mesh may overwrite: upload or copy them. */
   readonly positions: Float32Array
   /** Unit vectors. Present, like `uvs`, `colors` and `tangents`, if the given mesh has them. */
   readonly normals?: Float32Array

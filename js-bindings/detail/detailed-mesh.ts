@@ -33,7 +33,7 @@ export interface DetailBase {
  */
 export type DetailViews = number[]
 
-/** Brings samples into the space of the offset. It writes into `positions` and returns the other arrays. */
+/** Transforms samples into the space of the offset. Writes positions into `positions`, and returns all arrays. */
 export type ToSpace = (samples: Vertices, positions: Float32Array) => Vertices
 
 export interface DetailParts {
@@ -160,12 +160,12 @@ export class DetailedMesh {
 
   /** The numbers of an attribute, by its place in the base; -1 is positions. A view, which is valid until the next call of any mesh. */
   values(attribute: number): Float32Array {
-    return this.held!.detail.attribute(attribute + 1)
+    return this.held?.detail.attribute(attribute + 1) ?? new Float32Array()
   }
 
   /** A view like `values`. */
   indices(): Uint32Array {
-    return this.held!.detail.indices()
+    return this.held?.detail.indices() ?? new Uint32Array()
   }
 
   /** The triangle of the base that each one is a part of. */

@@ -81,7 +81,7 @@ export interface WarpedMesh {
   warped: Mesh
 }
 
-/** Does the work of `bakeWarp` for a mesh, with messages that name another call. */
+/** Warps a mesh like `bakeWarp`; messages name the call of `place`. */
 export function warpMesh(
   place: Place,
   mesh: MeshOrGeometry,

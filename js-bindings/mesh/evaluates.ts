@@ -41,17 +41,17 @@ export function evaluateFor(
     if (name !== 'WarpError') throw error
     throw new WarpError(message.replace(/^evaluate: /, `${place.method}: `))
   }
-  if (!warp[warpProgram]) rejectOtherArrays(place.part("the warp's evaluate"), warped, vertices)
+  if (!warp[warpProgram]) rejectWrongArrays(place.part("the warp's evaluate"), warped, vertices)
   return warped
 }
 
 /** Checks the result of a warp that was made by hand. */
-function rejectOtherArrays(place: Place, warped: unknown, vertices: Vertices) {
+function rejectWrongArrays(place: Place, warped: unknown, vertices: Vertices) {
   const count = vertices.positions.length / 3
-  const expectToGive = (what: string, got: string) =>
+  const makeResultError = (what: string, got: string) =>
     place.error(`expected ${place.subject} to return ${what}, got ${got}.`)
   if (typeof warped !== 'object' || warped === null)
-    throw expectToGive('{ positions, normals }', describe(warped))
+    throw makeResultError('{ positions, normals }', describe(warped))
   for (const [name, size] of [
     ['positions', 3],
     ['normals', 3],
@@ -60,11 +60,11 @@ function rejectOtherArrays(place: Place, warped: unknown, vertices: Vertices) {
     const numbers = (warped as Record<string, unknown>)[name]
     if (numbers === undefined && name !== 'positions') continue
     if (!isList(numbers) || numbers.length !== size * count)
-      throw expectToGive(
+      throw makeResultError(
         `${name} as an array of ${size * count} numbers, ${size} per vertex`,
         describe(numbers),
       )
     const wrong = firstWrong(numbers, anyNumber)
-    if (wrong >= 0) throw expectToGive(`a number as ${name}[${wrong}]`, describe(numbers[wrong]))
+    if (wrong >= 0) throw makeResultError(`a number as ${name}[${wrong}]`, describe(numbers[wrong]))
   }
 }

@@ -7,7 +7,7 @@ namespace warpjet {
 struct Criterion {
   // Triangles are invisible if all of their samples are outside of the view times this factor.
   float margin = 1.3f;
-  // Samples count as at least this share as far from the eye as the middle of their triangle.
+  // The min depth of a sample, as a share of the depth of its triangle's middle.
   float nearest = 0.1f;
   // Samples farther aside than this, in halves of the view, count as this far.
   float aside = 1.5f;
@@ -19,10 +19,10 @@ struct Criterion {
   // A piece of length h errs by h^2 / 8 of the second derivative; a triangle errs most in its
   // middle, by 4/3 of that.
   float error = 4.0f / 3 / 8;
-  // The samples of a triangle underestimate its bend, so the aim is below the tolerance. Those of
-  // all triangles together don't.
+  // The samples of a triangle underestimate its bend, so edges aim at this share of the tolerance.
+  // Uniform divisions use the samples of all triangles, and aim at the tolerance.
   float aim = 0.8f;
-  // A number of pieces is lowered only if it would do for that many times the need.
+  // The number of pieces is lowered only to one that suffices for this many times the need.
   float hysteresis = 1.25f;
   // Slivers count as higher than they are, by this share of their sides: second differences of
   // floats, divided by the square of almost no height, would be rounding errors.

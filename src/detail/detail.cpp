@@ -74,7 +74,7 @@ void Detail::begin() {
   if (isCurved_ && normals != given_.end()) {
     surface_.emplace(mesh, static_cast<std::size_t>(normals - given_.begin()));
   }
-  std::vector<Patch> patches = wholePatches(mesh.triangles().size());
+  std::vector<Patch> patches = makeWholePatches(mesh.triangles().size());
   use(std::move(mesh), std::move(patches));
 }
 
@@ -145,11 +145,11 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
     triangles += sum * sum / 9;
   }
   const auto scale = static_cast<float>(std::sqrt(std::min(1.0, maxCutTriangles / triangles)));
-  constexpr float tolerance = 1.1f;
+  constexpr float maxPiece = 1.1f;
   bool isCut = false;
   std::vector<std::uint32_t> pieces;
   for (const float length : lengths) {
-    const bool isLong = length * scale > tolerance;
+    const bool isLong = length * scale > maxPiece;
     pieces.push_back(isLong ? roundUp(length * scale) : 1);
     isCut |= isLong;
   }

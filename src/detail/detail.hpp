@@ -1,5 +1,5 @@
-// A mesh with as many triangles as its warped surface needs on the screen: cut once, so that the
-// samples see the surface, then divided anew when camera or surface change enough.
+// A mesh with as many triangles as its warped surface needs on the screen. It is cut where samples
+// would miss the surface, and divided anew when the camera or the surface change enough.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class Detail {
   // Takes over the numbers of `given`, which have changed, and keeps triangles and cuts.
   void pose();
 
-  // Vertices of the cut mesh and middles of its sides.
+  // The vertices of the cut mesh, and three samples for each side and each triangle.
   std::uint32_t sampleCount() const;
   std::span<const Attribute> samples() const { return samples_; }
   // The array for the phases of the samples, `size` numbers each, to be filled before `cut`.

@@ -41,14 +41,14 @@ void Interpolation::appendOnSide(std::vector<Attribute>& to, std::uint32_t side,
                                  const std::array<float, 2>& weights) const {
   const auto& [ends, edge, triangle] = base_.sides()[side];
   for (std::size_t k = 0; k < to.size(); ++k) blend(to[k], base_.attributes()[k], ends, weights);
-  if (isCurved()) bend(to, triangle, base_.onTriangle(side, weights));
+  if (isCurved()) curve(to, triangle, base_.onTriangle(side, weights));
 }
 
 void Interpolation::appendInside(std::vector<Attribute>& to, std::size_t triangle,
                                  const Weights& weights) const {
   const Corners& corners = base_.triangles()[triangle];
   for (std::size_t k = 0; k < to.size(); ++k) blend(to[k], base_.attributes()[k], corners, weights);
-  if (isCurved()) bend(to, triangle, weights);
+  if (isCurved()) curve(to, triangle, weights);
 }
 
 Weights Interpolation::onPatch(std::size_t triangle, const Weights& weights) const {
@@ -58,8 +58,8 @@ Weights Interpolation::onPatch(std::size_t triangle, const Weights& weights) con
   return sum;
 }
 
-void Interpolation::bend(std::vector<Attribute>& to, std::size_t triangle,
-                         const Weights& weights) const {
+void Interpolation::curve(std::vector<Attribute>& to, std::size_t triangle,
+                          const Weights& weights) const {
   const Weights place = onPatch(triangle, weights);
   const std::uint32_t patch = patches_[triangle].triangle;
   replaceLast(to[0], surface_->position(patch, place));
@@ -80,7 +80,7 @@ std::vector<Attribute> Interpolation::samples() const {
   return all;
 }
 
-std::vector<Patch> wholePatches(std::size_t triangles) {
+std::vector<Patch> makeWholePatches(std::size_t triangles) {
   std::vector<Patch> patches;
   for (std::uint32_t t = 0; t < triangles; ++t)
     patches.push_back({t, {Weights{1, 0, 0}, Weights{0, 1, 0}, Weights{0, 0, 1}}});

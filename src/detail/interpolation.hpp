@@ -1,4 +1,4 @@
-// The numbers between the vertices of a mesh.
+// Interpolates attributes between the vertices of a mesh.
 #pragma once
 
 #include <array>
@@ -11,16 +11,18 @@
 
 namespace warpjet {
 
-// A triangle as a part of one of `PnTriangles`: where its corners lie there.
+// A part of a triangle of the given mesh: that triangle, and the weights of this part's corners in
+// it.
 struct Patch {
   std::uint32_t triangle;
   std::array<Weights, 3> corners;
 };
 
 // Returns triangles that are patches as a whole.
-std::vector<Patch> wholePatches(std::size_t triangles);
+std::vector<Patch> makeWholePatches(std::size_t triangles);
 
-// All numbers change linearly over a triangle. On a curved surface, positions and normals don't.
+// Blends attributes linearly over a triangle; unit vectors keep length 1. On a curved surface,
+// positions and normals are those of the PN triangles.
 class Interpolation {
  public:
   explicit Interpolation(const BaseMesh& base) : base_(base) {}
@@ -45,7 +47,7 @@ class Interpolation {
   std::vector<Attribute> samples() const;
 
  private:
-  void bend(std::vector<Attribute>& to, std::size_t triangle, const Weights& weights) const;
+  void curve(std::vector<Attribute>& to, std::size_t triangle, const Weights& weights) const;
 
   const BaseMesh& base_;
   const PnTriangles* surface_ = nullptr;

@@ -201,8 +201,8 @@ Samples samplesOf(const BaseMesh& base, std::size_t triangle, std::span<const fl
     const std::array places{sampleAt(k, 0), sampleAt(pieces, k), sampleAt(pieces - k, pieces - k)};
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t side = base.sidesOf(triangle)[i];
-      const int fromEnd = base.startsAt(side, corners[i]) ? k - 1 : pieces - 1 - k;
-      samples[places[i]] = read(base.sampleOfSide(side, fromEnd));
+      const int indexOnSide = base.startsAt(side, corners[i]) ? k - 1 : pieces - 1 - k;
+      samples[places[i]] = read(base.sampleOfSide(side, indexOnSide));
     }
   }
   samples[sampleAt(2, 1)] = read(base.sampleOfTriangle(triangle, 0));

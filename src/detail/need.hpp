@@ -16,7 +16,7 @@ namespace warpjet {
 struct ScreenView {
   glm::mat4 clip;      // from the space of warped positions to clip space
   glm::vec2 halfSize;  // of the viewport, in pixels
-  // 1 if triangles that face away are not drawn, -1 if those are that face the eye; 0 if all are.
+  // 1: triangles that face away are not drawn. -1: triangles that face the eye are not. 0: all are.
   float facing = 0;
 };
 
@@ -31,8 +31,7 @@ class Needs {
               std::span<const ScreenView> views, float tolerance);
 
   std::span<const std::uint32_t> pieces() const { return pieces_; }
-  // The number of pieces, of all sides of all triangles of which the patches are parts, which would
-  // do as well. Not rounded.
+  // The number of pieces, not rounded, that would do if all sides of the given mesh had the same.
   float uniform() const { return uniform_; }
 
  private:

@@ -10,7 +10,8 @@ namespace warpjet {
 
 namespace {
 
-// The largest distance along an axis of vertices at one place, as a share of the mesh's size.
+// Vertices at most this far apart along each axis, as a share of the mesh's size, are at one place.
+// Some that are up to twice as far apart are, too.
 constexpr float closeness = 1e-6f;
 
 float sizeOf(std::span<const float> positions) {

@@ -15,12 +15,12 @@ vec3 read(const Attribute& attribute, std::uint32_t vertex) {
 }
 
 // Returns zero for a vector that has no direction.
-vec3 direction(vec3 v) {
+vec3 normalizeOrZero(vec3 v) {
   const float scale = 1 / glm::length(v);
   return std::isfinite(scale) ? v * scale : vec3(0);
 }
 
-vec3 inPlane(vec3 v, vec3 normal) { return v - dot(v, normal) * normal; }
+vec3 projectOntoPlane(vec3 v, vec3 normal) { return v - dot(v, normal) * normal; }
 
 // The normals at one end of an edge: of both triangles, which differ where a mesh has a crease.
 struct EndNormals {
@@ -39,7 +39,7 @@ struct EndNormals {
     constexpr float minSine = 0.25f;
     const vec3 line = cross(first, second);
     if (dot(line, line) > minSine * minSine) return line * (dot(along, line) / dot(line, line));
-    return (inPlane(along, first) + inPlane(along, second)) * 0.5f;
+    return (projectOntoPlane(along, first) + projectOntoPlane(along, second)) * 0.5f;
   }
 };
 
@@ -48,7 +48,7 @@ struct EndNormals {
 vec3 middleNormal(vec3 along, vec3 first, vec3 second) {
   const vec3 sum = first + second;
   const float square = dot(along, along);
-  return direction(square > 0 ? sum - 2 * dot(along, sum) / square * along : sum);
+  return normalizeOrZero(square > 0 ? sum - 2 * dot(along, sum) / square * along : sum);
 }
 
 // The side on which a point lies, since the weight of the corner opposite to it is 0; 3 for none.
@@ -73,7 +73,7 @@ void PnTriangles::setAttributes(const std::vector<Attribute>& attributes) {
 vec3 PnTriangles::place(std::uint32_t vertex) const { return read(mesh_.attributes()[0], vertex); }
 
 vec3 PnTriangles::normalAt(std::uint32_t vertex) const {
-  return direction(read(mesh_.attributes()[normals_], vertex));
+  return normalizeOrZero(read(mesh_.attributes()[normals_], vertex));
 }
 
 void PnTriangles::fitCurves() {
@@ -143,8 +143,8 @@ vec3 PnTriangles::normal(std::size_t triangle, const Weights& weights) const {
   if (const int side = sideOf(weights); side < 3) {
     const auto [number, a, b] = onSide(triangle, side, weights);
     const auto& [start, end] = mesh_.sides()[number].ends;
-    return direction(a * a * normalAt(start) + 2 * a * b * middleNormals_[number] +
-                     b * b * normalAt(end));
+    return normalizeOrZero(a * a * normalAt(start) + 2 * a * b * middleNormals_[number] +
+                           b * b * normalAt(end));
   }
   vec3 sum(0);
   for (int i = 0; i < 3; ++i) {
@@ -152,7 +152,7 @@ vec3 PnTriangles::normal(std::size_t triangle, const Weights& weights) const {
     sum += weights[i] * weights[i] * normalAt(mesh_.triangles()[triangle][i]) +
            2 * a * b * middleNormals_[number];
   }
-  return direction(sum);
+  return normalizeOrZero(sum);
 }
 
 }  // namespace warpjet

@@ -21,7 +21,7 @@ using SidePieces = std::array<std::uint32_t, 3>;
 struct Tessellation {
   // The weights of the corners for each inner point.
   std::vector<std::array<float, 3>> inner;
-  // Corners are points: those of sides 0, 1 and 2, each without its end, and then the inner ones.
+  // Corners are indices of points: of sides 0, 1 and 2, each without its end, then the inner ones.
   std::vector<Corners> triangles;
 };
 
@@ -29,7 +29,7 @@ struct Tessellation {
 // the sides have length 1. All pieces of sides are sides of triangles, so that neighbors fit.
 Tessellation makeTessellation(const SidePieces& pieces);
 
-// Makes tessellations when they are needed first. `pieces` are from `pieceCounts`, or equal.
+// Makes each tessellation on first use. `pieces` are all from `pieceCounts`, or all equal.
 class Tessellations {
  public:
   const Tessellation& of(const SidePieces& pieces);

@@ -84,6 +84,7 @@ test('several views are served together', () => {
 
 test('update says whether arrays changed, and follows uniforms', () => {
   const divided = createDetail(mesh, warp)
+  assert.deepEqual([divided.positions.length, divided.indices.length], [0, 0])
   divided.update(near)
   assert.equal(divided.update(near), false)
   assert.equal(divided.update(near, { uniforms: { turn: 0.03 } }), true)

@@ -1,7 +1,7 @@
 // A mesh that compute passes divide for each frame. It takes over from a `DetailedMesh`, which the CPU has divided.
 import type { DrawValues } from '../../compile/offset-warp.js'
 import { areEqual } from '../arrays.js'
-import type { DetailViews, DetailedMesh } from '../detailed-mesh.js'
+import type { DetailParts, DetailViews, DetailedMesh } from '../detailed-mesh.js'
 import { makeBaseBuffers, type BaseBuffers } from './base-buffers.js'
 import { blockSize, lanes, parameterNames, parametersBytes, type Counts } from './common-wgsl.js'
 import { DividedBuffers, type Room } from './divided-buffers.js'
@@ -28,6 +28,8 @@ export class ComputeDivision {
   /** The numbers that the last run depended on. */
   private last: readonly number[] = []
   private isReading = false
+  /** `true` if the counts of the last run were not read, since those of another run were. */
+  private isUnread = false
   /** The counts for which the last run had too little room. */
   private missing: Room | undefined
 
@@ -54,11 +56,16 @@ export class ComputeDivision {
     this.reading = this.make('counts', base.state.size, usage.mapRead | usage.copyTo)
   }
 
-  /** `sizes` are the numbers per vertex of the attributes, of which the first one is positions. Returns `undefined` if the mesh is too large, or curved. */
-  static of(device: GpuDevice, passes: Passes, mesh: DetailedMesh, sizes: readonly number[]) {
-    const parts = mesh.parts()
+  /** `sizes` are the numbers per vertex of the attributes, of which the first one is positions. Returns `undefined` if the mesh is too large, empty or curved. */
+  static of(
+    device: GpuDevice,
+    passes: Passes,
+    mesh: DetailedMesh,
+    parts: DetailParts,
+    sizes: readonly number[],
+  ) {
     const { vertices, triangles, sides, pieces, samples } = parts
-    if (parts.isCurved) return undefined
+    if (parts.isCurved || triangles === 0) return undefined
     const base = makeBaseBuffers(device, passes, parts, sizes)
     const divided = base && DividedBuffers.copyOf(device, mesh, sizes)
     if (!divided) {
@@ -92,7 +99,8 @@ export class ComputeDivision {
   ) {
     const { missing } = this
     const now = [tolerance, instances, state.length, ...state, ...views]
-    if (!missing && areEqual(now, this.last)) return
+    const mustRead = this.isUnread && !this.isReading
+    if (!missing && !mustRead && areEqual(now, this.last)) return
     this.last = now
     const encoder = this.device.createCommandEncoder({ label: 'warpjet detail' })
     if (missing) this.grow(missing, encoder)
@@ -108,6 +116,7 @@ export class ComputeDivision {
     if (!this.isReading)
       encoder.copyBufferToBuffer(this.base.state, 0, this.reading, 0, this.reading.size)
     this.device.queue.submit([encoder.finish()])
+    this.isUnread = this.isReading
     if (!this.isReading) void this.readCounts()
   }
 
@@ -155,7 +164,7 @@ export class ComputeDivision {
     this.version++
   }
 
-  /** Finds out later whether there was room enough. */
+  /** Sets `missing` if the last run needed more room than there is. */
   private async readCounts() {
     this.isReading = true
     try {

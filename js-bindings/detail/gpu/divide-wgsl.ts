@@ -225,7 +225,7 @@ function blendOf(layout: readonly Layout[]) {
       ...numbers,
       ...(isUnit
         ? [
-            `let scale${at} = normalizing(${squares});`,
+            `let scale${at} = unitScaleOf(${squares});`,
             ...names.map((name) => `${name} *= scale${at};`),
           ]
         : []),
@@ -233,9 +233,9 @@ function blendOf(layout: readonly Layout[]) {
     ].join('\n  ')
   })
   return `/** Zero vectors and those that are not finite stay as they are. */
-fn normalizing(square: f32) -> f32 {
+fn unitScaleOf(square: f32) -> f32 {
   let scale = inverseSqrt(square);
-  return select(1, scale, square > 0 && (bitcast<u32>(scale) & 0x7f800000u) != 0x7f800000u);
+  return select(1, scale, scale > 0 && (bitcast<u32>(scale) & 0x7f800000u) != 0x7f800000u);
 }
 fn blend(vertex: u32, ends: vec3u, weights: vec3f) {
   ${parts.join('\n  ')}

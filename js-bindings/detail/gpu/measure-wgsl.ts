@@ -49,7 +49,7 @@ ${warp.declarations}
 @compute @workgroup_size(64) fn evaluate(@builtin(global_invocation_id) id: vec3u) {
   let i = id.x;
   if (i >= parameters.samples) { return; }
-  // A warp without numbers must bind them, too.
+  // Keeps the binding in the layout if the warp reads no numbers.
   _ = warpjetInputs[0];
   ${reads.join('\n  ')}
   ${numbers.code}
@@ -111,8 +111,8 @@ fn samplesOf(triangle: u32) -> Samples {
     let places = array<u32, 3>(k * (k + 1) / 2, ${sampleAt(4, 0)} + k, row * (row + 1) / 2 + row);
     for (var i = 0u; i < 3; i++) {
       let side = topology[first + 3 + i];
-      let fromEnd = select(3 - k, k - 1, (side & 1) == 1);
-      found[places[i]] = warped[parameters.vertices + 3 * (side >> 1) + fromEnd].xyz;
+      let indexOnSide = select(3 - k, k - 1, (side & 1) == 1);
+      found[places[i]] = warped[parameters.vertices + 3 * (side >> 1) + indexOnSide].xyz;
     }
   }
   let inside = parameters.vertices + 3 * (parameters.sides + triangle);

@@ -34,7 +34,7 @@ interface OfDevice {
 
 const ofDevices = new WeakMap<GpuDevice, OfDevice>()
 
-/** Compiles the passes. Rejects if the device or the warp cannot do without the CPU. */
+/** Compiles the passes. Rejects if the limits of the device are too low, or if the warp reads what only shaders have. */
 export async function compilePasses(
   device: GpuDevice,
   warp: HostWarp,
@@ -74,7 +74,10 @@ export async function compilePasses(
     total: totalPass(),
     write: writePass(constants, layout),
   }
-  shared.table ??= uploadTable(device)
+  shared.table ??= uploadTable(device).catch((error: unknown) => {
+    delete shared.table
+    throw error
+  })
   const names = Object.keys(codes) as PassName[]
   const [table, ...pipelines] = await Promise.all([
     shared.table,

@@ -49,7 +49,7 @@ const types: Record<string, { readonly wgsl: string; readonly size: number }> = 
   mat4: { wgsl: 'mat4x4f', size: 16 },
 }
 
-/** Maps an input of a vertex → its name in the function, which are those of its attributes. */
+/** Maps an input of a vertex → its name in WGSL. `warp.text` lists the inputs that it reads as `attributes` with these names. */
 export const sampleNames = {
   position: 'samplePosition',
   normal: 'sampleNormal',

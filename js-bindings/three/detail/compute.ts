@@ -1,4 +1,4 @@
-/** The border to 'warpjet/three/webgpu', whose compute passes divide a mesh. */
+/** The interface that 'warpjet/three/webgpu' implements to divide a mesh by compute passes. */
 import type { BufferGeometry } from 'three'
 import type { DetailViews, DetailedMesh, ToSpace } from '../../detail/detailed-mesh.js'
 import type { Warpable } from '../pose.js'

@@ -71,13 +71,14 @@ export class ComputedMesh implements ComputeDetail {
     }
     if (!this.compiled || render.renderer !== this.renderer) return
     const { backend, device, passes } = this.compiled
-    const division = ComputeDivision.of(device, passes, mesh, sizesOf(base))
+    const parts = mesh.parts()
+    const division = ComputeDivision.of(device, passes, mesh, parts, sizesOf(base))
     if (!division) {
       this.compiled = undefined
       return
     }
     const geometry = indirectGeometry(backend, base, object.geometry, division.divided)
-    const watch = new CutWatch(warp.surfacePhases(), mesh.parts())
+    const watch = new CutWatch(warp.surfacePhases(), parts)
     const { baseVersion } = mesh
     this.drawn = { division, geometry, version: division.version, baseVersion, watch }
   }

@@ -67,7 +67,7 @@ export function warmUpWhenIdle() {
   schedule?.(step)
 }
 
-/** Ends it, when the first position of the page has called everything. */
+/** Stops the warm-up: the first warp of the page has compiled everything. */
 export function endWarmUp() {
   steps = undefined
 }
