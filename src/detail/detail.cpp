@@ -179,7 +179,7 @@ std::uint32_t Detail::chooseUniform() {
         tessellations_.of(piecesOf(*base_, t, needs_.pieces())).triangles.size());
   const auto given = static_cast<double>(betweenGiven().base().triangles().size());
   const double uniform = given * pieces * pieces;
-  const double advantage = uniform_ != 0 ? 1.25 : 0.9;
+  const double advantage = uniform_ != 0 ? 1.1 : 0.9;
   return uniform < advantage * adaptive ? pieces : 0;
 }
 
