@@ -190,11 +190,6 @@ bool Detail::update(std::span<const float> numbers, float tolerance) {
   const bool isSame = uniform == uniform_ && (uniform != 0 || !isChanged);
   if (isSame && !indices_.empty()) return false;
   uniform_ = uniform;
-  if (uniform_ == 0) {
-    pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
-  } else {
-    pieces_.assign(betweenGiven().base().edgeCount(), uniform_);
-  }
   write();
   return true;
 }
@@ -202,11 +197,15 @@ bool Detail::update(std::span<const float> numbers, float tolerance) {
 void Detail::divideBase() {
   if (uniform_ == 0) return;
   uniform_ = 0;
-  pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
   write();
 }
 
 void Detail::write() {
+  if (uniform_ == 0) {
+    pieces_.assign(needs_.pieces().begin(), needs_.pieces().end());
+  } else {
+    pieces_.assign(betweenGiven().base().edgeCount(), uniform_);
+  }
   division_.write(uniform_ == 0 ? between() : betweenGiven(), pieces_, tessellations_);
   indices_.clear();
   for (const Corners& corners : division_.triangles)

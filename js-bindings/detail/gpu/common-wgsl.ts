@@ -16,7 +16,8 @@ export const parameterNames = [
 
 export type Counts = Record<(typeof parameterNames)[number], number>
 
-export const parametersBytes = 48
+/** The names and the tolerance, rounded up to 16 bytes. */
+export const parametersBytes = 16 * Math.ceil((parameterNames.length + 1) / 4)
 
 export const parameters = `struct Parameters {
   ${parameterNames.map((name) => `${name}: u32,`).join('\n  ')}
@@ -47,6 +48,9 @@ export function constantsOf(bound: DetailModule): string {
     `const pieceCounts = array<u32, levels>(${counts.map((count) => `${count}u`).join(', ')});`,
   ].join('\n')
 }
+
+/** The invocations of a workgroup in the passes that do not sum up. */
+export const groupSize = 64
 
 /** The invocations of a workgroup in the passes that sum up. */
 export const blockSize = 256

@@ -3,16 +3,20 @@ import type { DrawValues } from '../../compile/offset-warp.js'
 import { areEqual } from '../arrays.js'
 import type { DetailParts, DetailViews, DetailedMesh } from '../detailed-mesh.js'
 import { makeBaseBuffers, type BaseBuffers } from './base-buffers.js'
-import { blockSize, lanes, parameterNames, parametersBytes, type Counts } from './common-wgsl.js'
+import {
+  blockSize,
+  groupSize,
+  lanes,
+  parameterNames,
+  parametersBytes,
+  type Counts,
+} from './common-wgsl.js'
 import { DividedBuffers, type Room } from './divided-buffers.js'
 import type { PassName, Passes } from './passes.js'
 import { mapRead, usage, type GpuBuffer, type GpuDevice, type GpuEncoder } from './webgpu.js'
 
 /** The numbers of a view in `DetailViews`, and those in the struct `View`, which is padded. */
 const [viewSize, paddedViewSize] = [19, 20]
-
-/** The threads of a workgroup of the passes that do not sum up. */
-const groupSize = 64
 
 export class ComputeDivision {
   /** Changes when the buffers of `divided` do. */

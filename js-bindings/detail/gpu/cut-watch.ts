@@ -2,6 +2,7 @@
 import type { SurfacePhases } from '../../compile/host-warp.js'
 import type { DrawValues } from '../../compile/offset-warp.js'
 import { arrayNames, type Vertices } from '../../core/inputs/vertices.js'
+import { areEqual } from '../arrays.js'
 import type { DetailParts, ToSpace } from '../detailed-mesh.js'
 
 /** About half a millisecond of an expensive noise. */
@@ -45,7 +46,7 @@ export class CutWatch {
   isCoarse(given: DrawValues, state: readonly number[], toSpace: ToSpace | undefined): boolean {
     const { surface, samples, phases, inSpace } = this
     if (!surface) return false
-    if (state.some((number, i) => number !== this.state[i])) this.left = this.slices
+    if (!areEqual(state, this.state)) this.left = this.slices
     this.state = state
     if (this.left === 0) return false
     this.left--

@@ -1,5 +1,5 @@
 // The passes that write the divided mesh for the pieces of the edges, in the order of src/detail/division.cpp.
-import { blockSize, lanes, parameters, startOf, state } from './common-wgsl.js'
+import { blockSize, groupSize, lanes, parameters, startOf, state } from './common-wgsl.js'
 
 /** An attribute of the base; its numbers follow those of the attributes before in each vertex of the divided mesh. */
 export interface Layout {
@@ -9,7 +9,7 @@ export interface Layout {
 
 const plainState = state.replace('ATOMIC', 'u32')
 
-/** Chooses the level of each edge, an index of \`pieceCounts\`, and clears its need. */
+/** Chooses the level of each edge, an index of `pieceCounts`, and clears its need. */
 export const choosePass = (constants: string) => `${parameters}
 ${constants}
 ${state.replace('ATOMIC', 'atomic<u32>')}
@@ -22,7 +22,7 @@ fn roundUp(need: f32) -> u32 {
   return levels - 1;
 }
 
-@compute @workgroup_size(64) fn choose(@builtin(global_invocation_id) id: vec3u) {
+@compute @workgroup_size(${groupSize}) fn choose(@builtin(global_invocation_id) id: vec3u) {
   let edge = id.x;
   if (edge >= parameters.edges) { return; }
   let need = sqrt(bitcast<f32>(needs[edge]));

@@ -1,5 +1,5 @@
 // The passes that warp the samples of the base and choose the pieces of its edges. They follow src/detail/need.cpp, which explains the formulas.
-import { parameters } from './common-wgsl.js'
+import { groupSize, parameters } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
 
 /** An input of the warp in the buffer of samples, in which the numbers of each input follow each other. */
@@ -46,7 +46,7 @@ export function evaluatePass(
 @group(0) @binding(2) var<storage, read> samples: array<f32>;
 @group(0) @binding(3) var<storage, read_write> warped: array<vec4f>;
 ${warp.declarations}
-@compute @workgroup_size(64) fn evaluate(@builtin(global_invocation_id) id: vec3u) {
+@compute @workgroup_size(${groupSize}) fn evaluate(@builtin(global_invocation_id) id: vec3u) {
   let i = id.x;
   if (i >= parameters.samples) { return; }
   // Keeps the binding in the layout if the warp reads no numbers.
@@ -182,7 +182,7 @@ fn placeOf(vertex: u32) -> vec3f {
 
 fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u; }
 
-@compute @workgroup_size(64) fn measure(@builtin(global_invocation_id) id: vec3u) {
+@compute @workgroup_size(${groupSize}) fn measure(@builtin(global_invocation_id) id: vec3u) {
   let triangle = id.x;
   if (triangle >= parameters.triangles) { return; }
   let first = 6 * triangle;

@@ -3,7 +3,7 @@ import type { HostWarp } from '../../compile/host-warp.js'
 import { arrayNames } from '../../core/inputs/vertices.js'
 import { details } from '../../wasm/detail.js'
 import type { DetailBase } from '../detailed-mesh.js'
-import { constantsOf } from './common-wgsl.js'
+import { blockSize, constantsOf } from './common-wgsl.js'
 import { choosePass, placePass, totalPass, writePass } from './divide-wgsl.js'
 import { evaluatePass, measurePass, worldNumbers, type SampleInput } from './measure-wgsl.js'
 import { tessellationTable } from './table.js'
@@ -42,7 +42,7 @@ export async function compilePasses(
   world: World | undefined,
 ): Promise<Passes> {
   const { maxStorageBuffersPerShaderStage, maxComputeInvocationsPerWorkgroup } = device.limits
-  if (maxStorageBuffersPerShaderStage < 8 || maxComputeInvocationsPerWorkgroup < 256)
+  if (maxStorageBuffersPerShaderStage < 8 || maxComputeInvocationsPerWorkgroup < blockSize)
     throw new Error('the limits of the device are too low')
   const text = warpInWgsl(warp)
   if (!text) throw new Error('the warp reads what only shaders have')

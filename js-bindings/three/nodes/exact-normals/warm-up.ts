@@ -76,6 +76,6 @@ function step() {
   try {
     if (steps && !steps.next().done) schedule!(step)
   } catch {
-    // What fails, such as WebAssembly on a page that forbids it, is reported where a warp is made.
+    // An error, such as that of a page that forbids WebAssembly, is reported where a warp is made.
   }
 }
