@@ -253,7 +253,7 @@ void divideWave(Detail& detail) {
   EXPECT_TRUE(divide(detail, [](float* p) { p[2] += 0.7f * std::sin(5 * p[0]); }));
 }
 
-// Cuts the two triangles of `square` into pieces of at most this length.
+// Cuts the two triangles of `square` into pieces no longer than this length.
 Detail cutSquare(float maxLength) {
   Detail detail({{3, false, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}}}, 2, {0, 1});
   detail.givenIndices() = {0, 1, 2, 0, 2, 3};

@@ -6,6 +6,7 @@ import * as deformers from '../../dist/deformers.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { normalize } from '../support/browser/matrix.js'
 import { angleBetween, jacobian, warpVertex } from '../support/browser/oracle.js'
+import { inDouble } from '../support/compositions.js'
 import { deformers as oracles } from '../warps/deformers.js'
 import { seededRandom } from '../warps/random.js'
 
@@ -88,22 +89,6 @@ const step = 0.02
 
 /** Maps a deformer to its option that makes it move nothing. */
 const amountOf = (name) => (name === 'twist' || name === 'bend' ? 'angle' : 'amount')
-
-/** Evaluates a warp in double precision: maps inputs by name to its offset, the columns of its Jacobian, and the warped normal. */
-function inDouble(warp) {
-  const { evaluate } = compile((glsl) => {
-    const [position, normal] = [glsl.vec3Param('position'), glsl.vec3Param('normal')]
-    const millis = glsl.param('millis')
-    const offset = warp({ glsl, position, normal, millis })
-    return {
-      offset,
-      derivatives: glsl.jacobian(offset, position),
-      turned: offset.adjustNormal(normal, position),
-      allRead: normal.mult(millis),
-    }
-  })
-  return evaluate
-}
 
 function assertClose(actual, expected, tolerance, message) {
   actual.forEach((value, i) => {
