@@ -92,6 +92,14 @@ const cameras = (count) =>
     return view
   })
 
+/** Draws the mesh until its buffers are large enough: the one of the frame before is drawn for a few frames. */
+async function drawOften(mesh, view) {
+  for (let i = 0; i < 6; i++) {
+    await mesh.draw(view)
+    await wait(10)
+  }
+}
+
 /** Divides by passes and by the CPU for the same views → what differs in each. */
 async function divide({ frames = 6, ...options }) {
   const all = [start(passes, options), start(cpu, options)]
@@ -104,9 +112,7 @@ async function divide({ frames = 6, ...options }) {
       warped.update(40 * i)
       if (options.space === 'world') mesh.rotation.z = i / 20
     }
-    // There may be too little room at first.
-    await byPasses.draw(view)
-    await wait(20)
+    await drawOften(byPasses, view)
     const [picture, expectedPicture] = [await byPasses.draw(view), await byCpu.draw(view)]
     const { indices, numbers } = await byPasses.read()
     const { index, attributes, drawRange } = byCpu.drawn()
@@ -135,7 +141,6 @@ async function approach(options) {
   await byPasses.begin(far)
   const before = await byPasses.read()
   const first = byPasses.drawn()
-  // The mesh of the frame before is drawn until there is room, a few frames later.
   const pictures = []
   for (let i = 0; i < 6; i++) {
     pictures.push(await byPasses.draw(near))
@@ -185,7 +190,8 @@ async function life() {
   far.position.setLength(30)
   const triangles = async () => (await one.read()).indices.length / 3
   const counts = { held: buffers.size - before, pairs: [] }
-  // The first picture starts from the pieces that the CPU chose.
+  // The first picture starts from the pieces that the CPU chose, and may have too little room.
+  await drawOften(one, near)
   await one.draw(far)
   for (let i = 0; i < 2; i++)
     for (const view of [near, far]) {
@@ -194,10 +200,7 @@ async function life() {
     }
   const target = targets.get(passes)
   target.setSize(4 * size, 4 * size)
-  await one.draw(near)
-  // There may be too little room at first.
-  await wait(20)
-  await one.draw(near)
+  await drawOften(one, near)
   counts.large = await triangles()
   target.setSize(size, size)
   material.wireframe = true
