@@ -36,3 +36,5 @@ export type {
   UniformValues,
   WarpInputs,
 } from '../core/types/types.js'
+/** Starts the compiler, as the first warp does. */
+export { getCore as startCompiler } from '../wasm/core.js'

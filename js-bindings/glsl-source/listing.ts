@@ -21,6 +21,9 @@ export interface SourceText {
   language: SourceLanguage
 }
 
+/** Starts the front end, as the first source does. */
+export const startFrontEnd = () => void wasm.glsl.get()
+
 /** Parses source, passes it to `work` and closes it in any case. Throws a `WarpError` with line, column and a caret. */
 export const withSource = <Result>(
   place: Place,

@@ -39,6 +39,8 @@ test('names of files do not change between releases', () => {
   const shared = [
     'basics',
     'compiler',
+    'compute-passes',
+    'detail-passes',
     'detailed-mesh',
     'evaluation',
     'front-end',
@@ -216,7 +218,7 @@ test('bundlers can resolve all imports', () => {
       if (!asked.includes('/* webpackIgnore: true */'))
         assert.match(
           asked,
-          /^(["'])(\.\/(?:shared\/)?(?:surface-variation|with-mesh)\.js|https:.*)\1$/,
+          /^(["'])(\.\/(?:shared\/)?(?:compute-passes|surface-variation|with-mesh)\.js|https:.*)\1$/,
           file,
         )
 })

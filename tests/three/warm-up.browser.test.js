@@ -41,11 +41,11 @@ async function run(code) {
   return page.evaluate(() => window.result)
 }
 
-test('an idle page starts the front end and the compiler, step by step', async () => {
+test('an idle page starts the front end and the compiler, in short steps', async () => {
   const code = `note('imported', modules); note('steps', idle(), modules); await draw(); note('drawn', modules)`
   assert.deepEqual(await run(code), [
     ['imported', 0],
-    ['steps', 4, 2],
+    ['steps', 30, 2],
     ['drawn', 2],
   ])
 })

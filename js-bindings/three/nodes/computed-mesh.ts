@@ -4,19 +4,21 @@
  */
 import { Matrix3, type BufferGeometry, type InstancedMesh, type Material, type Mesh } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
-import { ComputeDivision } from '../../detail/gpu/compute-division.js'
-import { CutWatch } from '../../detail/gpu/cut-watch.js'
-import { compilePasses, type Passes, type World } from '../../detail/gpu/passes.js'
+import type { ComputeDivision } from '../../detail/gpu/compute-division.js'
+import type { CutWatch } from '../../detail/gpu/cut-watch.js'
+import type { Passes, World } from '../../detail/gpu/passes.js'
 import type { GpuDevice } from '../../detail/gpu/webgpu.js'
 import type { ComputeDetail, ComputeInput } from '../detail/compute.js'
 import type { Render } from '../detail/render.js'
 import { placeOf } from '../detail/views.js'
+import type * as ComputePasses from './compute-passes.js'
 import { disposeIndirect, indirectGeometry, sizesOf, type Backend } from './indirect-geometry.js'
 
 interface Compiled {
   readonly backend: Backend
   readonly device: GpuDevice
   readonly passes: Passes
+  readonly code: typeof ComputePasses
 }
 
 interface Drawn {
@@ -70,15 +72,15 @@ export class ComputedMesh implements ComputeDetail {
       void this.compile(present)
     }
     if (!this.compiled || render.renderer !== this.renderer) return
-    const { backend, device, passes } = this.compiled
+    const { backend, device, passes, code } = this.compiled
     const parts = mesh.parts()
-    const division = ComputeDivision.of(device, passes, mesh, parts, sizesOf(base))
+    const division = code.ComputeDivision.of(device, passes, mesh, parts, sizesOf(base))
     if (!division) {
       this.compiled = undefined
       return
     }
     const geometry = indirectGeometry(backend, base, object.geometry, division.divided)
-    const watch = new CutWatch(warp.surfacePhases(), parts)
+    const watch = new code.CutWatch(warp.surfacePhases(), parts)
     const { baseVersion } = mesh
     this.drawn = { division, geometry, version: division.version, baseVersion, watch }
   }
@@ -94,9 +96,10 @@ export class ComputedMesh implements ComputeDetail {
     const { warp, base, toWorld } = this.input
     const { device } = backend
     try {
-      const passes = await compilePasses(device, warp, base, toWorld && this.world())
+      const code = await import('./compute-passes.js')
+      const passes = await code.compilePasses(device, warp, base, toWorld && this.world())
       // It may have been disposed of meanwhile.
-      if (this.renderer === renderer) this.compiled = { backend, device, passes }
+      if (this.renderer === renderer) this.compiled = { backend, device, passes, code }
     } catch {
       return
     }

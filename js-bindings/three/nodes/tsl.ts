@@ -25,6 +25,7 @@ export interface AnyNode {
   x: AnyNode
   y: AnyNode
   z: AnyNode
+  xz: AnyNode
   xyz: AnyNode
   w: AnyNode
 }
@@ -75,6 +76,7 @@ interface Nodes {
   Loop(range: object, body: (counters: { i: AnyNode }) => void): AnyNode
   float(value: unknown): AnyNode
   sin(value: unknown): AnyNode
+  mx_cell_noise_float(at: unknown): AnyNode
   mx_noise_float(at: unknown): AnyNode
   wgslFn(code: string, includes?: unknown[]): Call
   glslFn(code: string, includes?: unknown[]): Call

@@ -1,30 +1,50 @@
 /**
  * Starts the compiler while the page waits for its renderer. The first `exactNormals` of a page takes five times as long as the second one:
- * browsers compile each function of WebAssembly and JavaScript when it is first called. We call most of them for a small position, in
+ * browsers compile each function of WebAssembly and JavaScript when it is first called. We call most of them for small positions, in
  * steps, while the browser is idle, which it is until the GPU has answered `renderer.init()`.
  */
+import { startCompiler } from '../../../compile/hosts.js'
+import { startFrontEnd } from '../../../glsl-source/listing.js'
 import { wgslOffset } from '../../../glsl-source/offset.js'
 import { functionFor } from '../function.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import { settingsWith } from './exact-normals.js'
-import { ExactWarp } from './exact-warp.js'
+import { ExactWarp, offsetOf } from './exact-warp.js'
 import { plainBuilder } from './plain-builder.js'
 import { functionName, maxIterations, readPosition } from './read-position.js'
 
-/** Returns a position with a loop and with noise, whose hash contains functions and integers. */
-function samplePosition(): AnyNode {
-  const { Fn, Loop, float, mx_noise_float, positionLocal, sin, uniform, vec3 } = tsl
-  return Fn(() => {
+/** Yields positions, each of which needs a few functions more than the one before: operations, a variable, a loop, hashes, noise. */
+function* samplePositions(): Generator<AnyNode, void> {
+  const {
+    Fn,
+    Loop,
+    float,
+    mx_cell_noise_float,
+    mx_noise_float,
+    positionLocal,
+    sin,
+    uniform,
+    vec3,
+  } = tsl
+  const raise = (height: AnyNode) => positionLocal.add(vec3(0, height, 0))
+  const sum = (term: (i: AnyNode) => AnyNode) => {
     const height = float(0).toVar()
     Loop(
       { type: 'float', start: float(1), end: uniform(2) as never },
-      ({ i }: { i: AnyNode }) => void height.addAssign(mx_noise_float(positionLocal.mul(i))),
+      ({ i }: { i: AnyNode }) => void height.addAssign(term(i)),
     )
-    return positionLocal.add(vec3(0, sin(height), 0))
-  })()
+    return raise(sin(height))
+  }
+  yield positionLocal
+  yield Fn(() => raise(sin(positionLocal.x).toVar()))()
+  yield Fn(() => sum((i) => positionLocal.x.mul(i)))()
+  yield raise(mx_cell_noise_float(positionLocal.xz))
+  yield Fn(() => sum((i) => mx_noise_float(positionLocal.xz.mul(i))))()
 }
 
-const sampleInWgsl = `fn noise(at : vec2<f32>) -> f32 {
+const samplesInWgsl = [
+  `fn ${functionName}(position : vec3<f32>) -> vec3<f32> { return position; }`,
+  `fn noise(at : vec2<f32>) -> f32 {
   var hash : u32 = u32(i32(floor(at.x)));
   hash = (hash << 7u) ^ (hash >> 3u);
   return select(at.x, -at.y, (hash & 1u) == 1u);
@@ -33,19 +53,32 @@ fn ${functionName}(position : vec3<f32>) -> vec3<f32> {
   var moved : vec3<f32> = position;
   for (var i : f32 = 1.0; i < 3.0; i += 1.0) { moved.y = moved.y + noise(moved.xz * i); }
   return moved;
-}`
+}`,
+]
 
-/** Makes the warp of the sample step by step. */
+/** Makes the warps of the samples, in steps that are short because each is new in little. */
 function* warmUp(): Generator<void, void> {
   const method = 'exactNormals'
-  const source = readPosition(method, plainBuilder(method), samplePosition())
+  startFrontEnd()
   yield
-  wgslOffset(sampleInWgsl, { function: functionName, returns: 'position', maxIterations })
+  startCompiler()
   yield
-  const warp = new ExactWarp(source, settingsWith('auto'))
-  yield
-  functionFor(warp, 'normal', false)
-  functionFor(warp, 'normal of pixel', true)
+  for (const text of samplesInWgsl) {
+    wgslOffset(text, { function: functionName, returns: 'position', maxIterations })
+    yield
+  }
+  for (const position of samplePositions()) {
+    const source = readPosition(method, plainBuilder(method), position)
+    yield
+    offsetOf(source)
+    yield
+    const warp = new ExactWarp(source, settingsWith('auto'))
+    yield
+    functionFor(warp, 'normal', false)
+    yield
+    functionFor(warp, 'normal of pixel', true)
+    yield
+  }
 }
 
 type Schedule = (work: () => void) => void
