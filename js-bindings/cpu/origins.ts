@@ -136,7 +136,6 @@ export function originsOf(
 export function releaseOrigins(plan: InputPlan, origins: Origin[]) {
   for (const origin of origins) {
     origin.values = origin.numbers
-    origin.size = origin.numbers.length
     origin.isUniform = true
   }
   plan.origins.giveBack(origins)

@@ -1,5 +1,5 @@
 // Evaluates the program of a warp at the vertices of a mesh.
-import { variationInputs, vertexInputs } from '../core/inputs/inputs.js'
+import { variationInputs } from '../core/inputs/inputs.js'
 import { arrayNames, type Uniforms, type Vertices } from '../core/inputs/vertices.js'
 import type { ResultSet } from '../core/module/result-set.js'
 import { noteApproximation } from '../errors/notes.js'
@@ -36,7 +36,6 @@ function bindToMesh(warp: WarpProgram, place: Place, origin: Origin, mesh: Verti
   const values = mesh[arrayNames[input]]
   if (values) {
     origin.values = values
-    origin.size = vertexInputs[input]
     origin.isUniform = false
     return
   }

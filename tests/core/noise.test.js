@@ -321,6 +321,14 @@ describe('noise throws for wrong arguments:', () => {
       /^fbm: expected 'noise', 'simplex' or 'valueNoise' for the option "noise", got the text "perlin"\.$/,
     ],
     [
+      (glsl) => glsl.noise(1, 2, 3, 4),
+      /^noise: it takes one point; write glsl\.vec3\(x, y, z\)\.noise\(\)\.$/,
+    ],
+    [
+      (glsl) => glsl.noise(1, 2, 3, 4, 5),
+      /^noise: it takes a point and options; the number 3 is too many\.$/,
+    ],
+    [
       (glsl) => glsl.vec4(1, 2, 3, 4).worley(),
       /^worley: expected a number, a vec2 or a vec3 as the value it is called on, got a vec4\.$/,
     ],

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <random>
+#include <string>
 
 namespace warpjet {
 namespace {
@@ -74,6 +76,15 @@ TEST(Polygon, TriangulatesAConcavePolygonInsideItsOutline) {
       flat({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}),
       "hole");
   expectExact(flat({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {3, 1}}), "twice the same");
+}
+
+// Most of the polygon is to the right of its first side.
+TEST(Polygon, TriangulatesALetterCFromAnyCorner) {
+  Points corners = flat({{1, 9}, {4, 9}, {4, 10}, {0, 10}, {0, 0}, {4, 0}, {4, 1}, {1, 1}});
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    expectExact(corners, "from corner " + std::to_string(i));
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+  }
 }
 
 TEST(Polygon, TriangulatesConvexPolygonsAsFans) {

@@ -6,6 +6,11 @@ rejects([
   [body('return q;'), 2, '"q" is not declared'],
   // A suggestion may not skip the beginning of a name.
   [body('float waveHeight = p.x; return Height * p;'), 2, '"Height" is not declared.'],
+  [
+    body('for (int i = 0; 1.; i++) {} return p;'),
+    2,
+    'expected a bool as the condition of this for, got a float',
+  ],
   [body('float p2 = p; return p;'), 2, 'expected a float as the value of "p2", got a vec3'],
   [body('float x; float x; return p;'), 2, '"x" is already declared here'],
   [body('return missing(p);'), 2, 'there is no function "missing"'],

@@ -210,6 +210,11 @@ test('differentiate generates a function with its derivatives, in each language'
     () => differentiate('vec2 f(vec3 p) { return p.xy; }', { target: 'glsl100' }),
     /glsl100 has no matrix/,
   )
+  assert.throws(
+    () =>
+      differentiate('float f(vec2 x, mat2x3 m) { return m[0].x * x.y; }', { target: 'glsl100' }),
+    /glsl100 lacks mat2x3, the type of the parameter m; use glsl300 or wgsl\.$/,
+  )
   const mixed =
     'float f(vec3 p, int n, bool b, ivec2 k) { return b ? p.x * float(n) : float(k.x); }'
   assert.throws(() => differentiate(mixed), /the parameter k of f is an ivec2/)
@@ -248,6 +253,15 @@ test('a length can be computed by atan of one and of two numbers', () => {
       'float a[int(atan(1., -1.))]; float b[int(2. * atan(1.))]; return vec3(a.length(), b.length(), 0.);',
     ),
     [2, 1, 0],
+  )
+})
+
+test('a length can be computed by % of unsigned integers', () => {
+  near(
+    offsetOf(
+      'float a[int(11u % 4u)]; float b[int(7u % 1u) + 2]; return vec3(a.length(), b.length(), 0.);',
+    ),
+    [3, 2, 0],
   )
 })
 
@@ -362,6 +376,11 @@ test('host variables of other types keep their names and types, in every languag
     () => at({ u: -1 }),
     /expected a whole number from 0 to 4294967295, as a uint of the shader is, for the uniform "u"/,
   )
+  for (const n of [-2147483649, 2147483648])
+    assert.throws(
+      () => at({ n }),
+      /expected a whole number from -2147483648 to 2147483647, as an int of the shader is, for the uniform "n"/,
+    )
   assert.throws(
     () => at({ on: 2 }),
     /expected a whole number from 0 to 1, as a bool of the shader is, for the uniform "on", got /,

@@ -135,11 +135,35 @@ test('differentiate writes WGSL, and GLSL if asked', () => {
   )
 })
 
+test('a continuing block reads the variables of the body, after each continue, too', () => {
+  // The steps are 1, 2, 3 and 4.
+  const text = `fn offset(p: vec3f) -> vec3f {
+    var i = 0; var sum = 0.0;
+    loop {
+      let step = f32(i) + 1.0;
+      if step > 1.5 { continue; }
+      continuing { sum += step; i++; break if i >= 4; }
+    }
+    return vec3f(sum, 0.0, 0.0);
+  }`
+  assert.equal(warpOf(text).evaluateAt([1, 0, 0], { normal }).position[0], 11)
+})
+
 test('messages name types of WGSL', () => {
   assert.match(
     message(() => wgslOffset('fn offset(p: vec3f) -> vec3f { return p.x; }')),
     /^wgslOffset: line 1, column \d+: expected this function to return a vec3f, got an f32\./,
   )
+  const same = 'fn offset(p: vec3f) -> vec3f { return p; }'
+  assert.match(
+    message(() => wgslOffset(`const_assert 1; ${same}`)),
+    /^wgslOffset: line 1, column 14: expected a constant bool after const_assert, got an abstract int\./,
+  )
+  for (const kind of ['var<private>', 'override'])
+    assert.match(
+      message(() => wgslOffset(`${kind} a = 1.0;\nconst_assert a > 0.5; ${same}`)),
+      /^wgslOffset: line 2, column 14: expected a constant bool after const_assert, got a bool\./,
+    )
   assert.match(
     message(() => wgslOffset('fn offset(p: vec3f) -> f32 { return p.x; }')),
     /^wgslOffset: offset: expected a function that returns a vec3f, the offset of a vertex, got one that returns an f32;/,

@@ -255,6 +255,9 @@ function linesPrintedBy(code) {
   const script = `
     import { compileWarp } from 'warpjet'
     import { bakeWarp, subdivide, surfaceVariation } from 'warpjet/mesh'
+    import { warp as warpObject } from 'warpjet/three'
+    import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+    const plane = () => new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     const bumpy = ({ normal, position }) => normal.mult(position.x())
     const plain = ({ glsl, position }) => glsl.vec3(0, position.x(), 0)
     const mesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] }
@@ -281,8 +284,16 @@ describe('a warning that normals are approximate', () => {
     assert.match(lines[0], /^evaluate: .* warpjet\/mesh/)
   })
 
+  test('is printed once for objects of three.js', () => {
+    const lines = linesPrintedBy('for (let i = 0; i < 3; i++) warpObject(plane(), bumpy)')
+    assert.equal(lines.length, 1)
+    assert.match(lines[0], /^warp: .*; await addSurfaceVariation\(geometry\) makes them exact/)
+  })
+
   test('is not printed without a reason', () => {
     const lines = linesPrintedBy(`
+      warpObject(plane(), plain)
+      warpObject(plane(), bumpy, { surfaceVariation: false })
       compileWarp(plain).evaluate(mesh)
       compileWarp(bumpy, { normals: false }).evaluate(mesh)
       compileWarp(bumpy, { surfaceVariation: false }).evaluate(mesh)

@@ -54,7 +54,9 @@ test('a variable whose value is read only once causes a warning with its name an
   try {
     globalThis.mouseX = 20
     globalThis.warpjetLevel = 0.5
+    globalThis.warpjetCenter = [1, 2, 3]
     compileWarp(operators((0, eval)('({ position }) => position * (mouseX + warpjetLevel)')))
+    compileWarp(operators((0, eval)('({ position }) => position - warpjetCenter')))
     runTranslated(
       `let level = 2\nfunction draw() { level = 3 }\nout.push(createWarp(({ position }) => position * (level + p.frameCount + keyCode)))`,
       { p: { frameCount: 1 }, keyCode: 1 },
@@ -62,7 +64,14 @@ test('a variable whose value is read only once causes a warning with its name an
   } finally {
     console.warn = warn
   }
-  for (const name of ['mouseX', 'warpjetLevel', 'level', 'p.frameCount', 'keyCode']) {
+  for (const name of [
+    'mouseX',
+    'warpjetLevel',
+    'warpjetCenter',
+    'level',
+    'p.frameCount',
+    'keyCode',
+  ]) {
     const label = name.replace('p.', '')
     assert.equal(
       notes.filter(

@@ -227,6 +227,45 @@ for (const host of hosts) {
     // The rest is about GLSL.
     if (isWebGPU) return
 
+    test("images wrap as p5's textureWrap says", async () => {
+      const at = '{ filter: "bspline" }'
+      const warpOf = `createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
+        .texture(uniforms.heights, position.xy().mult(3), ${at}).r().mult(${height / 3})),
+        { type: 'normal', uniforms: { heights: () => warps.image } })`
+      const wraps = { REPEAT: 'repeat', MIRROR: 'mirror', CLAMP: 'clamp' }
+      const pictures = await draw({
+        setup: `${setup}\nwarps.displace = ${warpOf}`,
+        scenes: Object.fromEntries(
+          Object.keys(wraps).map((name) => [
+            name,
+            `textureWrap(${name}); warps.displace(); plane(${side}, ${side}, 240, 240)`,
+          ]),
+        ),
+      })
+      for (const [name, wrap] of Object.entries(wraps)) {
+        const heightAt = (u, v) =>
+          (height / 3) * sample(image, 3 * (u - 0.5), 3 * (v - 0.5), { wrap, filter: 'bspline' })[0]
+        const step = 1e-4
+        // A pixel shows the normal at its centre.
+        for (const [u, v] of grid(12).map((place) =>
+          place.map((t) => (Math.floor(t * side) + 0.5) / side),
+        )) {
+          const normal = normalize([
+            -(heightAt(u + step, v) - heightAt(u - step, v)) / (2 * step * side),
+            -(heightAt(u, v + step) - heightAt(u, v - step)) / (2 * step * side),
+            1,
+          ])
+          assertColor(
+            pictures[name],
+            [u, v],
+            normal.map((x) => 255 * Math.max(x, 0)),
+            4,
+            name,
+          )
+        }
+      }
+    })
+
     test('in WebGL 1 the warp reads the size of an image from a uniform', async () => {
       const displaced = `warps.displace = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bicubic' }).r()

@@ -63,6 +63,18 @@ for (const [version, p5] of p5InThisRun) {
       assertRedAt(image, 40, 0)
     })
 
+    test('leaves the length of stack traces as it is', async () => {
+      const { image } = await drawScenes(browser, server, [p5, addon], {
+        size,
+        setup: `
+          Error.stackTraceLimit = 7
+          distort = createWarp(${toTheRight})
+          if (Error.stackTraceLimit !== 7) throw new Error('got ' + Error.stackTraceLimit)`,
+        scenes: { image: `distort(); fill('red'); plane(20)` },
+      })
+      assertRedAt(image, 40, 0)
+    })
+
     test('works if its script precedes that of p5, and if it is included twice', async () => {
       const { image } = await drawScenes(browser, server, [addon, p5, addon], {
         size,

@@ -45,7 +45,7 @@ describe('a renderer draws', () => {
   const draw = (renderer, object, material = object.material) =>
     renderer.renderBufferDirect(null, null, object.geometry, material, object, null)
 
-  test('a warped object with a live view of its current material, and other objects unchanged', () => {
+  test('a warped object with a live view of its current material, and other objects unchanged', (t) => {
     const mesh = plane()
     const warped = warp(mesh, none)
     const renderer = mockRenderer()
@@ -70,9 +70,39 @@ describe('a renderer draws', () => {
     first.side = THREE.BackSide
     assert.equal(mesh.material.side, THREE.BackSide)
     assert.notEqual(first.id, mesh.material.id)
+    const freed = t.mock.fn()
+    first.addEventListener('dispose', freed)
     warped.dispose()
+    assert.equal(freed.mock.callCount(), 1)
     draw(renderer, mesh)
     assert.equal(renderer.drawn.at(-1), mesh.material)
+  })
+
+  test('a live view that reads and writes every property of each material', () => {
+    const isOwn = (name) => /^(id|uuid|_listeners|type|version|is[A-Z].*)$/.test(name)
+    const otherThan = (value) =>
+      typeof value === 'number' ? 0.625 : typeof value === 'boolean' ? !value : {}
+    const materials = Object.values(THREE)
+      .filter((Type) => Type?.prototype instanceof THREE.Material)
+      .map((Type) => new Type())
+      .filter((material) => !material.isSpriteMaterial)
+    assert.ok(materials.length > 12)
+    for (const material of materials) {
+      const names = Object.keys(material).map((name) => name.replace(/^_(?=[a-z])/, ''))
+      const mesh = new THREE.Mesh(new THREE.PlaneGeometry(), material)
+      const warped = warp(mesh, none)
+      const renderer = mockRenderer()
+      mesh.onBeforeRender(renderer)
+      draw(renderer, mesh)
+      const [view] = renderer.drawn
+      for (const name of names.filter((each) => !isOwn(each))) {
+        assert.equal(view[name], material[name], `${material.type}: ${name}`)
+        const other = otherThan(material[name])
+        view[name] = other
+        assert.equal(material[name], other, `${material.type}: ${name}`)
+      }
+      warped.dispose()
+    }
   })
 
   test('a material that cannot be warped unchanged, and logs one error', (t) => {

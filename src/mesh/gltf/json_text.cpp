@@ -52,10 +52,9 @@ void checkExtent(std::string_view text) {
 }  // namespace
 
 nlohmann::json parseJson(std::string_view text) {
-  // Some exporters pad with zero bytes instead of spaces.
-  text = text.substr(0, text.find_last_not_of(std::string_view("\0 \t\r\n", 5)) + 1);
   checkExtent(text);
   try {
+    // The text ends at a zero byte, with which some exporters pad instead of spaces.
     return nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& error) {
     throw FileProblem("the description of the model is broken JSON at its byte " +
