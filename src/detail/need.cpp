@@ -16,8 +16,8 @@ using glm::vec2, glm::vec3, glm::vec4;
 
 // Warped samples of a triangle: row by row from corner 0, which is alone in its row, to the side
 // opposite to it, each from the side of corner 1 to that of corner 2.
-constexpr int pieces = 4;
-using Samples = std::array<vec3, (pieces + 1) * (pieces + 2) / 2>;
+constexpr int intervals = 4;  // per side
+using Samples = std::array<vec3, (intervals + 1) * (intervals + 2) / 2>;
 constexpr int sampleAt(int row, int i) { return row * (row + 1) / 2 + i; }
 
 // A part of a triangle with six samples: its corners, and the middles of its sides.
@@ -27,7 +27,7 @@ struct Cell {
 constexpr std::array cells = [] {
   std::array<Cell, 6> all{};
   int count = 0;
-  for (int row = 0; row <= pieces - 2; ++row) {
+  for (int row = 0; row <= intervals - 2; ++row) {
     for (int i = 0; i <= row; ++i)
       all[count++] = {{sampleAt(row, i), sampleAt(row + 2, i), sampleAt(row + 2, i + 2)},
                       {sampleAt(row + 1, i), sampleAt(row + 2, i + 1), sampleAt(row + 1, i + 1)}};
@@ -108,7 +108,7 @@ class ScreenOf {
   // Behind the eye and close to it, positions have no or almost infinite places on the screen.
   vec4 findNearest() const {
     const vec4 middle =
-        (clip_[0] + clip_[sampleAt(pieces, 0)] + clip_[sampleAt(pieces, pieces)]) / 3.0f;
+        (clip_[0] + clip_[sampleAt(intervals, 0)] + clip_[sampleAt(intervals, intervals)]) / 3.0f;
     vec4 found =
         *std::min_element(clip_.begin(), clip_.end(), [](vec4 a, vec4 b) { return a.w < b.w; });
     found.w = std::max(found.w, criterion.nearest * std::abs(middle.w));
@@ -169,7 +169,7 @@ Squares squaredNeeds(const Flat& flat, const Directions& directions, const Scree
     for (int i = 0; i < 3; ++i) {
       const vec3 bend = samples[cell.corners[i]] + samples[cell.corners[(i + 1) % 3]] -
                         2.0f * samples[cell.middles[i]];
-      alongSides[i] = screen.pixels(static_cast<float>(pieces * pieces) * bend);
+      alongSides[i] = screen.pixels(static_cast<float>(intervals * intervals) * bend);
     }
     const Quadratic bend = bendOf(flat, alongSides);
     // A flat cell has no bend, but NaN: a root of zero divided by zero.
@@ -195,13 +195,14 @@ Samples samplesOf(const BaseMesh& base, std::size_t triangle, std::span<const fl
   const Corners& corners = base.triangles()[triangle];
   Samples samples;
   samples[0] = read(corners[0]);
-  samples[sampleAt(pieces, 0)] = read(corners[1]);
-  samples[sampleAt(pieces, pieces)] = read(corners[2]);
-  for (int k = 1; k < pieces; ++k) {
-    const std::array places{sampleAt(k, 0), sampleAt(pieces, k), sampleAt(pieces - k, pieces - k)};
+  samples[sampleAt(intervals, 0)] = read(corners[1]);
+  samples[sampleAt(intervals, intervals)] = read(corners[2]);
+  for (int k = 1; k < intervals; ++k) {
+    const std::array places{sampleAt(k, 0), sampleAt(intervals, k),
+                            sampleAt(intervals - k, intervals - k)};
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t side = base.sidesOf(triangle)[i];
-      const int indexOnSide = base.startsAt(side, corners[i]) ? k - 1 : pieces - 1 - k;
+      const int indexOnSide = base.startsAt(side, corners[i]) ? k - 1 : intervals - 1 - k;
       samples[places[i]] = read(base.sampleOfSide(side, indexOnSide));
     }
   }

@@ -175,7 +175,7 @@ describe('loadMesh', () => {
         const { warnings, material, positions } = await loadMesh(place)
         assert.deepEqual(positions, sphere().positions)
         assert.equal(material.baseColorTexture, undefined)
-        assert.match(warnings.join(), /^The picture of the base colour .* is missing/)
+        assert.match(warnings.join(), /^The base-colour texture .* is missing/)
       }
     }
     for (const uri of ['no.bin', 'http://[', '100%.bin']) {
