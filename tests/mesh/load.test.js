@@ -259,7 +259,7 @@ describe('loadMesh', () => {
     )
     await rejectsWithWarpError(
       () => loadMesh(exportGLB(mesh), { resolver: () => buffer }),
-      /^loadMesh: there is no option "resolver"; did you mean resolve\? There are resolve, as, decoders\./,
+      /^loadMesh: there is no option "resolver"; did you mean resolve\? The options are resolve, as, decoders\./,
     )
   })
 })

@@ -1,4 +1,4 @@
-// The passes that warp the samples of the base and choose the pieces of its edges. They follow src/detail/need.cpp, which explains the formulas.
+// The passes that warp the samples of the base and measure into how many pieces its edges must be divided. They follow src/detail/need.cpp, which explains the formulas.
 import { groupSize, parameters } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
 
@@ -8,13 +8,16 @@ export interface SampleInput {
   readonly size: number
 }
 
-/** Names of the matrices that bring samples into the world. */
-export const worldNames = { position: 'sampleToWorld', normal: 'sampleNormalToWorld' }
+/** The matrices that transform positions and normals of samples to world space. */
+export interface World {
+  readonly position: () => readonly number[]
+  readonly normal: () => readonly number[]
+}
 
-export const worldNumbers = (
-  position: () => readonly number[],
-  normal: () => readonly number[],
-): NamedNumbers[] => [
+/** Names of these matrices in WGSL. */
+const worldNames = { position: 'sampleToWorld', normal: 'sampleNormalToWorld' }
+
+export const worldNumbers = ({ position, normal }: World): NamedNumbers[] => [
   { name: worldNames.position, type: 'mat4', read: position },
   { name: worldNames.normal, type: 'mat3', read: normal },
 ]
@@ -200,7 +203,7 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
     for (var i = 0; i < 15; i++) { clips[i] = view.clip * vec4f(samples[i], 1); }
     if (!isVisible(&clips, view)) { continue; }
     let near = nearestOf(&clips);
-    var most = vec3f(0);
+    var largest = vec3f(0);
     var sum = vec3f(0);
     for (var i = 0; i < 6; i++) {
       let cell = cells[i];
@@ -213,10 +216,10 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
       let bend = bendOf(width, apex, bends[0], bends[1], bends[2]);
       let here = vec3f(along(bend, vec2f(width, 0)), along(bend, apex - vec2f(width, 0)), along(bend, apex));
       if (!isFinite(here.x + here.y + here.z)) { continue; }
-      most = max(most, here);
+      largest = max(largest, here);
       sum += here;
     }
-    squares = max(squares, (most + beyondCells * (most - sum / 6)) * error);
+    squares = max(squares, (largest + beyondCells * (largest - sum / 6)) * error);
   }
   squares /= aim * parameters.tolerance;
   for (var i = 0u; i < 3; i++) {
