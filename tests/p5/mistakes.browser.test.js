@@ -86,14 +86,14 @@ async function setup() {
     assert.deepEqual(left, [0, 2, 1])
     const lines = source.split('\n')
     const first = lines.findIndex((line) => line.startsWith('const works')) + 1
-    const messages = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
+    const expectedMessages = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
       (code) => expected[code],
     )
     const number = /, line (\d+)\)$/
     const shift = number.exec(said[0][1])[1] - first
     said.forEach(([name, message], i) => {
       assert.equal(name, 'WarpError', works[i])
-      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), messages[i], works[i])
+      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), expectedMessages[i], works[i])
       assert.match(message, number, works[i])
       assert.equal(number.exec(message)[1] - first, shift + i, `${works[i]}: ${message}`)
     })

@@ -27,7 +27,7 @@ export interface Passes {
   readonly pieceCounts: readonly number[]
 }
 
-/** What all meshes on a device share. */
+/** The pipelines and the table of a device, which all meshes share. */
 interface DeviceCache {
   readonly pipelines: Map<string, Promise<GpuPipeline>>
   table?: Promise<GpuBuffer>

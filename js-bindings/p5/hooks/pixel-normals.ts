@@ -4,7 +4,7 @@ import { facingInGlsl } from './facing.js'
 import { normalVarying, normalWithLength, varyingOfInput } from './pixel-code.js'
 import { glslDeclarations, type PixelCode, type WarpCode } from './styles.js'
 
-/** How normals get from the space of the offset to view space: by a matrix of p5, or unchanged if the spaces are the same. */
+/** The transformation of normals from the space of the offset to view space. Without a matrix of p5, the spaces are the same. */
 export interface ToView {
   matrix?: readonly [type: 'mat3' | 'mat4', name: string]
   transform: (normal: string) => string

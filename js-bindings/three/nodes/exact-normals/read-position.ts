@@ -141,7 +141,7 @@ interface Parts {
 
 type Value = NodeReading['values'] extends ReadonlyMap<string, infer One> ? One : never
 
-/** How a language declares what the function reads. */
+/** The declarations of a language for what the function reads. */
 interface Syntax {
   inputs: readonly string[]
   declareValue: (name: string, value: Value, type: Parts['type']) => string
