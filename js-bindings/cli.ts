@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 /// <reference types="node" />
-// `npx warpjet`: runs the command, and reports an error as one sentence and an exit code.
+// `npx warpjet`: runs the command, and reports an error as one message and an exit code.
 import { bake } from './cli/bake.js'
 import { derive } from './cli/derive.js'
 import { emit } from './cli/emit.js'

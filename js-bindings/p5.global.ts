@@ -44,7 +44,7 @@ function elsewhere(name: string): string {
     const script = addScript(name)
     const names = [...Object.keys(globals.warpjet!), ...namesInOtherScripts]
     throw new library.WarpError(
-      `warpjet.${name}: ${script ? `no script of this page has it; ${script}.` : `there is no such function; ${didYouMean(name, names, `there are ${names.join(', ')}.`)}`}`,
+      `warpjet.${name}: ${script ? `no script of this page has it; ${script}.` : `there is no such function; ${didYouMean(name, names, `the functions are ${names.join(', ')}.`)}`}`,
     )
   })
 }

@@ -10,7 +10,7 @@ const isInfiniteAtZero = 'At 0 value and derivative are infinite.'
  * Maps each operation → its row:
  * - `value`, and `by`, the derivative with respect to each operand: JavaScript. `where` defines a part that several of them share.
  * - `plot`: the call that is plotted, from and to which x. Default: `x.name()` from -3 to 3, where there is one operand.
- * - `kink`: the derivative where the function has none.
+ * - `kink`: what warpjet returns as derivative where the function is not differentiable.
  */
 export const formulas = {
   neg: { value: '-x', by: ['-1'] },

@@ -1,16 +1,16 @@
 // The formulas of operations on vectors and matrices and of their derivatives, in the notation of textbooks, for `web/docs/plots-vectors.md`.
 // tests/core/vector-formulas.test.js parses the same text, compares each derivative with differences of its value, and both with
-// warpjet. `da` is the change of `a`.
+// warpjet. `da` is the differential of `a`.
 
-const change = 'da / |a| − a (a · da) / |a|³'
+const normalizeDerivative = 'da / |a| − a (a · da) / |a|³'
 const distance = {
   value: '|a − b|',
   derivative: '(a − b) · (da − db) / |a − b|',
   kink: 'Where a = b, the derivative is 0.',
 }
 
-/** Returns the formulas of the vector v rotated by φ about the axis `e`. */
-const turn = (name, axis, value) => ({
+/** Makes the formulas of a rotation of v by φ about `axis`. */
+const rotation = (name, axis, value) => ({
   form: `${name}(φ) v`,
   value,
   derivative: `${name}(φ) dv + dφ (e × w)`,
@@ -18,8 +18,11 @@ const turn = (name, axis, value) => ({
 })
 
 /**
- * Maps each title → `form`, the operation with a letter for each operand; `value`; `derivative`, in which w is the value; `where`, parts of
- * both; `kink`, the derivative where the function has none; `call`, `from` and `to` of the plot.
+ * Maps each title → its formulas:
+ * - `form`: the operation, with a letter for each operand.
+ * - `value`, and `derivative`, in which w is the value. `where` defines parts of both.
+ * - `kink`: what warpjet returns as derivative where the function is not differentiable, and other remarks.
+ * - `call`, `from` and `to`: the expression that is plotted, and the range of x.
  */
 export const vectorFormulas = {
   dot: {
@@ -49,7 +52,7 @@ export const vectorFormulas = {
   normalize: {
     form: 'normalize(a)',
     value: 'a / |a|',
-    derivative: change,
+    derivative: normalizeDerivative,
     kink: 'Where a = 0, value and derivative are 0.',
     call: 'glsl.vec2(x, 1).normalize().x()',
   },
@@ -97,33 +100,33 @@ export const vectorFormulas = {
     form: 'determinant(A)',
     value: 'det(A)',
     derivative: 'det(A) tr(A⁻¹ dA)',
-    kink: 'Of a mat2 it is `A₁₁ A₂₂ − A₁₂ A₂₁`, of larger ones a sum of such products. It has no kinks: where det(A) = 0, the derivative is what its formula tends to.',
+    kink: 'For a mat2 it is `A₁₁ A₂₂ − A₁₂ A₂₁`, for larger matrices a sum of such products. It has no kinks: where det(A) = 0, the derivative is the limit of the formula.',
     call: 'glsl.mat2(x, 1, 2, x).determinant()',
   },
   inverse: {
     form: 'inverse(A)',
     value: 'A⁻¹',
     derivative: '−A⁻¹ dA A⁻¹',
-    kink: 'So is its derivative.',
+    kink: 'There its derivative is infinite or NaN, too.',
     call: 'glsl.mat2(x, 1, -1, x).inverse().column(0).x()',
   },
   rotateX: {
-    ...turn('rotateX', '(1, 0, 0)', '(v₁, v₂ cos(φ) − v₃ sin(φ), v₂ sin(φ) + v₃ cos(φ))'),
+    ...rotation('rotateX', '(1, 0, 0)', '(v₁, v₂ cos(φ) − v₃ sin(φ), v₂ sin(φ) + v₃ cos(φ))'),
     call: 'glsl.rotateX(x).mult(glsl.vec3(0, 1, 0)).z()',
   },
   rotateY: {
-    ...turn('rotateY', '(0, 1, 0)', '(v₁ cos(φ) + v₃ sin(φ), v₂, v₃ cos(φ) − v₁ sin(φ))'),
+    ...rotation('rotateY', '(0, 1, 0)', '(v₁ cos(φ) + v₃ sin(φ), v₂, v₃ cos(φ) − v₁ sin(φ))'),
     call: 'glsl.rotateY(x).mult(glsl.vec3(0, 0, 1)).x()',
   },
   rotateZ: {
-    ...turn('rotateZ', '(0, 0, 1)', '(v₁ cos(φ) − v₂ sin(φ), v₁ sin(φ) + v₂ cos(φ), v₃)'),
+    ...rotation('rotateZ', '(0, 0, 1)', '(v₁ cos(φ) − v₂ sin(φ), v₁ sin(φ) + v₂ cos(φ), v₃)'),
     call: 'glsl.rotateZ(x).mult(glsl.vec3(1, 0, 0)).y()',
   },
   rotate: {
     form: 'rotate(a, φ) v',
     value: 'c v + s (u × v) + (1 − c) (u · v) u',
     derivative: 'rotate(a, φ) dv + dφ (u × w) + s (du × v) + (1 − c) ((du · v) u + (u · v) du)',
-    where: { u: 'a / |a|', c: 'cos(φ)', s: 'sin(φ)', du: change },
+    where: { u: 'a / |a|', c: 'cos(φ)', s: 'sin(φ)', du: normalizeDerivative },
     kink: 'Where a = 0, u and du count as 0: the result is c v.',
     call: 'glsl.rotate(glsl.vec3(1, 1, 1), x).mult(glsl.vec3(1, 0, 0)).y()',
   },

@@ -97,7 +97,7 @@ function nearness() {
 /** Returns a row per level: the uniform mesh, and the smallest adaptive mesh with no larger error. */
 function measureWarp(name, warp) {
   const [shape, mesh, uniforms] = cases[name]
-  const length = 2 * mesh.positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0)
+  const length = 2 * mesh.positions.reduce((max, x) => Math.max(max, Math.abs(x)), 0)
   const measureMesh = (fine) => ({
     triangles: fine.indices.length / 3,
     error: deviation(fine, warp, uniforms, length / samples),

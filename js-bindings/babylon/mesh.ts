@@ -19,7 +19,7 @@ interface WithPositions {
 export function refreshMesh(warp: HostWarp, mesh: AbstractMesh, given: { millis: number }) {
   const positions = (mesh as Partial<AbstractMesh> | undefined)?.getPositionData?.(false, true)
   if (!positions) throw place.expected('a mesh of Babylon.js with vertices', describe(mesh))
-  if (!warp.runs)
+  if (!warp.canRunOnCpu)
     throw place.error(
       'this warp calls a glsl.fn or reads an image, which only the GPU can do; pick another mesh in its place.',
     )

@@ -93,8 +93,8 @@ function parse<const Known extends Flags>(command: string, args: string[], optio
   try {
     return parseArgs({ args, options, allowPositionals: true })
   } catch (error) {
-    // Node's own first sentence names the option; the others are about the option's syntax in general.
-    const [sentence] = (error as Error).message.split(/\. |\n/)
-    throw new UsageError(`${command}: ${sentence!.replace(/\.$/, '')}.`, `${command} `)
+    // The first sentence of Node names the option; the others are about the option's syntax in general.
+    const [message] = (error as Error).message.split(/\. |\n/)
+    throw new UsageError(`${command}: ${message!.replace(/\.$/, '')}.`, `${command} `)
   }
 }

@@ -4,7 +4,7 @@ import { Expression, toExpression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
 import { lazily } from '../core/module/lazily.js'
 import {
-  declaredOf,
+  uniqueDeclared,
   withSession,
   type CompileOptions,
   type Compiled,
@@ -68,7 +68,7 @@ export function compile(
     code,
     declarations,
     stats,
-    uniforms: declaredOf(inputs),
+    uniforms: uniqueDeclared(inputs),
     evaluate: (given = {}) => evaluate(cpu().program, inputs, cpu().outputs, given),
   }
 }

@@ -38,7 +38,7 @@ export class HostWarp extends OffsetWarp {
   }
 
   /** `true` if the CPU can evaluate it; `false` if it calls a `glsl.fn` or reads an image. */
-  get runs(): boolean {
+  get canRunOnCpu(): boolean {
     return this.running().program() !== undefined
   }
 
@@ -67,7 +67,7 @@ export class HostWarp extends OffsetWarp {
   readonly surfacePhases = lazily((): SurfacePhases | undefined => {
     const { module, inputs } = this.recorded
     const varying = Object.keys(vertexInputs).map((name) => inputs[name as InputName])
-    const made = this.runs ? makePhases(module, [warpResults.position], varying) : undefined
+    const made = this.canRunOnCpu ? makePhases(module, [warpResults.position], varying) : undefined
     if (!made) return undefined
     const { phases } = made
     const size = phases.reduce((sum, each) => sum + each.size, 0)

@@ -62,7 +62,7 @@ function valueOnSphere(
   return valuesOnSphere[name!] ?? (() => constants)
 }
 
-const ofNormal = (axis: number) => (point: readonly number[]) =>
+const normalGradientOnSphere = (axis: number) => (point: readonly number[]) =>
   point.map((x, i) => (i === axis ? 1 : 0) - x * point[axis]!)
 
 const valuesOnSphere: Record<string, ValueAt> = {
@@ -71,9 +71,9 @@ const valuesOnSphere: Record<string, ValueAt> = {
   uv: ([x, y]) => [0.5 + 0.5 * x!, 0.5 + 0.5 * y!],
   color: () => [1, 1, 1, 1],
   tangent: () => [1, 0, 0, 1],
-  normalXGradient: ofNormal(0),
-  normalYGradient: ofNormal(1),
-  normalZGradient: ofNormal(2),
+  normalXGradient: normalGradientOnSphere(0),
+  normalYGradient: normalGradientOnSphere(1),
+  normalZGradient: normalGradientOnSphere(2),
   uGradient: () => [0.5, 0, 0],
   vGradient: () => [0, 0.5, 0],
 }

@@ -142,7 +142,7 @@ export function settingsOf(place: Place, options: RecordOptions, defaults = publ
   const outputs: Record<keyof typeof shaderNames | keyof OutputNames, string> = {
     ...shaderNames,
     ...defaults,
-    ...withoutGaps(options.outputs),
+    ...withoutUndefined(options.outputs),
   }
   const recorded = { jacobian, others, ...results }
   return { place, target, debug, fadeNoise, ...recorded, isAccepted, names, outputs }
@@ -171,7 +171,7 @@ function namesOf({ tangents, surfaceVariation }: ResultFlags, given: InputNames 
 const hiddenName = (name: string) => `_warpjet_${name}`
 
 /** Removes options that are `undefined`. */
-export const withoutGaps = <Options extends object>(options?: Options) =>
+export const withoutUndefined = <Options extends object>(options?: Options) =>
   Object.fromEntries(
     Object.entries(options ?? {}).filter(([, value]) => value !== undefined),
   ) as Options

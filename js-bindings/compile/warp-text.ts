@@ -1,11 +1,11 @@
 // Writes the shader code of a recorded warp, in a language and with the names of a host.
 import { drawInputs, vertexInputs } from '../core/inputs/inputs.js'
-import { declaredOf, toDeclared, type Compiled, type Declared } from '../core/module/result.js'
+import { toDeclared, uniqueDeclared, type Compiled, type Declared } from '../core/module/result.js'
 import { writeText, type IsFrameConstant, type Target } from '../core/module/serialized-module.js'
 import { Place } from '../options/place.js'
 import { isFrameUniform } from './frame.js'
 import { resultNumber, type RecordedWarp, type Result } from './recorded-warp.js'
-import { withoutGaps, type TextOptions } from './warp-options.js'
+import { withoutUndefined, type TextOptions } from './warp-options.js'
 
 /** An offset function as shader code. */
 export interface WarpText extends Compiled {
@@ -17,7 +17,7 @@ export interface WarpText extends Compiled {
 
 /** Shader code for a host, which declares the variables that it reads. */
 export interface HostText extends WarpText {
-  /** Variables of the shader that are not inputs of the warp: uniforms of the option, and parameters. */
+  /** Variables of the shader that are not inputs of the warp: those of the option `uniforms`, and parameters. */
   parameters: Declared[]
   /** Names of the uniforms that carry frame constants. */
   frame: string[]
@@ -35,10 +35,10 @@ export function writeWarp(
 ): HostText {
   const { settings, module, inputs } = recorded
   const { place, surfaceVariation } = settings
-  const names: Record<string, string> = { ...settings.names, ...withoutGaps(options.names) }
-  const outputs = { ...settings.outputs, ...withoutGaps(options.outputs) }
+  const names: Record<string, string> = { ...settings.names, ...withoutUndefined(options.names) }
+  const outputs = { ...settings.outputs, ...withoutUndefined(options.outputs) }
   rejectSplitInputs(inputs, settings.names, names)
-  // The module has the names from the recording; expressions such as ( p ).xy must be passed again.
+  // The module has the names of the recording. Passes names that differ from these, and expressions such as ( p ).xy.
   const renamed = Object.entries(inputs)
     .filter(([name]) => names[name] !== settings.names[name] || !/^\w+$/.test(names[name]!))
     .map(([name, number]): [number, string] => [number, names[name]!])
@@ -59,21 +59,21 @@ export function writeWarp(
   })
   const numbers = new Set<number>(Object.values(inputs))
   const others = read.filter(({ number }) => !numbers.has(number))
-  const frame = declaredOf(others.filter(isFrameUniform))
-  const parameters = declaredOf(others.filter((variable) => !isFrameUniform(variable)))
-  const declaredAmong = (sizes: Partial<Record<keyof typeof inputs, number>>) =>
+  const frame = uniqueDeclared(others.filter(isFrameUniform))
+  const parameters = uniqueDeclared(others.filter((variable) => !isFrameUniform(variable)))
+  const selectInputs = (sizes: Partial<Record<keyof typeof inputs, number>>) =>
     (Object.keys(sizes) as (keyof typeof inputs)[]).flatMap((name) => {
       const input = read.find(({ number }) => number === inputs[name])
       return input ? toDeclared({ ...input, name }) : []
     })
-  const uniforms = declaredAmong(drawInputs)
+  const uniforms = selectInputs(drawInputs)
   rejectNamesakes(place, names, uniforms, parameters)
   return {
     code,
     declarations,
     stats,
     uniforms: [...uniforms, ...frame, ...parameters],
-    attributes: declaredAmong(vertexInputs),
+    attributes: selectInputs(vertexInputs),
     parameters,
     frame: frame.map(({ name }) => name),
   }
@@ -82,10 +82,10 @@ export function writeWarp(
 /** Returns the name that a result `other0` has in shader code. */
 export const otherName = (result: string) => `warpjet${result[0]!.toUpperCase()}${result.slice(1)}`
 
-/** Throws for a parameter that has the name of an input which has another name in the shader: both would be one uniform. */
+/** Throws if a parameter is named like an input that has another name in the shader: `uniforms` would list that name twice. */
 function rejectNamesakes(
   place: Place,
-  labels: Record<string, string>,
+  names: Record<string, string>,
   inputs: readonly Declared[],
   parameters: readonly Declared[],
 ) {
@@ -93,13 +93,13 @@ function rejectNamesakes(
   for (const { name } of parameters)
     if (taken.has(name))
       throw place.error(
-        `the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
+        `the shader has a variable "${name}", but the warp reads the input ${name} as "${names[name]}"; rename the variable of the shader.`,
       )
 }
 
 const emit = new Place('emit')
 
-/** Inputs with the same name in the recording are one input. Throws if they have different names now. */
+/** Throws if inputs that had one name when the warp was recorded, and so are one input, have different names now. */
 function rejectSplitInputs(
   inputs: Record<string, number>,
   recordedNames: Record<string, string>,

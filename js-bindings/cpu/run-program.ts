@@ -41,7 +41,7 @@ interface Use {
 /** Maps a program → its few uses, which are compared one by one, since a string key would create garbage in each call. */
 const usesOf = new WeakMap<Program, Use[]>()
 
-/** `true` once a Content-Security-Policy or the engine itself has refused to compile code. */
+/** `true` once a Content-Security-Policy or the engine itself has forbidden compilation of code. */
 let isForbidden = false
 
 function machineCodeOf(

@@ -106,7 +106,7 @@ export function createDetail(
   const given = meshKind.read(mesh, place.argument(1))
   const { curved: isCurved } = meshOptions.read(options, place)
   const host = warpKind.read(warp, place.argument(2))[hostWarp]
-  if (!host.runs)
+  if (!host.canRunOnCpu)
     throw place.error(
       'this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.',
     )

@@ -28,7 +28,7 @@ export const inputTypes: Readonly<Record<string, string>> = Object.assign(
 
 /** Options of `texture()` in GLSL: for an image with `HostSampling`, and for one whose sampler is known only in the shader. */
 const asHostSamples = { transform: false }
-const bySampler = { wrap: 'sampler' }
+const samplerOptions = { wrap: 'sampler' }
 
 /** The inputs of an offset function, all optional. */
 export type Inputs = Partial<WarpInputs>
@@ -89,7 +89,11 @@ export function bindExternals(
       const image = imageOf(index)
       const { samplings } = glsl.val!(0).session as Session
       if (!isFetched)
-        return glsl.texture!(image, at, samplings.has(String(image)) ? asHostSamples : bySampler)
+        return glsl.texture!(
+          image,
+          at,
+          samplings.has(String(image)) ? asHostSamples : samplerOptions,
+        )
       const uv = glsl.div!(glsl.add!(at, 0.5), imageSize(index))
       return glsl.texture!(image, uv, { filter: 'nearest', wrap: 'clamp', transform: false })
     },

@@ -61,7 +61,7 @@ export class OpenSource {
     if (named.length > 0) return named.at(-1)!
     if (name === undefined) return functions.at(-1)!
     throw place.error(
-      `the source has no function "${name}"; there are ${functions.map((each) => each.name).join(', ')}.`,
+      `the source has no function "${name}"; it has ${functions.map((each) => each.name).join(', ')}.`,
     )
   }
 

@@ -152,7 +152,7 @@ function unknownParameter(name: string, parameter: string, type: string) {
   const advice =
     near && inputTypes[near] === type
       ? `call it ${near}`
-      : `there are ${known.join(', ')}, and uniforms of the source`
+      : `it can be ${known.join(', ')}, or a uniform of the source`
   return `the parameter ${parameter} of ${name} has no value; ${advice}.`
 }
 

@@ -218,11 +218,11 @@ function mergeBones({ attributes }: Made, ends: Uint32Array) {
         weights.set(bone, (weights.get(bone) ?? 0) + skinWeight[part](end) / 2)
       }
     const all = [...weights.values()].reduce((sum, weight) => sum + weight)
-    const most = [...weights].sort(([, a], [, b]) => b - a).slice(0, 4)
-    const kept = most.reduce((sum, [, weight]) => sum + weight, 0)
-    while (most.length < 4) most.push([0, 0])
+    const largest = [...weights].sort(([, a], [, b]) => b - a).slice(0, 4)
+    const kept = largest.reduce((sum, [, weight]) => sum + weight, 0)
+    while (largest.length < 4) largest.push([0, 0])
     const four = (of: (each: [number, number]) => number) =>
-      most.map(of) as [number, number, number, number]
+      largest.map(of) as [number, number, number, number]
     skinIndex.setXYZW(first + e / 2, ...four(([bone]) => bone))
     skinWeight.setXYZW(
       first + e / 2,

@@ -2,7 +2,7 @@
 import { isClass, isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import { guardedKey, isOwnFunction } from '../errors/operators.js'
-import { isKnown, ofExpressions, ofNumbers } from './functions.js'
+import { callOnExpressions, callOnNumbers, isKnown } from './functions.js'
 import { isOfOperator, wrapHelper } from './messages.js'
 import { holdsExpression, isSketch, isWarped, p5Prototype, wholeOf, type Glsl } from './values.js'
 
@@ -107,7 +107,7 @@ export function callsOf(
   }
 
   const callKnown = (name: string, page: Any | undefined, x: unknown[]) =>
-    x.some(isWarped) ? ofExpressions(glsl, name, x, page) : ofNumbers(glsl, name, x, page)
+    x.some(isWarped) ? callOnExpressions(glsl, name, x, page) : callOnNumbers(glsl, name, x, page)
 
   /** Calls a function by a bare name, of `Math` or of a p5 sketch. `get` reads the page's own function, which may be missing. */
   function call(name: string, get: () => unknown, ...x: unknown[]): unknown {

@@ -138,7 +138,7 @@ const takesList = new Set(['min', 'max'])
 export const isKnown = (name: string) => Object.hasOwn(formulas, name)
 
 /** Calls a known function with operands of which at least one is an expression. */
-export const ofExpressions = (glsl: Glsl, name: string, x: unknown[], known?: Known) =>
+export const callOnExpressions = (glsl: Glsl, name: string, x: unknown[], known?: Known) =>
   formulas[name]!(glsl, takesList.has(name) ? x : x.map((each) => wholeOf(glsl, each)), known)
 
 const isStrands = new Set(strands.split(' '))
@@ -147,11 +147,11 @@ const isStrands = new Set(strands.split(' '))
  * Calls a known function if no operand is an expression: numbers go to the page's own function, or to ours if the page has none.
  * p5 2 defines some functions of strands, which throw outside of a shader.
  */
-export function ofNumbers(glsl: Glsl | undefined, name: string, x: unknown[], known?: Known) {
+export function callOnNumbers(glsl: Glsl | undefined, name: string, x: unknown[], known?: Known) {
   const own = numbers[name]
   if (own && x.every((each) => typeof each === 'number')) return own(...(x as number[]))
   if (known && !isStrands.has(name)) return known(...x)
-  if (glsl && (isStrands.has(name) || x.some(isVectorLike))) return ofExpressions(glsl, name, x)
+  if (glsl && (isStrands.has(name) || x.some(isVectorLike))) return callOnExpressions(glsl, name, x)
   throw new ReferenceError(`${name} is not defined`)
 }
 

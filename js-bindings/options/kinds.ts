@@ -11,7 +11,7 @@ export interface Kind<Value, Given = Value> {
 }
 
 export type ValueOf<Any> = Any extends Kind<infer Value, any> ? Value : never
-export type GivenOf<Any> = Any extends Kind<any, infer Given> ? Given : never
+export type InputOf<Any> = Any extends Kind<any, infer Given> ? Given : never
 
 interface Settings<Value> {
   /** Replaces `undefined`. Without a default, the value is required. */

@@ -2,7 +2,7 @@
 import { describe } from '../errors/errors.js'
 import { nearest } from '../errors/nearest.js'
 import { isList } from './guards.js'
-import type { GivenOf, Kind, ValueOf } from './kinds.js'
+import type { InputOf, Kind, ValueOf } from './kinds.js'
 import type { Place } from './place.js'
 
 /** Maps the name of an option → its kind. */
@@ -18,10 +18,10 @@ export type ValuesOf<All extends Kinds> = { [Name in keyof All]: ValueOf<All[Nam
 
 /** The options as users write them. */
 export type OptionsOf<All extends Kinds> = {
-  [Name in keyof All]?: GivenOf<All[Name]>
+  [Name in keyof All]?: InputOf<All[Name]>
 }
 
-/** The kind of an object of options. Being a kind, schemas nest. `advice` says what to write instead of an unknown option. */
+/** Makes the kind of an object of options. A schema is a kind itself, so schemas nest. `advice` says what to write instead of an unknown option. */
 export const object = <All extends Kinds>(
   kinds: All,
   advice?: (name: string) => string,
@@ -60,6 +60,6 @@ export function rejectUnknownOptions(
 
 function listWithNearest(name: string, known: readonly string[]) {
   const near = nearest(name, known)
-  const list = `here ${known.length > 1 ? 'are' : 'is'} ${known.join(', ')}.`
-  return near ? `did you mean ${near}? T${list}` : `t${list}`
+  const list = `the ${known.length > 1 ? 'options are' : 'only option is'} ${known.join(', ')}.`
+  return near ? `did you mean ${near}? ${list[0]!.toUpperCase()}${list.slice(1)}` : list
 }

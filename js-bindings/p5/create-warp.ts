@@ -113,7 +113,7 @@ function create(canvas: Canvas, userOffset: OffsetFunction, options?: CreateWarp
       setInputs(each, shaders.inputs, canvas, frame)
       setUniforms(each, uniforms, warp, settings, values)
     }
-    if (settings.detail !== undefined && warp.runs)
+    if (settings.detail !== undefined && warp.canRunOnCpu)
       useDetail(renderer, shader, {
         canvas,
         warp,

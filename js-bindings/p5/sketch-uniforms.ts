@@ -105,16 +105,16 @@ export function valuesOf(
   overrides: WarpUniforms,
   { uniforms }: HostWarp,
 ): CallValues {
-  const ofInputs = Object.entries(inputs).map(
+  const inputReaders = Object.entries(inputs).map(
     ([name, { read }]) => [name, () => read(canvas)] as const,
   )
-  const ofUniforms = [...uniforms.declared].flatMap(([name, { numbers, image }]) => {
+  const uniformReaders = [...uniforms.declared].flatMap(([name, { numbers, image }]) => {
     if (image) return []
     const replaced = Object.hasOwn(overrides, name) && uniforms.numbersFor(name, overrides[name])
     const read = () => scalarOrArray(replaced || numbers(place))
     return [[name, read] as const]
   })
-  const properties = [...ofInputs, ...ofUniforms].map(([name, read]) => [
+  const properties = [...inputReaders, ...uniformReaders].map(([name, read]) => [
     name,
     { enumerable: true, get: lazily(read) },
   ])
@@ -213,7 +213,7 @@ export function setUniforms(
     else if (!words.has(name))
       throw new WarpError(
         declared.size
-          ? `The warp has no uniform "${name}"; there are ${names.join(', ')}.`
+          ? `The warp has no uniform "${name}"; it has ${names.join(', ')}.`
           : `The warp has no uniform "${name}"; createWarp's option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }.`,
       )
   }

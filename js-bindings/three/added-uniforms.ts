@@ -1,7 +1,7 @@
 /**
- * Uniforms that a material's `onBeforeCompile` adds are other objects for each program, and whoever keeps the shader
- * (`material.userData.shader = shader`) has those of the program that was compiled last. Since a material and its variants compile
- * one by one, they are given the same objects, the last ones.
+ * Shares the uniforms that a material's `onBeforeCompile` adds. It adds new objects for each program, and user code that stores the
+ * shader (`material.userData.shader = shader`) sets only those of the program that was compiled last. A material and its variants are
+ * separate programs, so all of them get the newest objects.
  */
 import type { IUniform, Material, WebGLRenderer } from 'three'
 
@@ -18,22 +18,25 @@ export function addedUniformsOf(material: Material): AddedUniforms {
 export class AddedUniforms {
   private readonly names = new Set<string>()
   private newest: Uniforms | undefined
-  private ofOriginal: Uniforms | undefined
+  private originalUniforms: Uniforms | undefined
 
-  /** Notes what a variant of `original` has just compiled with. */
-  note(names: string[], uniforms: Uniforms, original: Material, renderer: WebGLRenderer) {
+  /** Records the uniforms with which a variant of `original` was just compiled. */
+  record(names: string[], uniforms: Uniforms, original: Material, renderer: WebGLRenderer) {
     for (const name of names) this.names.add(name)
     this.newest = uniforms
-    this.ofOriginal = uniformsOf(original, renderer)
+    this.originalUniforms = uniformsOf(original, renderer)
   }
 
   /** Gives the material and its variant the newest uniforms. */
-  tie(original: Material, variant: Material, renderer: WebGLRenderer) {
-    const [ofOriginal, ofVariant] = [original, variant].map((each) => uniformsOf(each, renderer))
-    // The material itself has compiled since, on another mesh.
-    if (ofOriginal && ofOriginal !== this.ofOriginal) this.newest = ofOriginal
-    this.ofOriginal = ofOriginal
-    for (const uniforms of [ofOriginal, ofVariant]) {
+  share(original: Material, variant: Material, renderer: WebGLRenderer) {
+    const [originalUniforms, variantUniforms] = [original, variant].map((each) =>
+      uniformsOf(each, renderer),
+    )
+    // The material itself was compiled after that, for another mesh.
+    if (originalUniforms && originalUniforms !== this.originalUniforms)
+      this.newest = originalUniforms
+    this.originalUniforms = originalUniforms
+    for (const uniforms of [originalUniforms, variantUniforms]) {
       if (!uniforms || !this.newest || uniforms === this.newest) continue
       for (const name of this.names) if (this.newest[name]) uniforms[name] = this.newest[name]
     }

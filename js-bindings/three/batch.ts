@@ -6,7 +6,7 @@ import type { ThreeWarp } from './three-warp.js'
 
 /** The properties of a warped batch that cull its instances. */
 export function batchProperties(warp: ThreeWarp, object: BatchedMesh) {
-  if (!warp.runs) return { perObjectFrustumCulled: false }
+  if (!warp.canRunOnCpu) return { perObjectFrustumCulled: false }
   const { getBoundingBoxAt, getBoundingSphereAt } = object
   // The sphere of three.js calls the method for the box, which would be the warped one.
   const atRest = Object.create(object, { getBoundingBoxAt: { value: getBoundingBoxAt } }) as object

@@ -32,11 +32,11 @@ function wrapDraw(renderer: WebGLRenderer) {
   }
 }
 
-/** Gives a variant what code outside of it keeps for the original. */
+/** Gives a variant the uniforms and the light that other code sets on the original. */
 function prepare(variant: Variant, renderer: WebGLRenderer) {
   const { original, added } = variant
   const asMaterial = variant as unknown as Material
-  added?.tie(original, asMaterial, renderer)
+  added?.share(original, asMaterial, renderer)
   if (!original.isMeshDistanceMaterial) return
   const { properties } = renderer
   const { light } = properties.get(original) as { light?: unknown }

@@ -14,7 +14,7 @@ const everything = () =>
 
 /** Bounds everything that the warp makes of the points in a box. */
 export function warpedBox(warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
-  return warp.runs ? boundsBy('position', warp, object, box) : everything()
+  return warp.canRunOnCpu ? boundsBy('position', warp, object, box) : everything()
 }
 
 function boundsBy(
@@ -91,7 +91,7 @@ export function extentOf(warp: ThreeWarp, object: Warpable): () => Extent {
 
 /** The extent is infinite, so that the object is never culled, if the warp, a vertex or a matrix yields a position that is not finite. */
 function findExtent(warp: ThreeWarp, object: Warpable, before: () => Extent): Extent {
-  if (!warp.runs) return whole(everything())
+  if (!warp.canRunOnCpu) return whole(everything())
   const extent =
     warp.settings.space === 'world'
       ? extentInWorld(warp, object, before())

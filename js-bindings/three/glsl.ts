@@ -13,7 +13,10 @@ export function uniformsInGlsl(warp: ThreeWarp, texts: readonly HostText[]): str
 }
 
 /** Returns a part of the only text, or of both: that with tangents, and that without. */
-export const byTangent = (texts: readonly HostText[], part: (text: HostText) => string) =>
+export const choosePartByTangent = (
+  texts: readonly HostText[],
+  part: (text: HostText) => string,
+) =>
   texts.length === 1
     ? part(texts[0]!)
     : `#ifdef USE_TANGENT\n${part(texts[0]!)}\n#else\n${part(texts[1]!)}\n#endif`

@@ -10,7 +10,7 @@ import {
   withLength,
   type HostText,
 } from '../compile/hosts.js'
-import { byTangent, uniformsInGlsl } from './glsl.js'
+import { choosePartByTangent, uniformsInGlsl } from './glsl.js'
 import { chunkSource } from './shader-source.js'
 import type { ThreeWarp } from './three-warp.js'
 
@@ -126,7 +126,7 @@ ${toViewVarying}[ warpjetAxis ] = transformedNormal;
       'precision highp int;',
       this.varyings,
       ...uniformsInGlsl(this.warp, this.texts),
-      byTangent(this.texts, ({ declarations }) => declarations),
+      choosePartByTangent(this.texts, ({ declarations }) => declarations),
       declareFacing,
       this.normalFunction,
       ...(isHigh ? [] : [`precision ${precision} float;`, `precision ${precision} int;`]),
@@ -155,7 +155,7 @@ ${toViewVarying}[ warpjetAxis ] = transformedNormal;
 vec3 warpjetNormalOfPixel() {
 vec3 warpjetFacingNormal = warpjetFacing();
 ${this.inputs.has('normal') ? `vec3 ${normal} = ${restoreLength(normalVarying)};` : ''}
-${byTangent(this.texts, ({ code }) => code)}
+${choosePartByTangent(this.texts, ({ code }) => code)}
 #ifdef FLIP_SIDED
 float warpjetFlip = -1.0;
 #else

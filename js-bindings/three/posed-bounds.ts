@@ -54,14 +54,14 @@ function boundsAtRest(attribute: Attribute) {
 
 // Plain numbers: of a large mesh this is a good part of the first frame.
 function farthest(positions: Float32Array, from: Vector3): number {
-  let most = 0
+  let max = 0
   for (let i = 0; i < positions.length; i += 3) {
     const x = positions[i]! - from.x
     const y = positions[i + 1]! - from.y
     const z = positions[i + 2]! - from.z
-    most = Math.max(most, x * x + y * y + z * z)
+    max = Math.max(max, x * x + y * y + z * z)
   }
-  return Math.sqrt(most)
+  return Math.sqrt(max)
 }
 
 /** Bounds everything that morph targets make of the points in `box`, for all instances: never too small. */

@@ -37,7 +37,7 @@ export function raycastOf(
   around: () => Sphere,
   surfaceNow: () => DrawnSurface | undefined = () => undefined,
 ): Raycast {
-  if (!warp.runs) return () => noteMiss(warp)
+  if (!warp.canRunOnCpu) return () => noteMiss(warp)
   const castOn = (each: Warpable): Cast =>
     warp.settings.space === 'world' ? castInWorld(warp, each, own) : castHere(warp, each, own)
   const castOnOwn = castOn(object)

@@ -55,7 +55,7 @@ export class Variant extends ForwardingMaterial {
     } else {
       const added = Object.keys(shader.uniforms).filter((name) => !before.has(name))
       if (added.length) this.added = addedUniformsOf(original)
-      this.added?.note(added, shader.uniforms, original, renderer)
+      this.added?.record(added, shader.uniforms, original, renderer)
     }
     this.weaver.weave(shader, original, renderer)
   }

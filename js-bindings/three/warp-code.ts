@@ -7,7 +7,7 @@ import {
   type Target,
 } from '../compile/hosts.js'
 import { declareOrientation } from './faces.js'
-import { byTangent, uniformsInGlsl } from './glsl.js'
+import { choosePartByTangent, uniformsInGlsl } from './glsl.js'
 import type { ThreeWarp, VertexStage } from './three-warp.js'
 
 /** A normal and a tangent in the units of the object, before the warp. */
@@ -65,7 +65,7 @@ export class WarpCode {
       ...declareOrientation(warp),
       ...variation.map((name) => `attribute vec3 ${variationAttribute(name)};`),
       ...(this.options.hasColors ? [declareColor] : []),
-      byTangent(texts, ({ declarations }) => declarations),
+      choosePartByTangent(texts, ({ declarations }) => declarations),
     ].join('\n')
   }
 
@@ -93,7 +93,7 @@ export class WarpCode {
         takesNormal ? this.restNormal(normal) : '',
         this.isWorld ? this.variationInWorld(takesNormal) : '',
         this.texts.length > 1 ? this.restTangent(tangent) : '',
-        byTangent(this.texts, ({ code }) => code),
+        choosePartByTangent(this.texts, ({ code }) => code),
       ]
         .filter(Boolean)
         .join('\n'),

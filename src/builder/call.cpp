@@ -143,8 +143,8 @@ std::optional<Value> Builder::compose(const Form& form, const Site& site) {
   }
   if (!commonShape(alike, site)) return std::nullopt;
   if (form.rejection) {
-    const std::string_view sentence = form.rejection(operands_);
-    if (!sentence.empty()) return reject(site.method, {sentence, "."});
+    const std::string_view message = form.rejection(operands_);
+    if (!message.empty()) return reject(site.method, {message, "."});
   }
   return form.compose(differentiator_, operands_);
 }

@@ -45,9 +45,9 @@ std::optional<Value> Builder::makeMatrix(int size, bool ofRows, const Site& site
   const auto parts = components(site);
   if (!parts) return std::nullopt;
   if (parts->size() == 1) return diagonal(size, (*parts)[0]);
-  const bool ofNumbers = operands_.size() == parts->size();
+  const bool areAllNumbers = operands_.size() == parts->size();
   for (const Value& operand : operands_) {
-    if (ofNumbers || operand.shape() == vectorOf(size)) continue;
+    if (areAllNumbers || operand.shape() == vectorOf(size)) continue;
     return reject(site.method,
                   {"expected ", std::to_string(size), ofRows ? " rows" : " columns", " of ",
                    std::to_string(size), " components, got ", shapeName(operand.shape()), "."});

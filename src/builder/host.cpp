@@ -13,10 +13,11 @@ namespace warpjet {
 // derivatives treat them as the same variable.
 int Builder::input(std::string_view method, std::string_view text, Shape shape) {
   const auto found = [&]() -> std::optional<Value> {
-    std::string why = text.find_first_not_of(' ') == text.npos ? "it is empty"
-                                                               : syntaxProblem(text, allOperators);
+    std::string why = text.find_first_not_of(' ') == text.npos
+                          ? "it is empty"
+                          : syntaxProblem(text, optionalOperators);
     if (!why.empty())
-      return reject(method, {quotedShort(text), " cannot be read in a shader: ", why, "."});
+      return reject(method, {quoteShort(text), " cannot be read in a shader: ", why, "."});
     const Label label = readLabel(text);
     if (auto known = findKnownInput(method, label, shape)) return *known;
     const std::uint32_t number = graph_.input(label.text, shape);
@@ -52,7 +53,7 @@ std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view met
     if (labels_[i].text != label.text) continue;
     const Shape known = graph_.input(i).shape;
     if (known == shape) return allComponents(i);
-    return rejected({quotedShort(label.text), " was read as ", shapeName(known),
+    return rejected({quoteShort(label.text), " was read as ", shapeName(known),
                      " before, and now as ", shapeName(shape), "."});
   }
   for (const std::uint32_t i : beside) {
@@ -67,9 +68,9 @@ std::optional<std::optional<Value>> Builder::findKnownInput(std::string_view met
     if (!mayOverlap(known, label)) continue;
     const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
     if (isWithin(known, label))
-      return rejected({quotedShort(known.text), " was read before ", quotedShort(label.text),
+      return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
                        ", whose part it is; read the ", whole, " first."});
-    return rejected({quotedShort(known.text), " was read before ", quotedShort(label.text),
+    return rejected({quoteShort(known.text), " was read before ", quoteShort(label.text),
                      " and may be a part of it; read the ", whole, " of both first."});
   }
   return std::nullopt;
@@ -87,13 +88,14 @@ std::uint32_t Builder::inputOf(int handle) {
 
 int Builder::addFunction(std::string_view name, const std::vector<HostText>& sources, int arity) {
   const auto rejectName = [&](std::string_view why) {
-    reject("fn", {quotedShort(name), why, "."});
+    reject("fn", {quoteShort(name), why, "."});
     return failed;
   };
   if (name.starts_with("warpjet"))
     return rejectName(" cannot name a function: such names are reserved for warpjet; rename it");
   if (const auto known = graph_.findFunction(name)) {
-    const bool isSame = !graph_.function(*known).isOurs() && module_.sources[*known] == sources &&
+    const bool isSame = !graph_.function(*known).isFromLibrary() &&
+                        module_.sources[*known] == sources &&
                         graph_.function(*known).arity == arity;
     if (isSame) return static_cast<int>(*known);
     return rejectName(" is already the name of another function; rename one");
@@ -111,7 +113,7 @@ bool Builder::hasAllPartials(const Value& value) {
   pendingCalls_.clear();
   if (module_.sources.empty()) return true;
   for (const NodeId id : reachable(graph_, value.nodes())) {
-    if (graph_.isCall(id) && !graph_.isOurCall(id) && !graph_.hasPartials(id))
+    if (graph_.isCall(id) && !graph_.isLibraryCall(id) && !graph_.hasPartials(id))
       pendingCalls_.push_back(id);
   }
   return pendingCalls_.empty();

@@ -16,7 +16,7 @@ Value Builder::sizeOf(std::uint32_t image) {
 }
 
 int Builder::imageSize(std::string_view image) {
-  const int handle = input("texture", image, oneImage);
+  const int handle = input("texture", image, imageShape);
   if (handle == failed) return failed;
   const std::size_t before = graph_.size();
   return finish(sizeOf(inputOf(handle)), before, "texture");
@@ -25,7 +25,7 @@ int Builder::imageSize(std::string_view image) {
 int Builder::callTexture(const Sampling& sampling, std::string_view image) {
   const std::vector<Value> operands = std::exchange(operands_, {});
   const Value& uv = operands[0];
-  const int handle = input("texture", image, oneImage);
+  const int handle = input("texture", image, imageShape);
   if (handle == failed) return failed;
   const std::size_t before = graph_.size();
   const Value texels = values_.get(graph_, handle);

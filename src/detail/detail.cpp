@@ -32,14 +32,14 @@ std::vector<ScreenView> readViews(std::span<const float> numbers) {
 // Replaces each step between two vertices by the pieces of its side.
 void divideLine(std::vector<std::uint32_t>& line, const BaseMesh& mesh,
                 std::span<const std::uint32_t> pieces,
-                std::span<const std::uint32_t> firstOfSides) {
+                std::span<const std::uint32_t> firstVertices) {
   std::vector<std::uint32_t> divided{line[0]};
   for (std::size_t i = 1; i < line.size(); ++i) {
     const std::uint32_t side = mesh.sideBetween(line[i - 1], line[i]);
     const std::uint32_t count = side == none ? 1 : pieces[mesh.sides()[side].edge];
     for (std::uint32_t k = 0; k + 1 < count; ++k) {
       const bool isForward = mesh.startsAt(side, line[i - 1]);
-      divided.push_back(firstOfSides[side] + (isForward ? k : count - 2 - k));
+      divided.push_back(firstVertices[side] + (isForward ? k : count - 2 - k));
     }
     divided.push_back(line[i]);
   }
@@ -158,7 +158,7 @@ bool Detail::cut(float maxLength, const std::vector<std::uint32_t>& sizes,
   std::vector<Patch> patches = dividePatches(between(), pieces, tessellations_);
   for (std::uint32_t& group : baseGroups_) group = division_.firstTriangles[group];
   cuts_.push_back({std::move(*base_), std::move(patches_), std::move(pieces),
-                   division_.firstTriangles, division_.firstOfSides});
+                   division_.firstTriangles, division_.firstVertices});
   use(BaseMesh(division_.attributes, division_.triangles), std::move(patches));
   return true;
 }
@@ -239,8 +239,8 @@ std::vector<std::uint32_t> Detail::lines(const std::vector<std::uint32_t>& ends)
   std::vector<std::uint32_t> all;
   for (std::size_t i = 0; i < ends.size(); i += 2) {
     std::vector line{ends[i], ends[i + 1]};
-    for (const Cut& cut : usedCuts()) divideLine(line, cut.mesh, cut.pieces, cut.firstOfSides);
-    divideLine(line, divided, pieces_, division_.firstOfSides);
+    for (const Cut& cut : usedCuts()) divideLine(line, cut.mesh, cut.pieces, cut.firstVertices);
+    divideLine(line, divided, pieces_, division_.firstVertices);
     all.push_back(static_cast<std::uint32_t>(line.size()));
     all.insert(all.end(), line.begin(), line.end());
   }

@@ -73,7 +73,7 @@ class Detail {
   struct Cut {
     BaseMesh mesh;
     std::vector<Patch> patches;
-    std::vector<std::uint32_t> pieces, firstTriangles, firstOfSides;
+    std::vector<std::uint32_t> pieces, firstTriangles, firstVertices;
   };
 
   void use(BaseMesh base, std::vector<Patch> patches);

@@ -7,7 +7,7 @@ namespace warpjet {
 
 namespace {
 
-// The weights of the ends of a side at point i of those that divide it into `count` pieces.
+// The weights of both ends of a side at point i, if points divide it into `count` pieces.
 std::pair<float, float> weightsAt(std::uint32_t i, std::uint32_t count) {
   const float scale = 1 / static_cast<float>(count);
   return {static_cast<float>(count - i) * scale, static_cast<float>(i) * scale};
@@ -38,10 +38,10 @@ void Division::write(const Interpolation& between, std::span<const std::uint32_t
 
 void Division::writeSides(const Interpolation& between, std::span<const std::uint32_t> pieces) {
   const BaseMesh& base = between.base();
-  firstOfSides.clear();
+  firstVertices.clear();
   auto vertex = static_cast<std::uint32_t>(base.vertexCount());
   for (std::uint32_t side = 0; side < base.sides().size(); ++side) {
-    firstOfSides.push_back(vertex);
+    firstVertices.push_back(vertex);
     const std::uint32_t count = pieces[base.sides()[side].edge];
     for (std::uint32_t i = 1; i < count; ++i, ++vertex) {
       const auto [start, end] = weightsAt(i, count);
@@ -62,7 +62,7 @@ void Division::writeTriangles(const Interpolation& between, std::span<const std:
     const SidePieces counts = piecesOf(base, t, pieces);
     points.clear();
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t side = base.sidesOf(t)[i], first = firstOfSides[side];
+      const std::uint32_t side = base.sidesOf(t)[i], first = firstVertices[side];
       const bool isForward = base.startsAt(side, corners[i]);
       points.push_back(corners[i]);
       for (std::uint32_t k = 0; k + 1 < counts[i]; ++k)
@@ -84,21 +84,21 @@ std::vector<Patch> dividePatches(const Interpolation& between,
                                  std::span<const std::uint32_t> pieces,
                                  Tessellations& tessellations) {
   std::vector<Patch> patches;
-  std::vector<Weights> places;
+  std::vector<Weights> points;
   for (std::size_t t = 0; t < between.base().triangles().size(); ++t) {
     const SidePieces counts = piecesOf(between.base(), t, pieces);
     const Tessellation& tessellation = tessellations.of(counts);
-    places.clear();
+    points.clear();
     for (int i = 0; i < 3; ++i) {
       for (std::uint32_t k = 0; k < counts[i]; ++k) {
         Weights weights{};
         std::tie(weights[i], weights[(i + 1) % 3]) = weightsAt(k, counts[i]);
-        places.push_back(between.onPatch(t, weights));
+        points.push_back(between.onPatch(t, weights));
       }
     }
-    for (const Weights& weights : tessellation.inner) places.push_back(between.onPatch(t, weights));
+    for (const Weights& weights : tessellation.inner) points.push_back(between.onPatch(t, weights));
     for (const auto& [a, b, c] : tessellation.triangles)
-      patches.push_back({between.patchOf(t), {places[a], places[b], places[c]}});
+      patches.push_back({between.patchOf(t), {points[a], points[b], points[c]}});
   }
   return patches;
 }

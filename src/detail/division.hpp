@@ -20,7 +20,7 @@ struct Division {
   // triangles.
   std::vector<std::uint32_t> firstTriangles;
   // Maps a side of the base -> its first vertex here, if it is divided.
-  std::vector<std::uint32_t> firstOfSides;
+  std::vector<std::uint32_t> firstVertices;
 
   // `pieces` are by edge, from `pieceCounts`.
   void write(const Interpolation& between, std::span<const std::uint32_t> pieces,

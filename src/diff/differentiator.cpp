@@ -83,7 +83,7 @@ void Differentiator::findTangent(NodeId id, const Direction& direction) {
   Tangents& tangents = direction.tangents;
   auto& [factor, base] = tangents.set(id) = {direction.one, direction.one};
   // Any nonzero value: readers of the call ask for the tangent of each argument.
-  if (graph_.isList(id) || graph_.isOurCall(id)) return;
+  if (graph_.isList(id) || graph_.isLibraryCall(id)) return;
   if (const auto common = commonBase(id, direction)) {
     factor = chainRule(id, direction, &Differentiator::factorOf);
     base = *common;

@@ -22,7 +22,7 @@ const Dialect* findDialect(std::string_view name) {
 
 std::string_view Dialect::typeName(ops::Type type, Shape shape) const {
   const auto kind = static_cast<std::size_t>(type);
-  if (shape == oneImage) return image;
+  if (shape == imageShape) return image;
   if (shape.isMatrix()) return matrices[shape.columns - 2u][shape.rows - 2u];
   return shape.isNumber() ? numbers[kind] : vectors[kind][shape.rows - 2u];
 }

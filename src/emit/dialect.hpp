@@ -22,7 +22,7 @@ struct Dialect {
   std::string_view sourceKey;  // the key of a source of this family in the options of glsl.fn
 
   // Restrictions on a host's expressions. Lists are separated by spaces, with a space at both ends.
-  std::string_view operators;     // the subset of `allOperators` that it has
+  std::string_view operators;     // the subset of `optionalOperators` that it has
   std::string_view constructors;  // types whose constructor an expression may call
   bool hasTemplates;              // such as `vec4<f32>(…)`
   std::string_view builtIns;      // built-in variables that an expression may read

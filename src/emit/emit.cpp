@@ -72,10 +72,11 @@ class Emitter {
   // Finds the order of derivatives that each call of our own functions must return.
   void findOrders() {
     for (const NodeId id : nodes_) {
-      if (graph_.isResult(id)) writer_.need(graph_.operand(id, 0), graph_.resultNumber(id));
+      if (graph_.isResult(id))
+        writer_.requestResult(graph_.operand(id, 0), graph_.resultNumber(id));
     }
     for (const NodeId id : nodes_) {
-      if (!graph_.isOurCall(id)) continue;
+      if (!graph_.isLibraryCall(id)) continue;
       const OurFunction called{graph_.node(id).operands[1], writer_.orderOf(id)};
       if (std::find(result_.ourFunctions.begin(), result_.ourFunctions.end(), called) ==
           result_.ourFunctions.end())
@@ -99,7 +100,8 @@ class Emitter {
     Flags used(graph_.inputCount()), called(graph_.functionCount());
     for (const NodeId id : nodes_) {
       if (graph_.isInput(id)) used[graph_.node(id).operands[0]] = true;
-      if (graph_.isCall(id) && !graph_.isOurCall(id)) called[graph_.node(id).operands[1]] = true;
+      if (graph_.isCall(id) && !graph_.isLibraryCall(id))
+        called[graph_.node(id).operands[1]] = true;
     }
     for (const Output& output : outputs_) temporaries_.reserve(output.name);
     for (const auto& sum : sums_) {

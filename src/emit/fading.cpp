@@ -27,7 +27,7 @@ class Fading : public Rewriter {
  private:
   NodeId replaceCall(NodeId id) override {
     const Function function = graph_.function(id);
-    if (!function.isOurs() || library_.definition(function.name).maker != noiseFrom)
+    if (!function.isFromLibrary() || library_.definition(function.name).maker != noiseFrom)
       return Rewriter::replaceCall(id);
     const std::vector<NodeId> arguments = newArguments(id);
     const auto parameters = arguments.begin() + function.variables;

@@ -208,7 +208,8 @@ Packs::Layout Packs::chooseLayout(const Lanes& lanes, As as, int levels) const {
   }
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
-    row += as == As::Operand ? lengths_.whereRead(id, levels) : lengths_.ofOperation(id, levels);
+    row +=
+        as == As::Operand ? lengths_.whereRead(id, levels) : lengths_.lengthOfOperation(id, levels);
   // Matrix products are only recorded if they pay off.
   if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
   if (levels > 0 && isInPlace) {

@@ -86,7 +86,9 @@ class Packs {
     int length;  // approximate, in characters
   };
   Layout chooseLayout(const Lanes& lanes, As as, int levels = Lengths::maxLevels) const;
-  int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::maxLevels); }
+  int lengthOfStatement(NodeId id) const {
+    return lengths_.lengthOfOperation(id, Lengths::maxLevels);
+  }
 
   // The characters saved by one statement of this length in place of one per lane.
   int gainOf(const Lanes& lanes, int length) const;

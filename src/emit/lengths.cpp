@@ -68,7 +68,7 @@ int Lengths::whereRead(NodeId id, int levels) const {
   return levels == 0 ? typicalNumber : measureOperation(id, levels);
 }
 
-int Lengths::ofOperation(NodeId id, int levels) const {
+int Lengths::lengthOfOperation(NodeId id, int levels) const {
   const Text& text = texts_[index(id)];
   return text.depth <= levels ? text.operation : measureOperation(id, levels);
 }
@@ -81,12 +81,12 @@ int Lengths::measureOperation(NodeId id, int levels) const {
 }
 
 int Lengths::depthOfOperation(NodeId id) const {
-  int most = 0;
+  int maxDepth = 0;
   for (int i = 0; i < graph_.arity(id); ++i) {
     const Text& operand = texts_[index(graph_.operand(id, i))];
-    if (!operand.isNamed) most = std::max<int>(most, operand.depth);
+    if (!operand.isNamed) maxDepth = std::max<int>(maxDepth, operand.depth);
   }
-  return std::min(most, maxLevels) + 1;
+  return std::min(maxDepth, maxLevels) + 1;
 }
 
 int Lengths::lengthOfInput(NodeId id) const {

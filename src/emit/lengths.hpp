@@ -36,7 +36,7 @@ class Lengths {
   // measured.
   int whereRead(NodeId id, int levels) const;
   // The length of the node's operation.
-  int ofOperation(NodeId id, int levels) const;
+  int lengthOfOperation(NodeId id, int levels) const;
   // The number of characters of a spelling that don't belong to operands.
   static int around(const ops::Spelling& spelling, int operands) {
     return static_cast<int>(spelling.text.size()) - member * operands;

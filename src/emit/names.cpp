@@ -47,15 +47,15 @@ std::string reservedProblem(const Dialect& dialect, std::string_view word) {
   if (word.size() > dialect.maxNameLength)
     return "it is longer than " + std::to_string(dialect.maxNameLength) + " characters";
   const std::string language(dialect.family);
-  if (dialect.keywords.holds(word)) return quoted(word) + " is a reserved word of " + language;
+  if (dialect.keywords.holds(word)) return quote(word) + " is a reserved word of " + language;
   for (const std::string_view prefix : {"gl_", "GL_", "webgl_", "_webgl_"}) {
     if (word.starts_with(prefix))
-      return "names that start with gl_ or webgl_ are reserved in GLSL, such as " + quoted(word);
+      return "names that start with gl_ or webgl_ are reserved in GLSL, such as " + quote(word);
   }
   if (word.find("__") != std::string_view::npos)
     return "names with two consecutive underscores are reserved in " + language + ", such as " +
-           quoted(word);
-  if (isCalledByUs(dialect, word)) return quoted(word) + " is a function of " + language;
+           quote(word);
+  if (isCalledByUs(dialect, word)) return quote(word) + " is a function of " + language;
   return {};
 }
 
@@ -90,7 +90,7 @@ std::string functionProblem(const Dialect& dialect, std::string_view name) {
   if (name == "main") return "it is the entry point of a shader";
   if (name.starts_with(ourPrefix)) return "such names are reserved for warpjet; rename it";
   if (Dialect::holds(dialect.functions, name))
-    return quoted(name) + " is a function of " + std::string(dialect.family);
+    return quote(name) + " is a function of " + std::string(dialect.family);
   return outputProblem(dialect, name);
 }
 

@@ -155,7 +155,7 @@ void packStatements(const Graph& graph, std::span<const NodeId> nodes, Packs& pa
   for (const Statements& body : bodies) {
     for (const auto& [id, output, pack] : body.all) {
       const bool canBePacked =
-          id != noNode && !output && !graph.isOurCall(id) && graph.type(id) == ops::Type::Float;
+          id != noNode && !output && !graph.isLibraryCall(id) && graph.type(id) == ops::Type::Float;
       if (id != noNode) packs.addStatement(id, canBePacked ? number : Packs::never);
       ++number;
     }

@@ -68,12 +68,12 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
 // The variables are declared before the loop, so that the outcomes can be read after it.
 [[gnu::noinline, gnu::cold]] void StatementWriter::writeLoop(std::uint32_t loop) {
   const std::vector<State>& states = plan_.loops->statesOf(loop);
-  const std::string_view type = plan_.dialect.typeName(ops::Type::Float, oneNumber);
+  const std::string_view type = plan_.dialect.typeName(ops::Type::Float, scalarShape);
   std::vector<std::string> variables;
   for (const State& state : states) {
     variables.push_back(temporaries_.next());
     begin(plan_.dialect.variable, type, variables.back());
-    writer_.writeValue(code_, oneNumber, {&state.start, 1});
+    writer_.writeValue(code_, scalarShape, {&state.start, 1});
     code_ += ";\n";
   }
   for (std::size_t i = 0; i < states.size(); ++i) writer_.name(states[i].local, variables[i]);
@@ -103,11 +103,11 @@ void StatementWriter::assignStates(std::span<const State> states) {
   for (const auto& [local, start, next] : states) {
     std::string& source = sources.emplace_back();
     if (next == local) continue;
-    writer_.writeValue(source, oneNumber, {&next, 1});
+    writer_.writeValue(source, scalarShape, {&next, 1});
     const bool isOwn = !graph_.isLocal(next) && !graph_.is(next, ops::find("neg"));
     if (isOwn || graph_.isStep(next) || (writer_.isNamed(next) && !graph_.isLocal(next))) continue;
     const std::string kept = temporaries_.next();
-    define(plan_.dialect.typeName(ops::Type::Float, oneNumber), kept);
+    define(plan_.dialect.typeName(ops::Type::Float, scalarShape), kept);
     code_ += source + ";\n";
     source = kept;
   }

@@ -140,7 +140,7 @@ class Maker {
       if (operand.statement == none) it.depth = std::max(it.depth, operand.depth);
     }
     if (graph_.isList(id)) return;
-    if (graph_.isOurCall(id)) return makeStatement(id);
+    if (graph_.isLibraryCall(id)) return makeStatement(id);
     ++it.depth;
     const bool isShared = (uses_[index(id)] > 1 || it.isForced) && !isCheap(id);
     if (isShared || it.isChosen || it.output || (canBeCut && it.depth >= options_.maxDepth))

@@ -74,7 +74,7 @@ class ShaderTextWriter {
       if (graph_.input(i).image) continue;
       if (const std::string why = inputProblem(dialect_, inputs_[i]); !why.empty())
         return reject(module_.methods[i],
-                      {quotedShort(inputs_[i]), " cannot be read in a shader: ", why, "."});
+                      {quoteShort(inputs_[i]), " cannot be read in a shader: ", why, "."});
     }
     return std::all_of(options_.inputs.begin(), options_.inputs.end(),
                        [&](const Naming& naming) { return isNewName(naming.number); });
@@ -88,8 +88,8 @@ class ShaderTextWriter {
       if (i == input || graph_.input(i).image || !mayOverlap(readLabel(inputs_[i]), label))
         continue;
       return reject(module_.methods[input],
-                    {quotedShort(inputs_[input]), " is already the name of another input (",
-                     quotedShort(inputs_[i]),
+                    {quoteShort(inputs_[input]), " is already the name of another input (",
+                     quoteShort(inputs_[i]),
                      "), but was not when the function was compiled; "
                      "rename one, or compile it with these names."});
     }
@@ -100,16 +100,16 @@ class ShaderTextWriter {
   bool checkFunctions() {
     for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
       const Function& function = graph_.function(i);
-      if (function.isOurs()) continue;
+      if (function.isFromLibrary()) continue;
       const std::string key(dialect_.sourceKey);
       if (!sourceOf(i))
         return reject("fn", {"the option \"source\" of ", function.name, " must be a source in ",
                              dialect_.family, " for the target ", dialect_.name,
                              ", or an object { ", key, ": … } with one."});
       if (const std::string why = functionProblem(dialect_, function.name); !why.empty())
-        return reject("fn", {quotedShort(function.name), " cannot name a function: ", why, "."});
+        return reject("fn", {quoteShort(function.name), " cannot name a function: ", why, "."});
       if (!hasCall(sourceOf(i)->text, function.name))
-        return reject("fn", {quotedShort(function.name),
+        return reject("fn", {quoteShort(function.name),
                              " is not in the source, which must define "
                              "a function with that name."});
     }
@@ -128,11 +128,11 @@ class ShaderTextWriter {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
       const auto& [name, shape, components, method] = outputs_[i];
       if (const std::string why = outputProblem(dialect_, name); !why.empty())
-        return reject(method, {quotedShort(name), " cannot name a result: ", why, "."});
+        return reject(method, {quoteShort(name), " cannot name a result: ", why, "."});
       if (!outputNames_.insert(name).second)
-        return reject(method, {"there are two results named ", quotedShort(name), "; rename one."});
+        return reject(method, {"there are two results named ", quoteShort(name), "; rename one."});
       if (dialect_.typeName(ops::Type::Float, shape).empty())
-        return reject(method, {"the result ", quotedShort(name), " is ", shapeName(shape), ", but ",
+        return reject(method, {"the result ", quoteShort(name), " is ", shapeName(shape), ", but ",
                                dialect_.lacks, "."});
     }
     return true;
@@ -207,9 +207,9 @@ class ShaderTextWriter {
   bool hidesNameInUse(const ShaderText& text) {
     const auto hidesRead = [&](std::string_view name, std::string_view read) {
       if (!outputNames_.contains(name)) return false;
-      reject({}, {"The result ", quotedShort(name),
-                  " has the name of a variable or function that its code reads (",
-                  quotedShort(read), "); rename the result."});
+      reject({}, {"The result ", quoteShort(name),
+                  " has the name of a variable or function that its code reads (", quoteShort(read),
+                  "); rename the result."});
       return true;
     };
     std::set<std::string_view> variables;
@@ -228,7 +228,7 @@ class ShaderTextWriter {
     for (const std::string_view name : functions) {
       if (hidesRead(name, name)) return true;
       if (!variables.contains(name)) continue;
-      reject({}, {quotedShort(name), " is both a variable and a function; rename one."});
+      reject({}, {quoteShort(name), " is both a variable and a function; rename one."});
       return true;
     }
     return false;

@@ -28,7 +28,7 @@ const ops::Spelling& Writer::spellingOf(NodeId id) const {
   return ops::spelling(graph_.node(id).op, dialect_.language);
 }
 
-void Writer::need(NodeId call, int result) {
+void Writer::requestResult(NodeId call, int result) {
   const Function& function = graph_.function(call);
   const int needed = MultiIndices::orderOf(function.variables, result / function.values);
   orders_.resize(graph_.size());
@@ -36,19 +36,19 @@ void Writer::need(NodeId call, int result) {
 }
 
 std::string Writer::typeOf(NodeId id) const {
-  if (graph_.isOurCall(id)) return Bundle(graph_.function(id), orderOf(id)).type(dialect_);
-  return std::string(dialect_.typeName(graph_.type(id), oneNumber));
+  if (graph_.isLibraryCall(id)) return Bundle(graph_.function(id), orderOf(id)).type(dialect_);
+  return std::string(dialect_.typeName(graph_.type(id), scalarShape));
 }
 
 std::string_view Writer::textOf(NodeId id) {
   return graph_.isCall(id) ? callText(id) : spellingOf(id).text;
 }
 
-// The call with the function's name.
+// Returns the spelling of a call, such as `bump($0)`.
 std::string_view Writer::callText(NodeId id) {
   const Function& function = graph_.function(id);
   const std::string name =
-      function.isOurs() ? nameWithDerivatives(function, orderOf(id)) : function.name;
+      function.isFromLibrary() ? nameWithDerivatives(function, orderOf(id)) : function.name;
   return *callTexts_.insert(name + "($0)").first;
 }
 
@@ -111,7 +111,8 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
   }
 }
 
-// Copies the open spellings and opens an operand at each `$`.
+// Writes the rest of all spellings on the stack; each `$` is replaced by an operand, whose spelling
+// goes onto the stack.
 void Writer::finish(std::string& text) {
   while (!frames_.empty()) {
     Frame& frame = frames_.back();

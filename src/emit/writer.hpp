@@ -33,8 +33,8 @@ class Writer {
   std::size_t matrixCount() const { return matrices_.size(); }
   void forgetMatrices(std::size_t first);
 
-  // Requests a result of a call of our own functions, and thereby all derivatives of its order.
-  void need(NodeId call, int result);
+  // Requests a result of a call of a library function, and thereby all derivatives of its order.
+  void requestResult(NodeId call, int result);
   int orderOf(NodeId call) const { return orders_[index(call)]; }
   // The type of the variable that holds the node.
   std::string typeOf(NodeId id) const;
@@ -94,7 +94,7 @@ class Writer {
   std::vector<std::string> inputNames_;
   std::vector<CountedMatrix> matrices_;
   std::vector<std::uint32_t> lastMatrixOf_;  // by cosine
-  std::vector<std::uint8_t> orders_;         // by node, for calls of our own functions
+  std::vector<std::uint8_t> orders_;         // by node, for calls of library functions
   std::set<std::string> callTexts_;          // such as `bump($0)`
   std::vector<Frame> frames_;
 };

@@ -60,7 +60,7 @@ class Counter {
   }
 
   double costOfNode(const Graph& graph, NodeId id, const std::map<NodeId, int>& orders) {
-    if (graph.isOurCall(id)) return costOfCall(graph.function(id).name, orders.at(id));
+    if (graph.isLibraryCall(id)) return costOfCall(graph.function(id).name, orders.at(id));
     if (graph.isCall(id)) {
       needsGpu_ = true;
       return costWithoutBody;

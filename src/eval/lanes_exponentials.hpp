@@ -64,9 +64,9 @@ inline WideLanes log2OfPositive(WideLanes x) {
 inline WideLanes logOfPositive(WideLanes x) { return log2OfPositive(x) * 0x1.62e42fefa39efp-1; }
 
 // The logarithm of any x, given its value for finite positive x.
-inline Lanes logarithmOf(Lanes x, Lanes ofPositive) {
-  const Lanes ofOthers = ifElse(eq(x, 0.0), -infinity, ifElse(gt(x, 0.0), x, notANumber));
-  return ifElse(logicalAnd(gt(x, 0.0), lt(x, infinity)), ofPositive, ofOthers);
+inline Lanes logarithmOf(Lanes x, Lanes finiteValue) {
+  const Lanes specialValue = ifElse(eq(x, 0.0), -infinity, ifElse(gt(x, 0.0), x, notANumber));
+  return ifElse(logicalAnd(gt(x, 0.0), lt(x, infinity)), finiteValue, specialValue);
 }
 
 [[gnu::noinline]] inline Lanes log2(Lanes x) {

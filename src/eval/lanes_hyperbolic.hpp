@@ -45,8 +45,8 @@ inline constexpr double smallHyperbolic = 0x1p-12;
 [[gnu::noinline]] inline Lanes acosh(Lanes x) {
   const WideLanes wide(x);
   const Lanes finite = narrow(logOfPositive(wide + sqrt(wide * wide - 1.0)));
-  const Lanes ofOthers = ifElse(ge(x, 1.0), x, notANumber);
-  return ifElse(logicalAnd(ge(x, 1.0), lt(x, infinity)), finite, ofOthers);
+  const Lanes specialValue = ifElse(ge(x, 1.0), x, notANumber);
+  return ifElse(logicalAnd(ge(x, 1.0), lt(x, infinity)), finite, specialValue);
 }
 
 [[gnu::noinline]] inline Lanes atanh(Lanes x) {

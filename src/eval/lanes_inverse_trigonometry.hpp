@@ -24,8 +24,8 @@ inline Lanes arcsineExcess(Lanes s, Lanes square) {
   const Mask large = gt(magnitude, 0.5);
   const Lanes square = ifElse(large, (1.0 - magnitude) * 0.5, x * x);
   const Lanes s = ifElse(large, sqrt(square), magnitude), excess = arcsineExcess(s, square);
-  const Lanes ofLarge = (halfPi - 2.0 * s) - (2.0 * excess - halfPiRest);
-  return flipSign(ifElse(large, ofLarge, s + excess), signOf(x));
+  const Lanes largeResult = (halfPi - 2.0 * s) - (2.0 * excess - halfPiRest);
+  return flipSign(ifElse(large, largeResult, s + excess), signOf(x));
 }
 
 [[gnu::noinline]] inline Lanes acos(Lanes x) {
@@ -34,8 +34,8 @@ inline Lanes arcsineExcess(Lanes s, Lanes square) {
   const Lanes square = ifElse(large, (1.0 - magnitude) * 0.5, x * x);
   const Lanes s = ifElse(large, sqrt(square), x), excess = arcsineExcess(s, square);
   const Lanes fromEnd = 2.0 * (s + excess);
-  const Lanes ofLarge = ifElse(lt(x, 0.0), 2 * halfPi - (fromEnd - 2 * halfPiRest), fromEnd);
-  return ifElse(large, ofLarge, halfPi - (s + (excess - halfPiRest)));
+  const Lanes largeResult = ifElse(lt(x, 0.0), 2 * halfPi - (fromEnd - 2 * halfPiRest), fromEnd);
+  return ifElse(large, largeResult, halfPi - (s + (excess - halfPiRest)));
 }
 
 // For q from 0 to 1: a minimax polynomial with a relative error below 2^-27.

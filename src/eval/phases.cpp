@@ -70,7 +70,7 @@ class Dependence {
 std::vector<NodeId> pointOf(const Module& module, NodeId id) {
   const Graph& graph = module.graph;
   if (stepOfWave(graph.node(id).op)) return {graph.operand(id, 0)};
-  if (!graph.isOurCall(id)) return {};
+  if (!graph.isLibraryCall(id)) return {};
   const Function& function = graph.function(id);
   if (module.library.definition(function.name).maker != noiseFrom) return {};
   std::vector<NodeId> point = graph.arguments(id);
@@ -99,7 +99,7 @@ std::vector<Phase> addPhases(Module& module, std::span<const std::uint32_t> resu
         std::any_of(point.begin(), point.end(), isInLoop))
       continue;
     const double step =
-        graph.isOurCall(id) ? stepOfCall(module, id) : *stepOfWave(graph.node(id).op);
+        graph.isLibraryCall(id) ? stepOfCall(module, id) : *stepOfWave(graph.node(id).op);
     const auto [found, isNew] = steps.try_emplace(point, step);
     if (!isNew) found->second = std::min(found->second, step);
   }

@@ -12,7 +12,7 @@ namespace {
 bool readsImage(const Graph& graph, NodeId id) {
   if (!graph.isInput(id)) return false;
   const Input& input = graph.input(graph.node(id).operands[0]);
-  return input.shape == oneImage || input.image;
+  return input.shape == imageShape || input.image;
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots
   for (std::uint32_t input = 0; input < graph.inputCount(); ++input) {
     places.push_back(place);
     const Shape shape = graph.input(input).shape;
-    place += shape == oneImage ? 0 : static_cast<std::uint32_t>(shape.size());
+    place += shape == imageShape ? 0 : static_cast<std::uint32_t>(shape.size());
   }
 
   Program program;
@@ -47,7 +47,7 @@ ModuleProgram program(const Module& module, std::span<const std::uint32_t> resul
   bool hasBodies = false;
   for (const NodeId id : reachable(module.graph, roots)) {
     if (readsImage(module.graph, id)) return {};
-    hasBodies |= module.graph.isOurCall(id) || module.graph.isFold(id);
+    hasBodies |= module.graph.isLibraryCall(id) || module.graph.isFold(id);
   }
   if (!hasBodies) return {program(module.graph, roots)};
   Graph graph = module.graph.copy();

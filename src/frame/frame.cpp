@@ -68,7 +68,7 @@ std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known
   }
   module.methods.resize(graph.inputCount());
   module.graph = std::move(graph);
-  module.outputs.push_back({frameLabel, oneNumber, std::move(values)});
+  module.outputs.push_back({frameLabel, scalarShape, std::move(values)});
   return separation.inputs().count();
 }
 

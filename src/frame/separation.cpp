@@ -142,7 +142,7 @@ NodeId Separation::callOf(NodeId call) {
   const Function function = graph_.function(call);
   const auto variables = static_cast<std::size_t>(function.variables);
   double period = 0;
-  if (function.isOurs()) {
+  if (function.isFromLibrary()) {
     std::optional<double> lacunarity;
     if (variables + 1 < arguments.size() && graph_.isConstant(arguments[variables + 1]))
       lacunarity = graph_.value(arguments[variables + 1]);

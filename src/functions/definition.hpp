@@ -93,7 +93,7 @@ struct Definition {
     return i < function.variables ? variableNames[i] : parameters[i - function.variables];
   }
   Shape argumentShape(int i) const {
-    return argumentName(i) == imageParameters[0] ? oneImage : oneNumber;
+    return argumentName(i) == imageParameters[0] ? imageShape : scalarShape;
   }
 };
 

@@ -15,8 +15,8 @@ OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> sta
 namespace {
 
 // True for the states that the outcome of state `root` depends on.
-Flags neededFor(const Graph& graph, const OpenFold& open, std::span<const NodeId> next,
-                std::size_t root) {
+Flags findNeeded(const Graph& graph, const OpenFold& open, std::span<const NodeId> next,
+                 std::size_t root) {
   Flags isNeeded(next.size());
   isNeeded[root] = true;
   std::vector<std::size_t> pending{root};
@@ -43,7 +43,7 @@ std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<cons
   if (graph.loop(open.loop).steps == 0) return open.start;
   std::vector<NodeId> outcomes;
   for (std::size_t i = 0; i < next.size(); ++i) {
-    const Flags isNeeded = neededFor(graph, open, next, i);
+    const Flags isNeeded = findNeeded(graph, open, next, i);
     std::vector<State> states;
     for (std::size_t k = 0; k < next.size(); ++k) {
       if (isNeeded[k]) states.push_back({open.states[k], open.start[k], next[k]});

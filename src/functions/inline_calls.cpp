@@ -50,7 +50,7 @@ class Inliner {
 
   void visit(NodeId id) {
     if (graph_.isFold(id)) return unroll(graph_.loopOf(id));
-    if (graph_.isList(id) || graph_.isLocal(id) || (library_ && graph_.isOurCall(id))) return;
+    if (graph_.isList(id) || graph_.isLocal(id) || (library_ && graph_.isLibraryCall(id))) return;
     inlined_[index(id)] = replacement(id);
   }
 
@@ -154,14 +154,15 @@ class Inliner {
 
 bool hasOurCalls(const Graph& graph) {
   for (std::uint32_t i = 0; i < graph.functionCount(); ++i) {
-    if (graph.function(i).isOurs()) return true;
+    if (graph.function(i).isFromLibrary()) return true;
   }
   return false;
 }
 
 }  // namespace
 
-static std::vector<NodeId> inlined(Graph& graph, Library* library, std::span<const NodeId> roots) {
+static std::vector<NodeId> inlineAll(Graph& graph, Library* library,
+                                     std::span<const NodeId> roots) {
   Inliner inliner(graph, library);
   inliner.run(reachable(graph, roots));
   std::vector<NodeId> found;
@@ -171,11 +172,11 @@ static std::vector<NodeId> inlined(Graph& graph, Library* library, std::span<con
 
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots) {
   if (!hasOurCalls(graph) && !graph.has(foldOp)) return {roots.begin(), roots.end()};
-  return inlined(graph, &library, roots);
+  return inlineAll(graph, &library, roots);
 }
 
 std::vector<NodeId> unrollFolds(Graph& graph, std::span<const NodeId> roots) {
-  return inlined(graph, nullptr, roots);
+  return inlineAll(graph, nullptr, roots);
 }
 
 }  // namespace warpjet

@@ -8,8 +8,8 @@ namespace warpjet {
 
 std::uint32_t Graph::input(std::string_view label, Shape shape) {
   const auto [begin, end] = inputNumbers_.equal_range(label);
-  for (auto known = begin; known != end; ++known) {
-    if (inputs_[known->second].shape == shape) return known->second;
+  for (auto each = begin; each != end; ++each) {
+    if (inputs_[each->second].shape == shape) return each->second;
   }
   const auto number = static_cast<std::uint32_t>(inputs_.size());
   inputs_.push_back({std::string(label), shape});
@@ -18,9 +18,9 @@ std::uint32_t Graph::input(std::string_view label, Shape shape) {
 }
 
 std::optional<std::uint32_t> Graph::findInput(std::string_view label) const {
-  const auto known = inputNumbers_.lower_bound(label);
-  if (known == inputNumbers_.end() || known->first != label) return std::nullopt;
-  return known->second;
+  const auto found = inputNumbers_.lower_bound(label);
+  if (found == inputNumbers_.end() || found->first != label) return std::nullopt;
+  return found->second;
 }
 
 std::uint32_t Graph::sizeOf(std::uint32_t image) {
@@ -39,9 +39,9 @@ std::uint32_t Graph::addFunction(Function function) {
 }
 
 std::optional<std::uint32_t> Graph::findFunction(std::string_view name) const {
-  const auto known = functionNumbers_.find(name);
-  if (known == functionNumbers_.end()) return std::nullopt;
-  return known->second;
+  const auto found = functionNumbers_.find(name);
+  if (found == functionNumbers_.end()) return std::nullopt;
+  return found->second;
 }
 
 NodeId Graph::call(std::uint32_t function, std::span<const NodeId> arguments) {

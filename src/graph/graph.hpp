@@ -89,7 +89,8 @@ struct Function {
   int arity;
   int values = 0, variables = 0;
 
-  bool isOurs() const { return values > 0; }
+  // True for functions that warpjet itself defines, such as noise; see functions/library.hpp.
+  bool isFromLibrary() const { return values > 0; }
 };
 
 // A loop: its number of iterations and of variables. Variable 0 is the step number, counted from 0;
@@ -191,8 +192,8 @@ class Graph {
   bool isCall(NodeId id) const { return node(id).op == callOp; }
   bool isList(NodeId id) const { return node(id).op == listOp; }
   bool isResult(NodeId id) const { return node(id).op == resultOp; }
-  // True for a call of our own functions. Such a call isn't a number; its results are.
-  bool isOurCall(NodeId id) const { return isCall(id) && function(id).isOurs(); }
+  // True for a call of a library function. Such a call isn't a number; its results are.
+  bool isLibraryCall(NodeId id) const { return isCall(id) && function(id).isFromLibrary(); }
   bool isFold(NodeId id) const { return node(id).op == foldOp; }
   bool isOutcome(NodeId id) const { return node(id).op == outcomeOp; }
   // True for a state or a list of states, which only folds read.

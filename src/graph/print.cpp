@@ -23,7 +23,7 @@ std::string inputName(const Graph& graph, const Node& node) {
   const Input& input = graph.input(number);
   const std::string label =
       input.image ? "size of " + graph.input(*input.image).label : input.label;
-  if (input.shape.isNumber() || input.shape == oneImage) return label;
+  if (input.shape.isNumber() || input.shape == imageShape) return label;
   if (input.shape.isVector()) return label + "." + "xyzw"[component];
   return label + "[" + std::to_string(component) + "]";
 }

@@ -19,7 +19,7 @@ struct Shape {
   constexpr bool operator==(const Shape&) const = default;
 };
 
-inline constexpr Shape oneNumber{}, oneImage{0, 1};
+inline constexpr Shape scalarShape{}, imageShape{0, 1};
 constexpr Shape vectorOf(int size) { return {1, static_cast<std::uint8_t>(size)}; }
 constexpr Shape matrixOf(int columns, int rows) {
   return {static_cast<std::uint8_t>(columns), static_cast<std::uint8_t>(rows)};

@@ -14,8 +14,8 @@
 #include "mesh/gltf/merge.hpp"
 #include "mesh/gltf/packed.hpp"
 #include "mesh/messages.hpp"
+#include "mesh/obj/colors.hpp"
 #include "mesh/obj/obj.hpp"
-#include "mesh/obj/paints.hpp"
 #include "mesh/stl/stl.hpp"
 #include "mesh/text/encoding.hpp"
 #include "mesh/uri.hpp"
@@ -100,7 +100,7 @@ Loaded ModelFile::load(const Files& files) {
     loaded.problem = "the model says that it is larger than any memory; export it again.";
   } catch (const std::exception& error) {
     loaded.problem =
-        "the file cannot be read (" + quotedText(error.what()) + "); export the model again.";
+        "the file cannot be read (" + quoteText(error.what()) + "); export the model again.";
   }
   if (!loaded.mesh) {
     loaded.problem = "loadMesh: " + loaded.problem;

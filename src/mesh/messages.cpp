@@ -8,7 +8,7 @@ std::string groupDigits(std::uint64_t number) {
   return digits;
 }
 
-std::string quotedText(std::string_view text) {
+std::string quoteText(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string line = "\"";
   for (const char c : text.substr(0, longest)) line += c >= ' ' && c <= '~' ? c : '?';

@@ -19,6 +19,6 @@ struct FileProblem : std::runtime_error {
 std::string groupDigits(std::uint64_t number);
 
 // Quotes a text from outside: printable ASCII, on one line, shortened.
-std::string quotedText(std::string_view text);
+std::string quoteText(std::string_view text);
 
 }  // namespace warpjet

@@ -6,7 +6,7 @@
 
 namespace warpjet {
 
-std::string sniffedType(Bytes bytes) {
+std::string sniffType(Bytes bytes) {
   const std::string_view text = textOf(bytes);
   if (text.starts_with("\x89PNG")) return "image/png";
   if (text.starts_with("\xFF\xD8\xFF")) return "image/jpeg";

@@ -8,6 +8,6 @@
 namespace warpjet {
 
 // The MIME type, by the first bytes.
-std::string sniffedType(Bytes bytes);
+std::string sniffType(Bytes bytes);
 
 }  // namespace warpjet

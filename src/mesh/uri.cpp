@@ -74,7 +74,7 @@ std::string withoutPercents(std::string_view uri) {
 
 bool isDataUri(std::string_view uri) { return startsLike(uri, "data:"); }
 
-std::optional<DataUri> decodedDataUri(std::string_view uri) {
+std::optional<DataUri> decodeDataUri(std::string_view uri) {
   uri.remove_prefix(std::string_view("data:").size());
   const std::size_t comma = uri.find(',');
   if (comma == uri.npos) return std::nullopt;

@@ -19,7 +19,7 @@ bool isDataUri(std::string_view uri);
 
 // Parses `data:<type>;base64,<text>`, or percent encoding without ";base64" (RFC 2397). Empty if
 // the base64 is invalid or missing.
-std::optional<DataUri> decodedDataUri(std::string_view uri);
+std::optional<DataUri> decodeDataUri(std::string_view uri);
 
 // Converts the name of a file in an OBJ or MTL file to a relative URI: backslashes become slashes,
 // other characters percent escapes, and of absolute paths only the last part is kept. `beside` is

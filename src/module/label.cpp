@@ -154,7 +154,7 @@ static std::optional<std::vector<int>> partOfSelection(const Label& whole, const
 }
 
 std::optional<std::vector<int>> partOf(const Label& whole, Shape shape, const Label& part) {
-  if (shape == oneImage) return {};
+  if (shape == imageShape) return {};
   const bool isSelection = shape.isVector() && !whole.selectors.empty() &&
                            static_cast<int>(whole.selectors.back().indices.size()) == shape.rows;
   if (!isWithin(part, whole)) return isSelection ? partOfSelection(whole, part) : std::nullopt;

@@ -7,7 +7,7 @@ namespace warpjet {
 std::string shapeName(Shape shape) {
   const std::string rows = std::to_string(shape.rows);
   if (shape.isNumber()) return "a single number";
-  if (shape == oneImage) return "an image";
+  if (shape == imageShape) return "an image";
   if (shape.isVector()) return "a vec" + rows;
   if (shape.isSquare()) return "a mat" + rows;
   return "a matrix of " + std::to_string(shape.columns) + " columns and " + rows + " rows";
@@ -18,11 +18,11 @@ std::string argumentCount(int count) {
   return (count == 0 ? "no" : std::to_string(count)) + " arguments";
 }
 
-std::string quotedShort(std::string_view text) {
+std::string quoteShort(std::string_view text) {
   std::string line(text.substr(0, 60));
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
-  return quoted(line);
+  return quote(line);
 }
 
 }  // namespace warpjet

@@ -34,6 +34,6 @@ inline constexpr std::string_view afterRepeat =
     "repeat.";
 
 // Quotes a text from outside, shortened to a single line.
-std::string quotedShort(std::string_view text);
+std::string quoteShort(std::string_view text);
 
 }  // namespace warpjet

@@ -72,8 +72,8 @@ class Saver {
     words_.number(graph_.functionCount());
     for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
       const Function& function = graph_.function(i);
-      words_.number(function.isOurs());
-      if (function.isOurs()) {
+      words_.number(function.isFromLibrary());
+      if (function.isFromLibrary()) {
         const Definition& definition = module_.library.definition(function.name);
         words_.number(definition.words.size());
         if (definition.reader) {

@@ -63,7 +63,7 @@ class Reader {
       }
       if (std::string found = readToken(); !found.empty()) return found;
     }
-    if (!awaited_.empty()) return quoted({&awaited_.back(), 1}) + " is missing in it";
+    if (!awaited_.empty()) return quote({&awaited_.back(), 1}) + " is missing in it";
     return operandDue_ ? operandMissing : std::string();
   }
 
@@ -117,7 +117,7 @@ class Reader {
   std::string readClosing(char c) {
     if (operandDue_) return operandMissing;
     if (awaited_.empty() || awaited_.back() != c)
-      return "the brackets in it do not match at " + quoted({&c, 1});
+      return "the brackets in it do not match at " + quote({&c, 1});
     awaited_.pop_back();
     rest_.remove_prefix(1);
     afterName_ = false;
@@ -141,15 +141,15 @@ class Reader {
     const bool isShift = two == "<<" || two == ">>";
     // ^^ exists only in GLSL, like ?:
     const std::string_view needed = two == "^^" ? "?" : isShift ? "&" : isLogical ? "" : single;
-    if (allOperators.find(needed) != allOperators.npos &&
+    if (optionalOperators.find(needed) != optionalOperators.npos &&
         operators_.find(needed) == operators_.npos)
-      return quoted(single) + " is not allowed in it";
+      return quote(single) + " is not allowed in it";
     if (std::find(forbidden.begin(), forbidden.end(), two) != forbidden.end())
-      return quoted(two) + " is not allowed in it";
+      return quote(two) + " is not allowed in it";
     const bool isTwo = isPair(two);
     if (single[0] < ' ' || single[0] > '~') return "only ASCII characters are allowed in it";
     if (!isTwo && singles.find(single) == singles.npos)
-      return quoted(single) + " is not allowed in it";
+      return quote(single) + " is not allowed in it";
     if (operandDue_ && (isTwo || prefixes.find(single) == prefixes.npos)) return operandMissing;
     if (!operandDue_ && (single == "!" || single == "~") && !isTwo) return operatorMissing;
 
@@ -157,7 +157,7 @@ class Reader {
     if (single == ":" || single == ",") {
       const char partner = single == ":" ? ':' : ')';
       if (awaited_.empty() || awaited_.back() != partner)
-        return quoted(single) + " is not allowed there";
+        return quote(single) + " is not allowed there";
       if (single == ":") awaited_.pop_back();
     }
     operandDue_ = true;

@@ -14,13 +14,13 @@ constexpr bool isWordStart(char c) {
 }
 constexpr bool isWordPart(char c) { return isWordStart(c) || isDigit(c); }
 
-inline std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+inline std::string quote(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-// The operators that some languages lack; << and >> are available together with &.
-inline constexpr std::string_view allOperators = "%&|^~?:";
+// The operators that some languages lack. << and >> are available together with &.
+inline constexpr std::string_view optionalOperators = "%&|^~?:";
 
 // Returns why a text is not one complete expression; empty if it is. `operators` is the subset of
-// `allOperators` that the language has.
+// `optionalOperators` that the language has.
 std::string syntaxProblem(std::string_view text, std::string_view operators);
 
 // The numbers, words, brackets and operators of a complete expression.

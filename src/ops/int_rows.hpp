@@ -15,9 +15,9 @@ using enum Language;
 
 inline constexpr std::tuple intRows{
     row("int", call("int($0)").with(Wgsl, "i32($0)"), everywhere,
-        [](auto x) { return truncated(x); }),
+        [](auto x) { return truncate(x); }),
     row("bitsOf", call("int(uint($0))").with(Wgsl, "i32(u32($0))").missingIn(Glsl100), everywhere,
-        [](double x) { return truncatedBits(x); }),
+        [](double x) { return truncateBits(x); }),
     row("intToFloat", call("float($0)").with(Wgsl, "f32($0)"), everywhere,
         [](auto x) { return asFloat(x); }),
     row("bitsToFloat", call("float(uint($0))").with(Wgsl, "f32(u32($0))").missingIn(Glsl100),

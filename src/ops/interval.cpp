@@ -12,8 +12,8 @@ namespace {
 double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
 
 // Shared by products and quotients.
-Interval scaledCorners(Binary f, const Interval& x, const Interval& y, double share) {
-  Interval result = corners(f, x, y, share);
+Interval hullOfScaledCorners(Binary f, const Interval& x, const Interval& y, double relativeError) {
+  Interval result = hullOfCorners(f, x, y, relativeError);
   // Keeps the zero positive for nonnegative factors: a product of lengths.
   if (result.low == 0 && !isNegative(x.low) && !isNegative(y.low)) result.low = 0.0;
   return result;
@@ -21,11 +21,11 @@ Interval scaledCorners(Binary f, const Interval& x, const Interval& y, double sh
 
 }  // namespace
 
-Interval increasing(Unary f, const Interval& x, double share) {
+Interval increasing(Unary f, const Interval& x, double relativeError) {
   if (x.isEmpty()) return x;
   const double low = f(x.low), high = f(x.high);
   if (std::isnan(low) || std::isnan(high)) return Interval::anything(true);
-  return withZeros(widen(low, high, share, x.canBeNaN));
+  return withZeros(widen(low, high, relativeError, x.canBeNaN));
 }
 
 Interval withFloat32(const Interval& x) {
@@ -68,7 +68,7 @@ Interval operator-(const Interval& x, const Interval& y) { return x + -y; }
 
 Interval operator*(const Interval& x, const Interval& y) {
   if (x.isEmpty() || y.isEmpty()) return emptyInterval();
-  Interval result = scaledCorners(product, x, y, rounding);
+  Interval result = hullOfScaledCorners(product, x, y, rounding);
   result.canBeNaN |= (x.has(0) && y.canBeInfinite()) || (y.has(0) && x.canBeInfinite());
   return result;
 }
@@ -90,7 +90,7 @@ Interval operator/(const Interval& x, const Interval& y) {
   const auto quotient = [](double a, double b) {
     return a == 0 || std::abs(b) == infinity ? 0 : a / b;
   };
-  Interval result = scaledCorners(quotient, x, y, division);
+  Interval result = hullOfScaledCorners(quotient, x, y, divisionError);
   result.canBeNaN = canBeNaN;
   return result;
 }

@@ -50,11 +50,11 @@ Interval join(const Interval& x, const Interval& y);
 // zero.
 Interval withFloat32(const Interval& x);
 
-// Applies a monotonically increasing function that maps NaN to NaN; the result is widened by a
-// share of its value, since functions in shaders have errors of that size (see interval_parts.hpp).
+// Applies a monotonically increasing function that maps NaN to NaN; the result is widened by
+// the relative error that functions may have in shaders (see interval_parts.hpp).
 // One copy for all functions: a copy for each made the code of this module a third larger.
 [[gnu::noinline]] Interval increasing(double (*function)(double), const Interval& x,
-                                      double share = 8 * rounding);
+                                      double relativeError = 8 * rounding);
 
 // Restricts a value that is known to be between two numbers.
 Interval clipTo(const Interval& x, double low, double high);

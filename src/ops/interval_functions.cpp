@@ -8,10 +8,11 @@ using namespace intervals;
 
 namespace {
 
-// True if start + k * period is in x, or within a relative distance of `share`, for some integer k.
-bool containsMultiple(const Interval& x, double start, double period, double share) {
+// True if start + k * period is in x, or within a relative distance of `relativeError`, for some
+// integer k.
+bool containsMultiple(const Interval& x, double start, double period, double relativeError) {
   const double from = (x.low - start) / period, to = (x.high - start) / period;
-  const double slack = (std::abs(from) + std::abs(to) + 1) * share;
+  const double slack = (std::abs(from) + std::abs(to) + 1) * relativeError;
   return std::ceil(from - slack) <= std::floor(to + slack);
 }
 
@@ -21,7 +22,7 @@ Interval wave(Unary f, const Interval& x, double peak) {
   if (x.canBeInfinite()) return {-1, 1, true};
   if (x.high - x.low >= 2 * pi) return {-1, 1, x.canBeNaN};
   const double first = f(x.low), last = f(x.high);
-  Interval y = widen(std::min(first, last), std::max(first, last), function, x.canBeNaN);
+  Interval y = widen(std::min(first, last), std::max(first, last), functionError, x.canBeNaN);
   if (containsMultiple(x, peak, 2 * pi, 0x1p-50)) y.high = 1;
   if (containsMultiple(x, peak + pi, 2 * pi, 0x1p-50)) y.low = -1;
   return withZeros(clipTo(y, -1, 1));
@@ -31,7 +32,7 @@ bool isInteger(double x) { return x == std::floor(x); }
 
 // x to the power of y for nonnegative x: y log(x) is bilinear, so the extremes are at the corners.
 Interval powerOfPositive(const Interval& x, const Interval& y) {
-  return corners(std::pow, x, y, 2 * function);
+  return hullOfCorners(std::pow, x, y, 2 * functionError);
 }
 
 }  // namespace
@@ -99,8 +100,8 @@ Interval atan2(const Interval& y, const Interval& x) {
   // sign.
   const bool crosses = isNegative(y.low) && !isNegative(y.high);
   const bool isCut = isNegative(x.low) && (crosses || (y.low == 0 && y.high == 0));
-  if (isCut) return widen(-pi, pi, function, x.canBeNaN || y.canBeNaN);
-  return corners(std::atan2, y, x, function);
+  if (isCut) return widen(-pi, pi, functionError, x.canBeNaN || y.canBeNaN);
+  return hullOfCorners(std::atan2, y, x, functionError);
 }
 
 Interval sinh(const Interval& x) { return increasing(std::sinh, x); }

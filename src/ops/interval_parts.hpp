@@ -13,20 +13,20 @@ namespace warpjet::intervals {
 inline constexpr double infinity = Interval::infinity;
 inline constexpr double pi = 3.14159265358979323846;
 
-// The relative errors to widen by: those that shaders may have in a division and in a function.
-// GLSL ES 3.00 leaves them open; WGSL, section 15.7.4, has 2.5 ulp for a division and 3 to 4 ulp
-// for most functions near 1.
-inline constexpr double division = 4 * rounding, function = 8 * rounding;
+// The relative errors that divisions and functions may have in shaders, by which results are
+// widened. GLSL ES 3.00 leaves them open; WGSL, section 15.7.4, has 2.5 ulp for a division and 3 to
+// 4 ulp for most functions near 1.
+inline constexpr double divisionError = 4 * rounding, functionError = 8 * rounding;
 
-inline double lowerBound(double low, double share) {
-  return low * (low < 0 ? 1 + share : 1 - share);
+inline double lowerBound(double low, double relativeError) {
+  return low * (low < 0 ? 1 + relativeError : 1 - relativeError);
 }
-inline double upperBound(double high, double share) {
-  return high * (high < 0 ? 1 - share : 1 + share);
+inline double upperBound(double high, double relativeError) {
+  return high * (high < 0 ? 1 - relativeError : 1 + relativeError);
 }
 
-inline Interval widen(double low, double high, double share, bool canBeNaN) {
-  return withFloat32({lowerBound(low, share), upperBound(high, share), canBeNaN});
+inline Interval widen(double low, double high, double relativeError, bool canBeNaN) {
+  return withFloat32({lowerBound(low, relativeError), upperBound(high, relativeError), canBeNaN});
 }
 
 // Lets zeros have either sign.
@@ -48,12 +48,13 @@ using Binary = double(double, double);
 inline bool isNegative(double x) { return std::signbit(x); }
 
 // The hull of the values of f at the corners of a box.
-inline Interval corners(Binary f, const Interval& x, const Interval& y, double share) {
+inline Interval hullOfCorners(Binary f, const Interval& x, const Interval& y,
+                              double relativeError) {
   const double a = f(x.low, y.low), b = f(x.low, y.high);
   const double c = f(x.high, y.low), d = f(x.high, y.high);
   const double low = std::min(std::min(a, b), std::min(c, d));
   const double high = std::max(std::max(a, b), std::max(c, d));
-  return withZeros(widen(low, high, share, x.canBeNaN || y.canBeNaN));
+  return withZeros(widen(low, high, relativeError, x.canBeNaN || y.canBeNaN));
 }
 
 }  // namespace warpjet::intervals

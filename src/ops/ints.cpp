@@ -39,10 +39,10 @@ Interval bitsShiftRight(const Interval& x, const Interval& y) {
   return bitsOf(y.low) % 32 == 0 ? anyInt() : Interval(0, bitsShiftRight(-1.0, y.low));
 }
 
-Interval truncated(const Interval& x) {
+Interval truncate(const Interval& x) {
   if (x.isEmpty()) return 0;
-  return {std::min(truncated(x.low), x.canBeNaN ? 0.0 : maxInt),
-          std::max(truncated(x.high), x.canBeNaN ? 0.0 : minInt)};
+  return {std::min(truncate(x.low), x.canBeNaN ? 0.0 : maxInt),
+          std::max(truncate(x.high), x.canBeNaN ? 0.0 : minInt)};
 }
 
 Interval asFloat(const Interval& x) { return {asFloat(x.low), asFloat(x.high)}; }

@@ -46,11 +46,11 @@ inline double shiftRight(double x, double y) {
 inline double bitsShiftRight(double x, double y) { return intOf(bitsOf(x) >> (bitsOf(y) & 31)); }
 
 // Out-of-range floats are clamped to the nearest integer, as in WGSL.
-inline double truncated(double x) {
+inline double truncate(double x) {
   if (x != x) return 0;
   return std::trunc(std::fmin(std::fmax(x, minInt), maxInt));
 }
-inline double truncatedBits(double x) {
+inline double truncateBits(double x) {
   if (x != x) return 0;
   return intOf(bitsOf(std::trunc(std::fmin(std::fmax(x, 0.0), 4294967295.0))));
 }
@@ -68,7 +68,7 @@ Interval intSum(const Interval& x, const Interval& y);
 Interval intRemainder(const Interval& x, const Interval& y);
 Interval bitAnd(const Interval& x, const Interval& y);
 Interval bitsShiftRight(const Interval& x, const Interval& y);
-Interval truncated(const Interval& x);
+Interval truncate(const Interval& x);
 Interval asFloat(const Interval& x);
 Interval bitsAsFloat(const Interval& x);
 

@@ -68,7 +68,7 @@ class Lister {
     std::vector<Id> needed{};
     std::uint32_t number = 0;
     std::uint32_t variables = 0;
-    std::vector<std::uint32_t> places{};  // by argument
+    std::vector<std::uint32_t> indices{};  // by argument
   };
 
   void findUses(std::span<const Id> ids) {
@@ -85,15 +85,15 @@ class Lister {
   }
 
   void define(const Routine& routine, Use& use) {
-    use.places.resize(use.varies.size());
-    std::uint32_t place = 0;
+    use.indices.resize(use.varies.size());
+    std::uint32_t count = 0;
     for (const bool varies : {true, false}) {
       for (std::size_t i = 0; i < use.varies.size(); ++i)
-        if (use.varies[i] == varies) use.places[i] = place++;
-      if (varies) use.variables = place;
+        if (use.varies[i] == varies) use.indices[i] = count++;
+      if (varies) use.variables = count;
     }
     write(Code::Define);
-    write(place);
+    write(count);
     write(use.variables);
     listing_.routines.push_back(routine.name);
     routine_ = &routine;
@@ -158,7 +158,7 @@ class Lister {
       case Code::Uniform:
         if (!routine_) break;
         number = next_++;
-        return writeParameter(placeOutside(id));
+        return writeParameter(parameterOutside(id));
       case Code::Parameter:
         number = next_++;
         return writeParameter(leafOf(operation).part);
@@ -181,11 +181,11 @@ class Lister {
         break;
       case Code::Argument:
       case Code::Uniform: {
-        const auto [place, part, layout] = leafOf(operation);
-        write(place);
+        const auto [input, part, layout] = leafOf(operation);
+        write(input);
         write(part);
         write(layout);
-        if (operation.code == Code::Uniform) isNamed[place] = true;
+        if (operation.code == Code::Uniform) isNamed[input] = true;
         break;
       }
       case Code::Component:
@@ -199,7 +199,7 @@ class Lister {
     }
   }
 
-  std::size_t placeOutside(Id id) const {
+  std::size_t parameterOutside(Id id) const {
     const auto& outside = routine_->outside;
     return routine_->parameters +
            static_cast<std::size_t>(std::find(outside.begin(), outside.end(), id) -
@@ -208,7 +208,7 @@ class Lister {
 
   void writeParameter(std::size_t argument) {
     write(Code::Parameter);
-    write(uses_[static_cast<std::size_t>(routine_ - routines_.data())].places[argument]);
+    write(uses_[static_cast<std::size_t>(routine_ - routines_.data())].indices[argument]);
   }
 
   void writeCall(Id id) {
@@ -216,7 +216,7 @@ class Lister {
     const auto arguments = recorder_.operands(id);
     const Use& use = uses_[routine];
     std::vector<Id> ordered(arguments.size());
-    for (std::size_t i = 0; i < arguments.size(); ++i) ordered[use.places[i]] = arguments[i];
+    for (std::size_t i = 0; i < arguments.size(); ++i) ordered[use.indices[i]] = arguments[i];
     write(Code::Call);
     write(use.number);
     write(static_cast<std::uint32_t>(arguments.size()));

@@ -32,9 +32,9 @@ std::optional<double> LoopRun::find(Id id, int depth) {
   if (operation.code == Code::StepNumber || operation.code == Code::State) {
     if (packed >> 16 != loop_) return std::nullopt;
     if (operation.code == Code::StepNumber) return step_;
-    const std::size_t place = packed >> 8 & 255;
-    isQueried_[place] = true;
-    return states_[place];
+    const std::size_t state = packed >> 8 & 255;
+    isQueried_[state] = true;
+    return states_[state];
   }
   const auto known = known_.find(index(id));
   if (known != known_.end()) return known->second;

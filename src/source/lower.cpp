@@ -40,7 +40,7 @@ Lowered Lowering::lower(FunctionId number) {
     if (recorder_.isUndefined(result)) result = recorder_.constant(Base::Float, 0);
     result = recorder_.convert(result, Base::Float);
   }
-  if (!problems_.any()) exceedsLimits(function.place);
+  if (!problems_.any()) exceedsLimits(function.location);
   return {std::move(recorder_), std::move(results), function.type, std::move(externals_),
           std::move(routines_)};
 }
@@ -128,22 +128,22 @@ void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
   }
 }
 
-bool Lowering::exceedsLimits(Location place) {
+bool Lowering::exceedsLimits(Location location) {
   if (problems_.any()) return true;
   if (++steps_ > maxSteps || recorder_.isFull()) {
-    problems_.add(place, "this needs more than 250,000 steps once its loops are unrolled");
+    problems_.add(location, "this needs more than 250,000 steps once its loops are unrolled");
   } else if (depth_ > maxDepth) {
-    problems_.add(place, "calls and expressions are nested too deeply here");
+    problems_.add(location, "calls and expressions are nested too deeply here");
   }
   return problems_.any();
 }
 
 // `targets` are the destinations of `out` and `inout` parameters, in the order of parameters.
 Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
-                               const std::vector<LValue>& targets, Location place) {
+                               const std::vector<LValue>& targets, Location location) {
   const Function& function = tree_.functions[number];
   if (function.body == nothing) {
-    problems_.add(place, quoted(function.name) + " is declared, but has no body");
+    problems_.add(location, quote(function.name) + " is declared, but has no body");
     return undefined(function.type);
   }
   // The previous value of an out parameter is invisible to the function.

@@ -87,10 +87,10 @@ class Lowering {
   void declareExternal(const Variable& variable, Slot first);
   void addExternal(const std::string& name, Type type, bool isAttribute, std::vector<Id>& leaves);
   Value call(FunctionId function, std::vector<Value> arguments, const std::vector<LValue>& targets,
-             Location place);
+             Location location);
   Value inlineCall(FunctionId function, std::vector<Value> arguments);
   Value inlineOnce(FunctionId function, const std::vector<Value>& arguments);
-  bool exceedsLimits(Location place);
+  bool exceedsLimits(Location location);
   Slot slotOf(VariableId variable) const { return slots_[variable]; }
   int sizeOf(Type type) const { return tree_.types.size(type); }
   Value get(Slot first, int count) const;
@@ -140,7 +140,7 @@ class Lowering {
   Id iterate(const Statement& statement, bool evaluatesTest, const End& end);
   bool foldLoop(const Statement& statement);
   std::vector<Changing> changesOf(const Store::Changes& changes) const;
-  Id valueInStep(const Changing& each, std::uint32_t loop, std::size_t place);
+  Id valueInStep(const Changing& each, std::uint32_t loop, std::size_t location);
   Id fromState(Id state, Base base);
   bool onlyCounts(Id next, Id before, std::uint32_t steps, int depth) const;
   bool record(const Statement& statement, Folding& folding);

@@ -130,8 +130,8 @@ Id Lowering::bit(Way way, Base base, Id x) {
           significant =
               recorder_.choose(isNegative, recorder_.apply(Code::BitNot, Base::Uint, {bits}), bits);
         }
-        const Id place = of(Operator::Subtract, countOnes(smear(significant)), uint(1));
-        return recorder_.choose(of(Operator::Equal, significant, uint(0)), none, place);
+        const Id position = of(Operator::Subtract, countOnes(smear(significant)), uint(1));
+        return recorder_.choose(of(Operator::Equal, significant, uint(0)), none, position);
       }
       default:
         return reverse(bits);

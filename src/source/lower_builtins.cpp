@@ -127,8 +127,8 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     case TexelFetch: {
       const Id level = x[row.way == TextureSize ? 1 : 2][0];
       if (!recorder_.isConstant(level) || recorder_.value(level) != 0) {
-        problems_.add(node.place, "only level 0 of an image can be read; write " +
-                                      std::string(row.name) + "(…, 0)");
+        problems_.add(node.location, "only level 0 of an image can be read; write " +
+                                         std::string(row.name) + "(…, 0)");
         return undefined(node.type);
       }
       if (row.way == TextureSize) return imageSize(x[0]);
@@ -139,8 +139,9 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     default:
       return ofBits(row, x, node);
   }
-  problems_.add(node.place, quoted(row.name) +
-                                " cannot be used in a warp; read the image by texture(image, uv)");
+  problems_.add(
+      node.location,
+      quote(row.name) + " cannot be used in a warp; read the image by texture(image, uv)");
   return undefined(node.type);
 }
 

@@ -8,7 +8,7 @@ namespace warpjet::source {
 
 Lowering::Value Lowering::evaluate(ExpressionId number) {
   const Expression& node = tree_.expressions[number];
-  if (exceedsLimits(node.place)) return undefined(node.type);
+  if (exceedsLimits(node.location)) return undefined(node.type);
   ++depth_;
   Value value = evaluateInner(node);
   --depth_;
@@ -73,7 +73,7 @@ Lowering::Value Lowering::evaluateInner(const Expression& node) {
     case HostElement:
       return hostElement(node);
     case Unsupported:
-      problems_.add(node.place, tree_.reasons[node.index]);
+      problems_.add(node.location, tree_.reasons[node.index]);
       return undefined(node.type);
   }
   return {};
@@ -139,19 +139,19 @@ Lowering::Value Lowering::choice(const Expression& node) {
 Lowering::Value Lowering::assign(const Expression& node) {
   const Expression& target = tree_.expressions[node.operands[0]];
   const Type type = tree_.expressions[node.operands[1]].type;
-  const LValue place = lvalue(node.operands[0]);
+  const LValue assigned = lvalue(node.operands[0]);
   Value value = evaluate(node.operands[1]);
-  if (node.isCombined) value = binary(node.op, target.type, load(place), type, value);
-  if (!problems_.any()) store(place, value);
+  if (node.isCombined) value = binary(node.op, target.type, load(assigned), type, value);
+  if (!problems_.any()) store(assigned, value);
   return value;
 }
 
 Lowering::Value Lowering::increment(const Expression& node) {
-  const LValue place = lvalue(node.operands[0]);
-  const Value before = load(place);
+  const LValue assigned = lvalue(node.operands[0]);
+  const Value before = load(assigned);
   Value after = before;
   for (Id& x : after) x = scalar(node.op, node.type.base, x, number(node.type.base, 1));
-  store(place, after);
+  store(assigned, after);
   return node.index ? before : after;
 }
 
@@ -199,7 +199,7 @@ Lowering::Value Lowering::callOf(const Expression& node) {
     }
   }
   if (problems_.any()) return undefined(node.type);
-  return call(node.index, std::move(arguments), targets, node.place);
+  return call(node.index, std::move(arguments), targets, node.location);
 }
 
 Lowering::Value Lowering::part(const Expression& node) {
@@ -231,7 +231,7 @@ Lowering::Value Lowering::hostElement(const Expression& node) {
     const Id at = evaluate(each)[0];
     const std::size_t open = name.find("[]", from);
     if (!problems_.any() && !recorder_.isConstant(at))
-      problems_.add(tree_.expressions[each].place,
+      problems_.add(tree_.expressions[each].location,
                     "the index of " + name.substr(0, open) +
                         ", an array without a length, must be a constant in a warp, or "
                         "follow from the counter of a loop with constant bounds");

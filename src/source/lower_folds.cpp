@@ -76,7 +76,7 @@ std::vector<Changing> Lowering::changesOf(const Store::Changes& changes) const {
 }
 
 // The value of a variable in a step of the loop.
-Id Lowering::valueInStep(const Changing& each, std::uint32_t loop, std::size_t place) {
+Id Lowering::valueInStep(const Changing& each, std::uint32_t loop, std::size_t location) {
   const Base base = recorder_.base(each.start);
   const auto apply = [&](Code code, Id x, double y) {
     return recorder_.apply(code, Base::Float, {x, number(Base::Float, y)});
@@ -89,7 +89,7 @@ Id Lowering::valueInStep(const Changing& each, std::uint32_t loop, std::size_t p
     if (start != 0) at = apply(Code::Add, at, start);
     return recorder_.convert(at, base);
   }
-  return fromState(recorder_.state(loop, place), base);
+  return fromState(recorder_.state(loop, location), base);
 }
 
 // A condition is a state of 0 or 1.

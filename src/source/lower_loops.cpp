@@ -45,10 +45,10 @@ void Lowering::unroll(const Statement& statement) {
   // Iterations that only the shader can end. The first one of a `do` is one of them.
   int unknown = statement.isLate;
   const bool isEndless = hasNoEnd(statement);
-  for (int iteration = 0; !exceedsLimits(statement.place); ++iteration) {
+  for (int iteration = 0; !exceedsLimits(statement.location); ++iteration) {
     if (iteration > maxUnrolledIterations) {
-      problems_.add(statement.place, "this loop has not ended after " +
-                                         std::to_string(maxUnrolledIterations) + " iterations");
+      problems_.add(statement.location, "this loop has not ended after " +
+                                            std::to_string(maxUnrolledIterations) + " iterations");
       break;
     }
     if (statement.expression != nothing && (iteration > 0 || !statement.isLate)) {
@@ -56,7 +56,7 @@ void Lowering::unroll(const Statement& statement) {
       if (recorder_.isFalse(test) || recorder_.isUndefined(test)) break;
       if (!recorder_.isConstant(test)) {
         if (maxIterations_ == 0) {
-          problems_.add(statement.place, endsUnknown);
+          problems_.add(statement.location, endsUnknown);
           break;
         }
         if (unknown++ == maxIterations_) break;
@@ -70,7 +70,7 @@ void Lowering::unroll(const Statement& statement) {
     if (!recorder_.isConstant(isOver)) {
       if (isEndless && maxIterations_ > 0 && iteration + 1 >= maxIterations_) break;
       if (isEndless && maxIterations_ == 0 && ++unknown > maxUnknown)
-        problems_.add(statement.place, endsUnknown);
+        problems_.add(statement.location, endsUnknown);
       enter(recorder_.logicalNot(isOver));
       resume();
     }
@@ -79,7 +79,7 @@ void Lowering::unroll(const Statement& statement) {
   // Reports a loop that ran until it exceeded a limit.
   if (problems_.any() && !before.any() && isEndless && unknown > 1 && maxIterations_ == 0) {
     problems_ = before;
-    problems_.add(statement.place, endsUnknown);
+    problems_.add(statement.location, endsUnknown);
   }
   for (std::size_t i = conditions.size(); i-- > 0;) merge(conditions[i], store_.close(), {});
 }

@@ -90,8 +90,8 @@ Lowering::Slot Lowering::slotToRead(const Expression& node) {
   const Variable& variable = tree_.variables[node.index];
   if (variable.kind == Variable::Kind::Fragment)
     problems_.add(
-        node.place,
-        quoted(variable.name) +
+        node.location,
+        quote(variable.name) +
             " exists only in fragment shaders; a warp moves vertices: use position or uv");
   return slotOf(node.index);
 }

@@ -8,7 +8,7 @@ namespace warpjet::source {
 void Lowering::execute(StatementId child) {
   if (child == nothing) return;
   const Statement& statement = tree_.statements[child];
-  if (exceedsLimits(statement.place)) return;
+  if (exceedsLimits(statement.location)) return;
   ++depth_;
   using enum Statement::Kind;
   switch (statement.kind) {

@@ -46,7 +46,7 @@ Lines::Lines(std::string_view text) {
   }
 }
 
-std::string quoted(std::string_view piece) {
+std::string quote(std::string_view piece) {
   std::string text = printable(piece.substr(0, maxPieceLength));
   while (!text.empty() && piece.size() > maxPieceLength && continues(piece[text.size()]))
     text.pop_back();
@@ -54,9 +54,9 @@ std::string quoted(std::string_view piece) {
 }
 
 std::string Problems::text(std::string_view source) const {
-  const auto& [place, message] = *found_;
-  std::string_view line = lineOf(source, place.line);
-  std::size_t before = std::min<std::size_t>(place.column - 1, line.size());
+  const auto& [location, message] = *found_;
+  std::string_view line = lineOf(source, location.line);
+  std::size_t before = std::min<std::size_t>(location.column - 1, line.size());
   std::string dots;
   if (line.size() > maxLineLength) {
     std::size_t start = before > maxLineLength / 2 ? before - maxLineLength / 2 : 0;
@@ -70,9 +70,9 @@ std::string Problems::text(std::string_view source) const {
   std::string caret = dots.empty() ? "" : " ";
   for (std::size_t i = 0; i < before; ++i)
     if (!continues(line[i])) caret += line[i] == '\t' ? '\t' : ' ';
-  return "line " + std::to_string(place.shown) + ", column " + std::to_string(place.column) + ": " +
-         message + (message.ends_with('?') ? "\n  " : ".\n  ") + dots + printable(line) + "\n  " +
-         caret + '^';
+  return "line " + std::to_string(location.shown) + ", column " + std::to_string(location.column) +
+         ": " + message + (message.ends_with('?') ? "\n  " : ".\n  ") + dots + printable(line) +
+         "\n  " + caret + '^';
 }
 
 }  // namespace warpjet::source

@@ -14,12 +14,12 @@ struct Location {
   std::uint32_t line = 1, column = 1, shown = 1;
 };
 
-// The first problem of a source. After a problem, the parser only sees the end of the source, so
-// that only loops need to check for it.
+// The first problem of a source. After a problem, the parser reads only end tokens, so it stops by
+// itself; only loops have to test `any`.
 class Problems {
  public:
-  void add(Location place, std::string message) {
-    if (!found_) found_ = {place, std::move(message)};
+  void add(Location location, std::string message) {
+    if (!found_) found_ = {location, std::move(message)};
   }
 
   bool any() const { return found_.has_value(); }
@@ -29,15 +29,15 @@ class Problems {
 
  private:
   struct Found {
-    Location place;
+    Location location;
     std::string message;
   };
 
   std::optional<Found> found_;
 };
 
-// The source in normalized form: lines end with '\n' only, and each line that ends with a backslash
-// is joined to the next one, at the positions `joins` of `joined`.
+// The source with '\n' at all line ends: `separate` has the lines of the source. In `joined`, each
+// line that ends with a backslash is joined to the next one; `joins` are the positions where.
 struct Lines {
   explicit Lines(std::string_view text);
 
@@ -46,6 +46,6 @@ struct Lines {
 };
 
 // Quotes a piece of the source for a message: on one line, shortened, without control characters.
-std::string quoted(std::string_view piece);
+std::string quote(std::string_view piece);
 
 }  // namespace warpjet::source

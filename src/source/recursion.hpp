@@ -10,7 +10,7 @@ namespace warpjet::source {
 
 struct FunctionCall {
   FunctionId from, to;
-  Location place;
+  Location location;
 };
 
 // A call that is part of a circle; nullopt if there is none.

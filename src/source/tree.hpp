@@ -56,7 +56,7 @@ struct Expression {
   Type type{};
   std::int32_t index = 0;
   double value = 0;
-  Location place{};
+  Location location{};
   std::vector<ExpressionId> operands{};
 };
 
@@ -79,14 +79,14 @@ struct Statement {
   bool isLate = false;
   VariableId index = nothing;
   ExpressionId expression = nothing;
-  Location place{};
+  Location location{};
   std::vector<StatementId> children{};
 };
 
 struct Variable {
   std::string_view name;
   Type type;
-  Location place{};
+  Location location{};
   enum class Kind : std::uint8_t {
     Local,
     Constant,
@@ -113,7 +113,7 @@ struct Function {
   std::string_view name;
   Type type;
   std::vector<Parameter> parameters;
-  Location place;
+  Location location;
   StatementId body = nothing;
 };
 

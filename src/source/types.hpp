@@ -70,17 +70,17 @@ struct Structure {
   int size = 0;
   // A uniform block has members, but no value of its own.
   bool isBlock = false;
-  // Maps name → place in `fields`.
-  std::map<std::string_view, std::size_t> places{};
+  // Maps name → index in `fields`.
+  std::map<std::string_view, std::size_t> indices{};
 
   void add(Field field) {
-    places.emplace(field.name, fields.size());
+    indices.emplace(field.name, fields.size());
     fields.push_back(field);
   }
 
   const Field* find(std::string_view field) const {
-    const auto place = places.find(field);
-    return place == places.end() ? nullptr : &fields[place->second];
+    const auto index = indices.find(field);
+    return index == indices.end() ? nullptr : &fields[index->second];
   }
 };
 

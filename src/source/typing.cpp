@@ -127,9 +127,9 @@ std::optional<int> readSwizzle(std::string_view letters, int size) {
     int packed = 0;
     std::size_t i = 0;
     for (; i < letters.size(); ++i) {
-      const auto place = set.find(letters[i]);
-      if (place == set.npos || static_cast<int>(place) >= size) break;
-      packed |= static_cast<int>(place) << (2 * i);
+      const auto component = set.find(letters[i]);
+      if (component == set.npos || static_cast<int>(component) >= size) break;
+      packed |= static_cast<int>(component) << (2 * i);
     }
     if (i == letters.size()) return packed;
   }

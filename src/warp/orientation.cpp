@@ -28,10 +28,10 @@ Flags uniformNodes(Expression x, std::span<const NodeId> vertexInputs) {
   Flags isUniform(graph.size());
   for (const NodeId id : reachable(graph, std::array{x.id})) {
     // A host function may read anything.
-    bool all = !graph.isCall(id) || graph.isOurCall(id);
+    bool all = !graph.isCall(id) || graph.isLibraryCall(id);
     // The CPU also computes the sign, and it can't read images.
     if (graph.isInput(id))
-      all = graph.input(graph.node(id).operands[0]).shape != oneImage &&
+      all = graph.input(graph.node(id).operands[0]).shape != imageShape &&
             std::find(vertexInputs.begin(), vertexInputs.end(), id) == vertexInputs.end();
     for (int i = 0; i < graph.arity(id); ++i) all &= isUniform[index(graph.operand(id, i))] != 0;
     isUniform[index(id)] = all;

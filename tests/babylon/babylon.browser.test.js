@@ -99,7 +99,7 @@ test('picking and culling use the warped mesh after refresh()', async () => {
 test('mistakes throw a message and leave earlier values unchanged', async () => {
   const { errors, isUnchanged } = await opened.page.evaluate(() => mistakes())
   const expected = [
-    /^WarpError: BabylonWarp: the warp has no uniform "linaer"; there are linear, shift\.$/,
+    /^WarpError: BabylonWarp: the warp has no uniform "linaer"; it has linear, shift\.$/,
     /^WarpError: BabylonWarp: expected an array of 3 finite numbers for the uniform "shift", got the text "x"/,
     /^WarpError: BabylonWarp: expected .* for the uniform "shift", /,
     /^WarpError: BabylonWarp: expected a number of milliseconds for millis, got the text "x"; performance\.now\(\) gives one\.$/,

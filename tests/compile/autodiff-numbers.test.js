@@ -17,12 +17,12 @@ const anywhere = Array.from({ length: 40 }, () => [0, 1, 2].map(() => 4 * random
 const positive = anywhere.map((point) => point.map((x) => abs(x) + 0.1))
 const grid = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z])))
 
-const none = () => [0, 0, 0]
+const zeros = () => [0, 0, 0]
 const isSmallest = (x, ...others) => (x < min(...others) ? 1 : 0)
 const isLargest = (x, ...others) => (x > max(...others) ? 1 : 0)
 
 const arithmetic = [
-  [[(ad) => ad.val(2.5), (ad) => ad.sqrt(6.25)], () => 2.5, none],
+  [[(ad) => ad.val(2.5), (ad) => ad.sqrt(6.25)], () => 2.5, zeros],
   [[(ad, x) => x.neg()], (x) => -x, () => [-1, 0, 0]],
   [[(ad, x, y) => x.add(y), (ad, x, y) => ad.sum(x, y)], plus, () => [1, 1, 0]],
   [[(ad, x) => x.add(2), (ad, x) => ad.sum(2, x)], (x) => x + 2, () => [1, 0, 0]],
@@ -60,9 +60,9 @@ const functions = [
   [[(ad, x) => x.sin(), (ad, x) => ad.sin(x)], sin, (x) => [cos(x), 0, 0]],
   [[(ad, x) => x.cos(), (ad, x) => ad.cos(x)], cos, (x) => [-sin(x), 0, 0]],
   [[(ad, x) => x.tan(), (ad, x) => ad.tan(x)], tan, (x) => [1 / cos(x) ** 2, 0, 0]],
-  [[(ad) => ad.sin(0.5)], () => sin(0.5), none],
-  [[(ad) => ad.cos(0.5)], () => cos(0.5), none],
-  [[(ad) => ad.tan(0.5)], () => tan(0.5), none],
+  [[(ad) => ad.sin(0.5)], () => sin(0.5), zeros],
+  [[(ad) => ad.cos(0.5)], () => cos(0.5), zeros],
+  [[(ad) => ad.tan(0.5)], () => tan(0.5), zeros],
   [
     [(ad, x, y, z) => x.mix(y, z), (ad, x, y, z) => ad.mix(x, y, z)],
     mix,
@@ -106,12 +106,12 @@ const functions = [
     (x, y, z) => (x > 0 ? y : z),
     (x) => (x > 0 ? [0, 1, 0] : [0, 0, 1]),
   ],
-  [[(ad, x, y) => x.gt(y).ifElse(3, 4)], (x, y) => (x > y ? 3 : 4), none],
+  [[(ad, x, y) => x.gt(y).ifElse(3, 4)], (x, y) => (x > y ? 3 : 4), zeros],
   [[(ad, x) => ad.ifElse(1, x, 4)], (x) => x, () => [1, 0, 0]],
 ]
 
 /** Makes a row in which a condition selects z or 5. */
-const choice = (form, isTrue) => [
+const makeChoice = (form, isTrue) => [
   [form],
   (x, y, z) => (isTrue(x, y, z) ? z : 5),
   (x, y, z) => [0, 0, isTrue(x, y, z) ? 1 : 0],
@@ -120,47 +120,47 @@ const choice = (form, isTrue) => [
 
 // These are in glsl-autodiff's types, but not in its README.
 const conditions = [
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.lt(y).ifElse(z, 5),
     (x, y) => x < y,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.le(y).ifElse(z, 5),
     (x, y) => x <= y,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.gt(y).ifElse(z, 5),
     (x, y) => x > y,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.ge(y).ifElse(z, 5),
     (x, y) => x >= y,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.eq(y).ifElse(z, 5),
     (x, y) => x === y,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.ne(y).ifElse(z, 5),
     (x, y) => x !== y,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.ge(1).ifElse(z, 5),
     (x) => x >= 1,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.lt(y).and(y.lt(z)).ifElse(z, 5),
     (x, y, z) => x < y && y < z,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.lt(y).or(y.lt(z)).ifElse(z, 5),
     (x, y, z) => x < y || y < z,
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.lt(y).not().ifElse(z, 5),
     (x, y) => !(x < y),
   ),
-  choice(
+  makeChoice(
     (ad, x, y, z) => x.ifElse(z, 5),
     (x) => x !== 0,
   ),

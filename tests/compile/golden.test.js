@@ -8,7 +8,7 @@ const golden = readGoldenTexts()
 
 describe('shader code', () => {
   test('has one golden file per warp', () => {
-    const message = 'Renew the files with `npm run golden`.'
+    const message = 'Update the files with `npm run golden`.'
     assert.deepEqual(Object.keys(golden).sort(), Object.keys(texts).sort(), message)
   })
 

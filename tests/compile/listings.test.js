@@ -116,9 +116,9 @@ describe('the article:', () => {
       const shift = ad.vec3(y.mult(z).sin(), x.add(z.mult(2)).cos(), x.mult(y).mult(0.5))
       outputAll(shift, position)
     })
-    const moved = ([x, y, z]) => add([x, y, z], [sin(y * z), cos(x + 2 * z), 0.5 * x * y])
+    const move = ([x, y, z]) => add([x, y, z], [sin(y * z), cos(x + 2 * z), 0.5 * x * y])
     const along = (u, p) => {
-      const at = (h) => moved(p.map((value, i) => value + h * u[i]))
+      const at = (h) => move(p.map((value, i) => value + h * u[i]))
       return subtract(at(1e-4), at(-1e-4)).map((rise) => rise / 2e-4)
     }
     for (let i = 0; i < 20; i++) {
@@ -204,7 +204,7 @@ describe('the paper:', () => {
       for (const vertex of vertices(size)) {
         const { by_x, by_y, by_z } = runGlsl(columns, vertex)
         const { warpedNormal } = runGlsl(code, vertex)
-        const moved = (u) =>
+        const move = (u) =>
           zip((t, x, y, z) => t + x * u[0] + y * u[1] + z * u[2], u, by_x, by_y, by_z)
         const [u, v] = tangents(vertex.normal)
         for (const [a, b] of [
@@ -212,7 +212,7 @@ describe('the paper:', () => {
           [v, u.map((x) => -x)],
           [zip((x, y) => x + 2 * y, u, v), zip((x, y) => 3 * x + 7 * y, u, v)],
         ])
-          assertClose(normalize(cross(moved(a), moved(b))), warpedNormal, 1e-6)
+          assertClose(normalize(cross(move(a), move(b))), warpedNormal, 1e-6)
       }
     })
 })

@@ -247,7 +247,7 @@ describe('throws for', () => {
     throwWarpErrors([
       [
         readUndeclared({ amount: 1, wind: [1, 0] }),
-        /declares no "amont"; there are amount, wind\./,
+        /declares no "amont"; it declares amount, wind\./,
       ],
       [readUndeclared({}), /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/],
       [readUndeclared(), /^compileWarp: the offset reads uniforms\.amont, which nothing declares/],
@@ -280,7 +280,7 @@ describe('throws for', () => {
       ],
       [call({ center: [1, NaN, 2] }), /for the uniform "center", got one with NaN/],
       [call({ unread: 1 }), /expected an array of 2 finite numbers for the uniform "unread"/],
-      [call({ centre: [1, 2, 3] }), /no uniform "centre"; there are .*center, amount, unread/],
+      [call({ centre: [1, 2, 3] }), /no uniform "centre"; it has .*center, amount, unread/],
     ])
   })
 
@@ -303,7 +303,7 @@ describe('throws for', () => {
     const offset = ({ glsl, millis }) => glsl.vec3(glsl.param('millis').mult(millis), 0, 0)
     throwsWarpError(
       () => compileWarp(offset, { names: { millis: 'uTime' } }),
-      /^compileWarp: the shader's "millis" has the name of the input millis, .* "uTime"; rename it/,
+      /^compileWarp: the shader has a variable "millis", but .* millis as "uTime"; rename the variable/,
     )
     const alone = ({ glsl }) => glsl.vec3(glsl.param('millis'), 0, 0)
     assert.deepEqual(compileWarp(alone, { names: { millis: 'uTime' } }).uniforms, [

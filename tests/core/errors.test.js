@@ -57,10 +57,10 @@ test('rejects expressions of another copy of warpjet', async () => {
   const other = await import('../../dist/warpjet.min.js')
   let foreign
   other.compileWarp(({ position }) => (foreign = position))
-  const sentence = /was made by another copy of warpjet; this page loads two copies, so load all/
+  const message = /was made by another copy of warpjet; this page loads two copies, so load all/
   throwWarpErrors([
-    [offset(() => foreign), sentence],
-    [offset(({ position }) => position.add(foreign)), sentence],
+    [offset(() => foreign), message],
+    [offset(({ position }) => position.add(foreign)), message],
   ])
 })
 

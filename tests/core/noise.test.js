@@ -31,35 +31,35 @@ function evaluatorOf({ kind, dimensions }, options, derive = () => []) {
   return (point) => Object.values(evaluate({ p: point }))
 }
 
-const moved = (point, axis, by) => point.map((x, i) => (i === axis ? x + by : x))
+const moveBy = (point, axis, by) => point.map((x, i) => (i === axis ? x + by : x))
 
-/** Derivatives of order 1 to 3: with respect to the last input, then to the first ones. */
-const chain = (glsl, value, inputs) => {
+/** Makes derivatives of order 1 to 3, with respect to the last input, the first one, and the last one again. */
+const differentiateThrice = (glsl, value, inputs) => {
   const first = glsl.derivative(value, inputs.at(-1))
   const second = glsl.derivative(first, inputs[0])
   return [first, second, glsl.derivative(second, inputs.at(-1))]
 }
 
-describe('derivatives up to the third are those of the values:', () => {
+describe('derivatives up to order 3 equal differences:', () => {
   for (const noise of kindsOfNoise)
     test(`${noise.kind} of ${noise.dimensions} dimensions`, () => {
-      const all = evaluatorOf(noise, settingsOf(noise.kind), chain)
+      const all = evaluatorOf(noise, settingsOf(noise.kind), differentiateThrice)
       const { size } = propertiesOf[noise.kind]
       const axes = [noise.dimensions - 1, 0, noise.dimensions - 1]
       const h = 1e-5
       for (const point of noisePoints(noise.dimensions, 12)) {
         const here = all(point)
         axes.forEach((axis, order) => {
-          const before = all(moved(point, axis, -h)),
-            after = all(moved(point, axis, h))
+          const before = all(moveBy(point, axis, -h)),
+            after = all(moveBy(point, axis, h))
           for (const value of range(size)) {
-            const place = (i) => (i === 0 ? value : size + 3 * value + i - 1)
-            const difference = (after[place(order)] - before[place(order)]) / (2 * h)
-            const error = Math.abs(difference - here[place(order + 1)])
+            const indexOf = (i) => (i === 0 ? value : size + 3 * value + i - 1)
+            const difference = (after[indexOf(order)] - before[indexOf(order)]) / (2 * h)
+            const error = Math.abs(difference - here[indexOf(order + 1)])
             const bound = 1e-4 * (1 + Math.abs(difference)) * (isFractal(noise.kind) ? 10 : 1)
             assert.ok(
               error <= bound,
-              `order ${order + 1} at ${point}: ${here[place(order + 1)]}, not ${difference}`,
+              `order ${order + 1} at ${point}: ${here[indexOf(order + 1)]}, not ${difference}`,
             )
           }
         })
@@ -80,8 +80,8 @@ describe('values and slopes do not jump across borders of cells:', () => {
         const half = noise.kind === 'worley' ? 0.5 * (i % 2) : 0
         const border = Math.floor(20 * random()) - 10 + half
         const point = range(noise.dimensions).map((k) => (k === axis ? border : 20 * random() - 10))
-        const before = all(moved(point, axis, -step)),
-          after = all(moved(point, axis, step))
+        const before = all(moveBy(point, axis, -step)),
+          after = all(moveBy(point, axis, step))
         before.slice(0, hasKinks ? size : undefined).forEach((value, k) => {
           const jump = Math.abs(after[k] - value)
           const advice = 'a noise with such slopes needs hasKinks in tests/operations/noise.js'
@@ -96,15 +96,15 @@ describe('values and slopes do not jump across borders of cells:', () => {
     })
 })
 
-/** Maps kind and dimensions → minimum, maximum, mean and standard deviation of the values. */
+/** Returns mean, standard deviation, minimum and maximum of values. */
 function statisticsOf(values) {
   const mean = values.reduce((sum, x) => sum + x, 0) / values.length
   const variance = values.reduce((sum, x) => sum + (x - mean) ** 2, 0) / values.length
   return {
     mean,
     deviation: Math.sqrt(variance),
-    least: Math.min(...values),
-    largest: Math.max(...values),
+    min: Math.min(...values),
+    max: Math.max(...values),
   }
 }
 
@@ -118,10 +118,10 @@ describe('range, mean and spread:', () => {
       )
       const found = statisticsOf(points.map((point) => at(point)[0]))
       const [low, high] = propertiesOf[noise.kind].range
-      const { least, largest, mean } = found
+      const { min, max, mean } = found
       assert.ok(
-        least >= low && largest <= high,
-        `values from ${least} to ${largest}, not within the range of tests/operations/noise.js, ${low} to ${high}`,
+        min >= low && max <= high,
+        `values from ${min} to ${max}, not within the range of tests/operations/noise.js, ${low} to ${high}`,
       )
       if (low === -high)
         assert.ok(
@@ -164,9 +164,9 @@ describe('there is no repetition in any direction:', () => {
       const at = evaluatorOf({ kind, dimensions: 2 }, {})
       for (const by of offsets) {
         // Neighbouring cells share corners, so that noise is anticorrelated there; cells further away are uncorrelated.
-        const shares = Math.max(...by.map(Math.abs)) < 2
+        const sharesCorners = Math.max(...by.map(Math.abs)) < 2
         const found = correlation(at, by, randomOf(5))
-        assert.ok(Math.abs(found) < (shares ? 0.45 : 0.06), `${by}: ${found}`)
+        assert.ok(Math.abs(found) < (sharesCorners ? 0.45 : 0.06), `${by}: ${found}`)
       }
     })
 
@@ -295,10 +295,10 @@ describe('a warp of noise on the CPU', () => {
 })
 
 describe('noise throws for wrong arguments:', () => {
-  const refusals = [
+  const rejected = [
     [
       (glsl, p) => p.noise({ sed: 1 }),
-      /^noise: there is no option "sed"; did you mean seed\? There is seed\.$/,
+      /^noise: there is no option "sed"; did you mean seed\? The only option is seed\.$/,
     ],
     [
       (glsl, p) => p.noise({ seed: 0.5 }),
@@ -362,11 +362,11 @@ describe('noise throws for wrong arguments:', () => {
       /^fn: "warpjetNoise3" cannot name a function: such names are reserved for warpjet; rename it\.$/,
     ],
   ]
-  for (const [build, sentence] of refusals)
-    test(String(sentence), () => {
+  for (const [build, message] of rejected)
+    test(String(message), () => {
       assert.throws(
         () => compile((glsl) => ({ x: build(glsl, glsl.vec3Param('p')) })),
-        (error) => error instanceof WarpError && (assert.match(error.message, sentence), true),
+        (error) => error instanceof WarpError && (assert.match(error.message, message), true),
       )
     })
 })

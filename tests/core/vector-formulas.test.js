@@ -77,14 +77,14 @@ function programOf(title, n) {
 }
 
 const flat = (x) => (Array.isArray(x?.[0]) ? transpose(x).flat() : [x].flat())
-const given = (x) => (Array.isArray(x) ? flat(x) : x)
+const flattenArrays = (x) => (Array.isArray(x) ? flat(x) : x)
 const inputsOf = (place, changes) => ({
   time: 0,
   position: [0.1, 0.2, 0.3],
   ...Object.fromEntries(
     Object.keys(place).flatMap((letter, i) => [
-      [`at${i}`, given(place[letter])],
-      [`by${i}`, given(changes[letter])],
+      [`at${i}`, flattenArrays(place[letter])],
+      [`by${i}`, flattenArrays(changes[letter])],
     ]),
   ),
 })

@@ -127,7 +127,7 @@ const compileWith = (write) => () =>
   compileWarp(({ glsl, position, uv }) => write(position, glsl, uv))
 
 test('unsupported uses throw, and say what to write', () => {
-  for (const [write, sentence] of [
+  for (const [write, message] of [
     [
       (v) => v.mult(2, 3),
       /^WarpError: mult: a vec3 takes one number for all components or 3, one for each, but got 2; write v\.mult\(glsl\.vec3\(…\)\)/,
@@ -152,7 +152,7 @@ test('unsupported uses throw, and say what to write', () => {
   ])
     assert.throws(
       compileWith(write),
-      (error) => error instanceof WarpError && sentence.test(`${error}`),
+      (error) => error instanceof WarpError && message.test(`${error}`),
       `${write}`,
     )
 })

@@ -64,7 +64,7 @@ class AlgebraTest : public testing::Test {
     return makeVariable(name, vectorOf(static_cast<int>(components.size())), components);
   }
   Expression makeVariable(const std::string& name, double number) {
-    return makeVariable(name, oneNumber, {number})[0];
+    return makeVariable(name, scalarShape, {number})[0];
   }
 
   Doubles randomNumbers(int count) {

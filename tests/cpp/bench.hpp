@@ -16,7 +16,7 @@ struct Bench {
   explicit Bench(const Dialect& dialect = glsl300) : dialect_(dialect) {}
 
   int number(double value) { return builder.constant(value); }
-  int input(std::string_view label, Shape shape = oneNumber) {
+  int input(std::string_view label, Shape shape = scalarShape) {
     return builder.input("glsl", label, shape);
   }
 

@@ -89,13 +89,13 @@ TEST_F(BuilderTest, DerivativesTreatAPartAndItsVectorAsTheSameVariable) {
 
 TEST_F(BuilderTest, ANameThatIsNotPartOfAVectorIsASeparateInput) {
   for (const auto& [label, shape] :
-       std::vector<std::pair<const char*, Shape>>{{"v2.z", oneNumber},
-                                                  {"v2[2]", oneNumber},
+       std::vector<std::pair<const char*, Shape>>{{"v2.z", scalarShape},
+                                                  {"v2[2]", scalarShape},
                                                   {"v2.xg", vectorOf(2)},
-                                                  {"v2.x.y", oneNumber},
-                                                  {"v2.xy", oneNumber},
-                                                  {"v22.x", oneNumber},
-                                                  {"x.x", oneNumber}}) {
+                                                  {"v2.x.y", scalarShape},
+                                                  {"v2.xy", scalarShape},
+                                                  {"v22.x", scalarShape},
+                                                  {"x.x", scalarShape}}) {
     const int own = input(label, shape);
     ASSERT_GE(own, 0) << label;
     builder.output("gen", "r" + std::to_string(own), own);
@@ -185,7 +185,7 @@ TEST_F(BuilderTest, TwentyThousandHandlesStayValid) {
   for (int i = 0; i < 20'000; ++i)
     handles.push_back(call("add", {i % 2 == 0 ? x : m3, number(i + 1)}));
   for (int i = 0; i < 20'000; ++i)
-    ASSERT_EQ(builder.shape(handles[i]), i % 2 == 0 ? oneNumber : matrixOf(3, 3)) << i;
+    ASSERT_EQ(builder.shape(handles[i]), i % 2 == 0 ? scalarShape : matrixOf(3, 3)) << i;
   EXPECT_EQ(text(handles[0]), "x + 1.0");
   EXPECT_EQ(text(handles[19'998]), "x + 19999.0");
   EXPECT_EQ(text(method("row", {handles[1], number(0)})), "vec3(m3[0].x, m3[1].x, m3[2].x) + 2.0");

@@ -31,16 +31,16 @@ TEST_F(DialectTest, FindsDialectsByName) {
 }
 
 TEST_F(DialectTest, NamesTypes) {
-  EXPECT_EQ(glsl300.typeName(Type::Float, oneNumber), "float");
-  EXPECT_EQ(glsl300.typeName(Type::Bool, oneNumber), "bool");
+  EXPECT_EQ(glsl300.typeName(Type::Float, scalarShape), "float");
+  EXPECT_EQ(glsl300.typeName(Type::Bool, scalarShape), "bool");
   EXPECT_EQ(glsl300.typeName(Type::Float, vectorOf(2)), "vec2");
   EXPECT_EQ(glsl300.typeName(Type::Bool, vectorOf(4)), "bvec4");
   EXPECT_EQ(glsl300.typeName(Type::Float, matrixOf(3, 3)), "mat3");
   EXPECT_EQ(glsl300.typeName(Type::Float, matrixOf(2, 3)), "mat2x3") << "columns, then rows";
   EXPECT_EQ(glsl100.typeName(Type::Float, matrixOf(4, 4)), "mat4");
   EXPECT_EQ(glsl100.typeName(Type::Bool, vectorOf(3)), "bvec3");
-  EXPECT_EQ(wgsl.typeName(Type::Float, oneNumber), "f32");
-  EXPECT_EQ(wgsl.typeName(Type::Bool, oneNumber), "bool");
+  EXPECT_EQ(wgsl.typeName(Type::Float, scalarShape), "f32");
+  EXPECT_EQ(wgsl.typeName(Type::Bool, scalarShape), "bool");
   EXPECT_EQ(wgsl.typeName(Type::Float, vectorOf(3)), "vec3f");
   EXPECT_EQ(wgsl.typeName(Type::Bool, vectorOf(2)), "vec2<bool>");
   EXPECT_EQ(wgsl.typeName(Type::Float, matrixOf(3, 3)), "mat3x3f");

@@ -222,7 +222,7 @@ TEST_F(FoldTest, BoundsContainAllValues) {
   const Expression f = fold(5, {a}, [&](const Numbers& s, Expression i) {
     return Numbers{sin(s[0] * 2.0) + i * a * 0.1};
   })[0];
-  module.outputs.push_back({"f", oneNumber, {f.id}});
+  module.outputs.push_back({"f", scalarShape, {f.id}});
   const std::uint32_t first = 0;
   const Program made = *program(module, {&first, 1}).program;
   const Range range{-1, 1};
@@ -245,7 +245,7 @@ TEST_F(FoldTest, SurvivesSerializationInAModule) {
   module.methods.push_back("param");
   const Expression f =
       fold(6, {a}, [&](const Numbers& s, Expression i) { return Numbers{sin(s[0]) + i * a}; })[0];
-  module.outputs.push_back({"f", oneNumber, {f.id}});
+  module.outputs.push_back({"f", scalarShape, {f.id}});
   const Module loaded = load(save(module));
   EXPECT_EQ(emit(loaded.graph, glsl300, loaded.outputs).code,
             emit(module.graph, glsl300, module.outputs).code);

@@ -13,7 +13,7 @@ namespace {
 
 std::string preprocessToText(std::string_view text) {
   Problems problems;
-  const Preprocessed read = preprocess(readTokens(text, problems), problems);
+  const PreprocessedSource read = preprocess(readTokens(text, problems), problems);
   if (problems.any()) return problems.text(text);
   std::string all;
   for (const Token& token : read.tokens) {
@@ -45,8 +45,8 @@ TEST(GlslTokens, ReadsNumbersNamesAndSymbols) {
   EXPECT_EQ(tokens[2].kind, Token::Kind::Float);
   EXPECT_DOUBLE_EQ(floatValue(tokens[2]), 5e-4);
   EXPECT_EQ(intValue(tokens[3], problems), 31u);
-  EXPECT_EQ(tokens[4].place.line, 2u);
-  EXPECT_EQ(tokens[4].place.column, 8u);
+  EXPECT_EQ(tokens[4].location.line, 2u);
+  EXPECT_EQ(tokens[4].location.column, 8u);
 }
 
 // The message without its line, column and caret.
@@ -62,9 +62,9 @@ TEST(GlslVersions, RejectFeaturesOfTheOtherVersion) {
   EXPECT_EQ(problemOf("#version 300 es\n" + bits), "");
   EXPECT_EQ(problemOf("#version 100\n" + bits),
             "\"&\" is not in GLSL ES 1.00, the language of #version 100; use floor() and mod(), or "
-            "begin the text with #version 300 es.");
+            "begin the source with #version 300 es.");
   EXPECT_EQ(problemOf("#version 300 es\nvarying vec2 v;"),
-            "\"varying\" is not in GLSL ES 3.00, the language of #version 300 es; write out.");
+            "\"varying\" is not in GLSL ES 3.00, the language of #version 300 es; write \"out\".");
 }
 
 TEST(GlslVersions, LoopsInVersion100MustHaveConstantBounds) {
@@ -93,12 +93,13 @@ TEST(GlslPreprocessor, ExpandsEachMacroOnce) {
 std::string describeTokens(std::string_view text) {
   const Lines lines(text);
   Problems problems;
-  const Preprocessed read = preprocess(readTokens(lines.joined, problems, lines.joins), problems);
+  const PreprocessedSource read =
+      preprocess(readTokens(lines.joined, problems, lines.joins), problems);
   if (problems.any()) return problems.text(lines.separate);
   std::string all;
   for (const Token& token : read.tokens)
-    all += std::string(token.text) + '@' + std::to_string(token.place.line) + ':' +
-           std::to_string(token.place.column) + ' ';
+    all += std::string(token.text) + '@' + std::to_string(token.location.line) + ':' +
+           std::to_string(token.location.column) + ' ';
   return all;
 }
 
@@ -147,7 +148,7 @@ TEST(GlslPreprocessor, ReadsArgumentsOfAnExpandedMacroNameFromTheFollowingTokens
   EXPECT_EQ(preprocessToText("#define F(x) x F\nF(1)(2)"), "1 F ( 2 )");
 }
 
-TEST(GlslPreprocessor, IncludesLinesByCondition) {
+TEST(GlslPreprocessor, KeepsLinesWhoseConditionIsTrue) {
   EXPECT_EQ(preprocessToText("#if 1 + 2 * 3 == 7 && !defined(X)\na\n#else\nb\n#endif"), "a");
   EXPECT_EQ(preprocessToText("#define X 2\n#if X == 1\na\n#elif X == 2\nb\n#elif 1\nc\n#endif"),
             "b");
@@ -202,7 +203,7 @@ TEST(GlslLowering, FoldsKnownValues) {
       11);
   EXPECT_EQ(evaluateConstant("float a[bool(0.5) ? 2 : 3]; return float(a.length());"), 2);
   EXPECT_EQ(evaluateConstant("float a[bool(-0.0) ? 2 : 3]; return float(a.length());"), 3);
-  // The number of iterations in float32: the tenth sum is just above 1.
+  // In float32 the tenth sum of 0.1 is just above 1, so the loop ends after 10 iterations.
   EXPECT_EQ(
       evaluateConstant("float n = 0.; for (float t = 0.; t < 1.; t += .1) n += 1.; return n;"), 10);
 }
@@ -241,7 +242,8 @@ TEST(GlslLowering, LimitsSourceLengthAndIterations) {
   Source wide(parse("float f(float x) { " + loops + "x = sin(x); return x; }"));
   wide.lower(0, 0);
   EXPECT_EQ(wide.problem(), "");
-  // Integers as states have more bits than a loop of the shader preserves.
+  // A loop of the shader keeps its states in floats, which are too small for the bits of an
+  // integer, so this loop is unrolled.
   Source bits(parse("float f(float x) { uint u = uint(x); " + loops +
                     "u = u * 3u + 1u; return float(u); }"));
   bits.lower(0, 0);

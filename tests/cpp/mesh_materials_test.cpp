@@ -44,7 +44,7 @@ TEST(LoadMesh, ReadsImagesFromTheCallersFiles) {
             (Image{picture, "image/webp"}));
   EXPECT_EQ(loadValid(file).material, Material{});
   EXPECT_EQ(warningsOf(file),
-            std::vector<std::string>{"The picture of the base colour (image 2, \"my%20wood.webp\") "
+            std::vector<std::string>{"The base-colour texture (image 2, \"my%20wood.webp\") "
                                      "is missing or broken; it is left out."});
 }
 

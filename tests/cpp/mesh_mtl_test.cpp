@@ -102,7 +102,7 @@ TEST(Mtl, ReadsTheColorTexture) {
 
   files.erase("a.png");
   EXPECT_EQ(load("mtllib a.mtl\nusemtl red\n" + square + "f 1 2 3\n", files).warnings,
-            Names{"The picture \"a.png\" of the .mtl is missing or broken; it is left out."});
+            Names{"The texture \"a.png\" of the .mtl is missing or broken; it is left out."});
   files = withMaterials("newmtl red\nmap_Kd a.png\nnewmtl blue\nmap_Kd b.png\n");
   files["a.png"] = files["b.png"] = png;
   EXPECT_EQ(

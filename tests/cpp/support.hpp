@@ -23,7 +23,7 @@ inline Value variable(Graph& graph, const std::string& name, Shape shape) {
 }
 
 inline Expression scalar(Graph& graph, const std::string& name) {
-  return variable(graph, name, oneNumber)[0];
+  return variable(graph, name, scalarShape)[0];
 }
 
 inline Value vector3(Graph& graph, const std::string& name) {

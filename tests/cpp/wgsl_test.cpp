@@ -70,10 +70,10 @@ TEST(WgslTokens, NumbersHaveTheTypeOfTheirSuffix) {
 TEST(WgslTokens, LocationsCountLinesInsideOfComments) {
   Problems problems;
   const auto tokens = readTokens("/* \n */ a\n  b", problems);
-  EXPECT_EQ(tokens[0].place.line, 2u);
-  EXPECT_EQ(tokens[0].place.column, 5u);
-  EXPECT_EQ(tokens[1].place.line, 3u);
-  EXPECT_EQ(tokens[1].place.column, 3u);
+  EXPECT_EQ(tokens[0].location.line, 2u);
+  EXPECT_EQ(tokens[0].location.column, 5u);
+  EXPECT_EQ(tokens[1].location.line, 3u);
+  EXPECT_EQ(tokens[1].location.column, 3u);
 }
 
 TEST(WgslConstants, AbstractNumbersHave64Bits) {

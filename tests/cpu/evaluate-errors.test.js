@@ -64,7 +64,7 @@ describe('errors for', () => {
     )
     throwsWarpError(
       () => wave.evaluate({ positions }, { uniforms: { milis: 3 } }),
-      /the warp has no uniform "milis"; there are millis, mouse, size, pixelDensity/,
+      /the warp has no uniform "milis"; it has millis, mouse, size, pixelDensity/,
     )
     throwsWarpError(
       () => wave.evaluate({ positions }, { uniforms: { millis: '3' } }),

@@ -159,7 +159,7 @@ test('evaluate reads new numbers in the same arrays, and accepts arrays that hav
 
 test('arrays of the caller are not retained', async () => {
   const warp = compileWarp(wave)
-  const given = () => {
+  const makeInput = () => {
     const mesh = arrays(9000)
     const out = arrays(9000)
     for (let i = 0; i < 3; i++) warp.evaluate(mesh, { uniforms: { millis: 5 }, out })
@@ -167,7 +167,7 @@ test('arrays of the caller are not retained', async () => {
       (array) => new WeakRef(array),
     )
   }
-  const references = given()
+  const references = makeInput()
   for (let i = 0; i < 5; i++) {
     await setTimeout(1)
     collect()

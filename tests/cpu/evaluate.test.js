@@ -79,13 +79,13 @@ describe('evaluate', () => {
   })
 
   test('checks a Float32Array when it is passed for the first time, and none of its own results', () => {
-    const refusal = {
+    const tooManyNumbers = {
       name: 'WarpError',
       message: /expected a finite number for positions\[0\].*, got NaN/,
     }
     const positions = Float32Array.of(NaN, 0, 0)
-    assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
-    assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), tooManyNumbers)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), tooManyNumbers)
     positions[0] = 1
     const { positions: made } = wave.evaluate({ positions }, { uniforms })
     for (const array of [positions, made]) {
@@ -95,7 +95,7 @@ describe('evaluate', () => {
     const list = [1, 0, 0]
     wave.evaluate({ positions: list }, { uniforms })
     list[0] = NaN
-    assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), refusal)
+    assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), tooManyNumbers)
   })
 
   test('accepts any number of vertices, including 0', () => {

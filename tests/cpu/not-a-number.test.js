@@ -83,7 +83,7 @@ const down = () =>
   new THREE.Raycaster(new THREE.Vector3(0.21, 0.13, 5), new THREE.Vector3(0, 0, -1))
 const plane = () => new THREE.PlaneGeometry(2, 2, 8, 8)
 const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
-const lifted = ({ glsl, position }) => glsl.vec3(0, 0, position.x.sin().mult(0.2))
+const lift = ({ glsl, position }) => glsl.vec3(0, 0, position.x.sin().mult(0.2))
 const spaces = ['local', 'rest', 'world']
 
 /** A vertex in a corner, far from the ray. */
@@ -140,7 +140,7 @@ describe('three.js', () => {
       for (const space of spaces)
         for (const number of [NaN, Infinity, -Infinity, 1e39]) {
           const object = make(broken(plane(), number))
-          const warped = warp(object, lifted, { space })
+          const warped = warp(object, lift, { space })
           assert.equal(isSeen(object), true, `${number} ${space}`)
           const hits = down().intersectObject(object)
           if (object.isMesh) assert.equal(hits.length, 1, `${number} ${space}`)
@@ -160,7 +160,7 @@ describe('three.js', () => {
       const geometry = broken(plane(), NaN)
       const batch = new THREE.BatchedMesh(2, 1000, 2000, material)
       batch.addInstance(batch.addGeometry(geometry))
-      warp(batch, lifted, { space })
+      warp(batch, lift, { space })
       assert.equal(isSeen(batch), true)
       const sphere = batch.getBoundingSphereAt(0, new THREE.Sphere())
       assert.equal(sphere.radius, Infinity)
@@ -172,7 +172,7 @@ describe('three.js', () => {
     group.add(new THREE.Mesh(plane(), material), new THREE.Mesh(broken(plane(), NaN), material))
     group.children[1].position.x = 3
     group.updateMatrixWorld(true)
-    const { min, max } = warp(group, lifted).bounds()
+    const { min, max } = warp(group, lift).bounds()
     assert.deepEqual(
       [...min.toArray(), ...max.toArray()],
       [...Array(3).fill(-Infinity), ...Array(3).fill(Infinity)],

@@ -59,12 +59,12 @@ for (const [version, p5] of p5InThisRun)
         `let caught
         try { warpjet.twist({ angle: 'fast' }) } catch (error) { caught = error }
         window.same = caught instanceof warpjet.WarpError
-        window.sentence = caught.message
+        window.errorMessage = caught.message
         window.done = true`,
       )
       assert.equal(await page.evaluate('same'), true)
       assert.match(
-        await page.evaluate('sentence'),
+        await page.evaluate('errorMessage'),
         /^twist: expected a number, .* for the option "angle", got the text "fast"/,
       )
       await leavePage(page)

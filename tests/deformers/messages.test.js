@@ -13,7 +13,7 @@ describe('deformers throw a message about', () => {
   test('unknown options, for every deformer', () => {
     for (const name of Object.keys(oracles)) {
       const hasAmount = !/^(bend|twist)$/.test(name)
-      const advice = !hasAmount ? 'there are ' : 'did you mean amount\\? There are '
+      const advice = !hasAmount ? 'the options are ' : 'did you mean amount\\? The options are '
       throwWarpErrors([
         [
           () => deformers[name]({ amout: 1 }),
@@ -31,11 +31,11 @@ describe('deformers throw a message about', () => {
     }
     throwsWarpError(
       () => genie({ ege: 'x' }),
-      /^genie: there is no option "ege"; did you mean edge\? There are center, axis, amount, length, neck, edge\.$/,
+      /^genie: there is no option "ege"; did you mean edge\? The options are center, axis, amount, length, neck, edge\.$/,
     )
     throwsWarpError(
       () => genie({ colour: 'x' }),
-      /^genie: there is no option "colour"; there are center, axis, amount, length, neck, edge\.$/,
+      /^genie: there is no option "colour"; the options are center, axis, amount, length, neck, edge\.$/,
     )
   })
 
@@ -203,10 +203,10 @@ describe('compositions throw a message about', () => {
   })
 
   test('a deformer passed instead of its result', () => {
-    const sentence =
+    const message =
       /^twist: got the inputs of an offset function; call it with its options, as in createWarp/
     for (const warp of [twist, chain(bend(), twist)])
-      throwsWarpError(() => compileWarp(warp), sentence)
+      throwsWarpError(() => compileWarp(warp), message)
   })
 
   test('invalid amounts and weights', () => {

@@ -110,7 +110,7 @@ function hovers(code) {
 }
 
 test('hints of an editor explain operations', () => {
-  const sentences = hovers(`
+  const descriptions = hovers(`
     import { compileWarp } from 'warpjet'
     compileWarp(({ glsl, position, millis }) => {
       const x = millis.mix#(1, 0.5).div#(2).smoothstep#(0, position.x()).lt#(1).ifElse#(1, 0)
@@ -120,8 +120,8 @@ test('hints of an editor explain operations', () => {
       const tilt = glsl.fbm#(position).add(glsl.sin#(x), glsl.mix#(0, height, 1), glsl.div#(x, 2))
       return m.mult(glsl.vec3#(tilt, glsl.val#(2), 0))
     })`)
-  assert.equal(sentences.length, 22)
-  for (const sentence of sentences) assert.match(sentence, /\w.* .*\w/)
+  assert.equal(descriptions.length, 22)
+  for (const description of descriptions) assert.match(description, /\w.* .*\w/)
 })
 
 test('all members of expressions and of the builder have a hint', () => {

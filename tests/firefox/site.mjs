@@ -27,9 +27,9 @@ async function findProblems() {
     problems.push('The playground is busy')
   if (find('.playground .mistake')?.textContent) problems.push(find('.mistake').textContent)
   // Waits for all requests: Firefox reports an error for those that leaving the page interrupts.
-  const loaded = () => performance.getEntriesByType('resource').length
-  for (let before = -1; before !== loaded();) {
-    before = loaded()
+  const countLoaded = () => performance.getEntriesByType('resource').length
+  for (let before = -1; before !== countLoaded();) {
+    before = countLoaded()
     await new Promise((go) => setTimeout(go, 400))
   }
   const { scrollWidth } = document.documentElement

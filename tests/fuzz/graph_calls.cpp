@@ -52,7 +52,7 @@ constexpr std::array names{"x",      "y",           "position", "position.x", "p
                            "offset", "position.xz", "result",   "__x",        "texture2D(s, uv).r",
                            ""};
 
-constexpr std::array shapes{oneNumber,      vectorOf(2),    vectorOf(3),   vectorOf(4),
+constexpr std::array shapes{scalarShape,    vectorOf(2),    vectorOf(3),   vectorOf(4),
                             matrixOf(2, 2), matrixOf(3, 3), matrixOf(4, 4)};
 
 // The number of operands that an operation takes, or two if it takes any number.
@@ -82,12 +82,12 @@ int operationNamed(std::string_view name) {
 void requireProblem(const Builder& builder) { requireSentence(builder.problem()); }
 
 void requireSentence(const std::string& problem) {
-  require(problem.size() > 1 && problem.ends_with('.'), "a problem is one sentence", problem);
+  require(problem.size() > 1 && problem.ends_with('.'), "a problem ends with a full stop", problem);
 }
 
 void GraphCalls::run() {
   keep(builder_.input("vec3Param", "position", vectorOf(3)));
-  keep(builder_.input("param", "time", oneNumber));
+  keep(builder_.input("param", "time", scalarShape));
   while (!reader_.isAtEnd() && builder_.graph().size() < maxNodes && values_.size() < maxValues)
     step();
   for (; !repeats_.empty(); repeats_.pop_back()) builder_.dropRepeat();

@@ -14,12 +14,12 @@
 namespace warpjet::source {
 
 inline void requireSentence(const std::string& problem) {
-  require(problem.starts_with("line "), "a sentence names its line", problem);
-  require(problem.find(", column ") != problem.npos, "a sentence names its column", problem);
+  require(problem.starts_with("line "), "a message starts with its line", problem);
+  require(problem.find(", column ") != problem.npos, "a message has its column", problem);
   const bool ends = problem.find(".\n") != problem.npos || problem.find("?\n") != problem.npos;
-  require(ends, "a sentence ends", problem);
+  require(ends, "a message ends with a caret", problem);
   require(problem.ends_with('^'), "a caret stands under the place", problem);
-  require(problem.size() < 2000, "a sentence is not long", std::to_string(problem.size()));
+  require(problem.size() < 2000, "a message is short", std::to_string(problem.size()));
 }
 
 // Checks a listing: each operand precedes its use, and nothing that belongs to a loop or a function

@@ -27,11 +27,11 @@ vec3 offset(vec3 p) { return vec3(bump(p.xy, 3.0), bump(p.yz * 2.0, 3.0), bump(p
 
 const uniforms = { steepness: 0.4 }
 
-/** Computes the expected normal from central differences of `moved`. */
-function normalOf(moved, [x, y, z], normal) {
+/** Computes the expected normal from central differences of `move`. */
+function normalOf(move, [x, y, z], normal) {
   const h = 1e-5
   const column = (k) => {
-    const by = (s) => moved([x, y, z].map((c, i) => (i === k ? c + s : c)))
+    const by = (s) => move([x, y, z].map((c, i) => (i === k ? c + s : c)))
     const [high, low] = [by(h), by(-h)]
     return high.map((c, i) => (c - low[i]) / (2 * h))
   }
@@ -51,7 +51,7 @@ const near = (got, wanted, tolerance) =>
     assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)} is not ${wanted}`),
   )
 
-function assertFollows(source, moved, options = {}) {
+function assertFollows(source, move, options = {}) {
   const warp = compileWarp(glslOffset(source, options), { uniforms })
   for (const p of [
     [0.3, 0.1, -0.2],
@@ -60,8 +60,8 @@ function assertFollows(source, moved, options = {}) {
   ]) {
     const normal = [0.48, 0.6, 0.64]
     const got = warp.evaluateAt(p, { normal })
-    near(got.position, moved(p), 2e-5)
-    near(got.normal, normalOf(moved, p, normal), 2e-4)
+    near(got.position, move(p), 2e-5)
+    near(got.normal, normalOf(move, p, normal), 2e-4)
   }
 }
 
@@ -78,12 +78,12 @@ test('a function that is called three times is in the code once, under its own n
 })
 
 test('a function that is called three times gives the right positions, and normals that agree with central differences', () => {
-  const moved = ([x, y, z]) => [
+  const move = ([x, y, z]) => [
     x + bump(x, y, 3, 0.4),
     y + bump(y * 2, z * 2, 3, 0.4),
     z + bump(z, x, 3, 0.4),
   ]
-  assertFollows(thrice, moved)
+  assertFollows(thrice, move)
 })
 
 test('a function that is called once, short, or constant is inlined', () => {
@@ -119,12 +119,12 @@ test('functions may call functions and have out parameters', () => {
     const one = (u, v, by) => u * 0.5 + u * v * 0.1 + Math.sin(u) * Math.cos(v) + high * by
     return [high, [one(a, b, 0.2), one(b, a, 0.3)]]
   }
-  const moved = ([x, y, z]) => {
+  const move = ([x, y, z]) => {
     const [a, first] = both([x, y], [x, y])
     const [b, w] = both([y, z], first)
     return [x + a * 0.3, y + b * 0.3, z + (w[0] - w[1]) * 0.3]
   }
-  assertFollows(source, moved)
+  assertFollows(source, move)
   const { declarations } = compileWarp(glslOffset(source), { uniforms })
   assert.match(declarations, /both_\w+/)
   assert.match(declarations, /bump_\w+/)
@@ -220,8 +220,8 @@ test('the condition of a loop keeps its side effects', () => {
     'vec3(0.0, s + float(i),',
   )
   assert.ok(hasLoop(source))
-  const moved = waves(7)
-  assertFollows(source, (p) => moved(p).map((x, k) => (k === 1 ? x - 3 : x)))
+  const move = waves(7)
+  assertFollows(source, (p) => move(p).map((x, k) => (k === 1 ? x - 3 : x)))
   const stops = source.replace('s += a', 'if (q.x > 2.5) break; s += a')
   const stopped = ([x, y, z]) => {
     let [s, a, q, i] = [0, 0.5, [x, y, z], 5]

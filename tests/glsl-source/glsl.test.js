@@ -409,9 +409,9 @@ test('integers of a sketch are exact, or rejected with a message', () => {
   const float = source.replace('int n', 'float n').replace('n % 1000', 'mod(n, 1000.)')
   assert.ok(compileWarp(glslOffset(float), { normals: false, uniforms: { n: 2e7 } }).code)
   // Constants in the source, or returned by a call, are fully known.
-  const called = ({ glsl, position }) => {
+  const offset = ({ glsl, position }) => {
     const f = glsl.source('float f(int n, float x) { return float(n % 1000) + x; }')
     return glsl.vec3(f(20000001, position.x()), f(-20000001, 0), 0)
   }
-  near(compileWarp(called, { normals: false }).evaluateAt([5, 0, 0]).position, [11, -1, 0])
+  near(compileWarp(offset, { normals: false }).evaluateAt([5, 0, 0]).position, [11, -1, 0])
 })

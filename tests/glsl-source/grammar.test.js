@@ -48,7 +48,7 @@ test('the independent parser accepts random functions, and so do we', () => {
 test('of source with a token missing, added or misplaced, we reject whatever the independent parser rejects', () => {
   const random = randomOf(15)
   const int = (count) => Math.floor(random() * count)
-  const refused = { there: 0, here: 0 }
+  const rejected = { there: 0, here: 0 }
   for (const { name, text } of corpus.filter((each) => !/^\s*#/m.test(each.text)))
     for (let i = 0; i < 12; i++) {
       const tokens = text
@@ -62,11 +62,11 @@ test('of source with a token missing, added or misplaced, we reject whatever the
       const changed = tokens.join(' ')
       const why = messageOfParser(changed)
       const here = ourMessage(changed)
-      if (here !== undefined) refused.here++
+      if (here !== undefined) rejected.here++
       // A ; between functions, which desktop GLSL accepts, and which people leave after a }.
       if (why === undefined || /function prototype.*but ";" found/.test(why)) continue
-      refused.there++
-      assert.notEqual(here, undefined, `${name}: we take what it refuses (${why})\n${changed}`)
+      rejected.there++
+      assert.notEqual(here, undefined, `${name}: we accept what it rejects (${why})\n${changed}`)
     }
-  assert.ok(refused.there > 100, `${refused.there} were refused there, ${refused.here} here`)
+  assert.ok(rejected.there > 100, `${rejected.there} were rejected there, ${rejected.here} here`)
 })

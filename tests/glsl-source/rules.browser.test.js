@@ -54,7 +54,7 @@ async function browserMessages(context, stage, texts) {
         gl.compileShader(shader)
         return gl.getShaderParameter(shader, gl.COMPILE_STATUS)
           ? ''
-          : gl.getShaderInfoLog(shader) || 'refused'
+          : gl.getShaderInfoLog(shader) || 'rejected'
       })
     },
     [context, stage, texts],
@@ -83,10 +83,10 @@ async function compare(version, stage, cases, least) {
     return [`${name}: here "${here}", there "${there[i]}"`]
   })
   assert.deepEqual(disagreeing, [])
-  const refused = there.filter(Boolean).length
+  const rejected = there.filter(Boolean).length
   assert.ok(
-    refused >= least[0] && names.length - refused >= least[1],
-    `${refused} of ${names.length}`,
+    rejected >= least[0] && names.length - rejected >= least[1],
+    `${rejected} of ${names.length}`,
   )
 }
 

@@ -29,7 +29,7 @@ async function disagreements(head, context, texts) {
     const here = ourMessage(shaders[i])
     return !here === !there[i] ? [] : [`${name}: here "${here}", there "${there[i]}"`]
   })
-  return { disagreeing, refused: there.filter(Boolean).length }
+  return { disagreeing, rejected: there.filter(Boolean).length }
 }
 
 const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2'] }
@@ -61,15 +61,15 @@ function ourMessage(text) {
 
 for (const [version, [head, context]] of Object.entries(heads)) {
   test(`source of ${head} has the same features as in a browser`, async () => {
-    const { disagreeing, refused } = await disagreements(head, context, versions)
+    const { disagreeing, rejected } = await disagreements(head, context, versions)
     assert.deepEqual(disagreeing, [])
-    assert.ok(refused > (version === '100' ? 40 : 5), `${refused} were refused`)
+    assert.ok(rejected > (version === '100' ? 40 : 5), `${rejected} were rejected`)
   })
 
   test(`source of ${head} may use the same names of variables as in a browser`, async () => {
     const texts = Object.fromEntries(words.map((word) => [word, sourceWithName(word)]))
-    const { disagreeing, refused } = await disagreements(head, context, texts)
+    const { disagreeing, rejected } = await disagreements(head, context, texts)
     assert.deepEqual(disagreeing, [])
-    assert.ok(refused > 60 && refused < words.length - 3, `${refused} were refused`)
+    assert.ok(rejected > 60 && rejected < words.length - 3, `${rejected} were rejected`)
   })
 }

@@ -69,8 +69,8 @@ async function compare(cases, least) {
     return [`${name}: here "${here.split('\n')[0]}", there "${there[i]}"`]
   })
   assert.deepEqual(disagreeing, [])
-  const refused = there.filter(Boolean).length
-  const counts = [refused, names.length - refused]
+  const rejected = there.filter(Boolean).length
+  const counts = [rejected, names.length - rejected]
   assert.ok(counts[0] >= least[0] && counts[1] >= least[1], `${counts} of ${names.length}`)
 }
 

@@ -8,7 +8,7 @@ import { models } from '../../web/models/index.js'
 import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
 import { assertBaked, compareBaked } from '../support/browser/baked.js'
 import { launchBrowser } from '../support/browser/browser.js'
-import { degrees, moments, parts } from '../support/browser/compare.js'
+import { maxDegrees, moments, positionAndNormal } from '../support/browser/compare.js'
 import {
   arraysOf,
   denseMesh,
@@ -109,13 +109,13 @@ test('tangents equal those on the screen', async () => {
   const tangents = Float32Array.from(points.flatMap(({ tangent }) => tangent))
   const baked = warp.evaluate({ ...arraysOf(mesh, warp.attributes), tangents }).tangents
   points.forEach(({ tangent, normal }, i) => {
-    const [direction, [side]] = parts(shown, i)
+    const [direction, [side]] = positionAndNormal(shown, i)
     assert.equal(side, tangent[3])
     assert.equal(baked[4 * i + 3], tangent[3])
     // If the normal has an odd length, or the tangent is zero, there is no direction.
     if (Math.abs(Math.hypot(...normal) - 1) > 1e-3 || Math.hypot(...tangent.slice(0, 3)) < 1e-3)
       return
     const angle = angleBetween(direction, [...baked.subarray(4 * i, 4 * i + 3)])
-    assert.ok(angle <= degrees, `vertex ${i}: ${angle}°`)
+    assert.ok(angle <= maxDegrees, `vertex ${i}: ${angle}°`)
   })
 })

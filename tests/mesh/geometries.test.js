@@ -10,8 +10,8 @@ const up = compileWarp(({ glsl }) => glsl.vec3(0, 0, 1))
 const at = (attribute, i) =>
   Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k))
 
-/** Returns the attribute `name` by position. */
-function byPlace({ attributes }, name) {
+/** Maps each position → the value of the attribute `name` there. */
+function mapByPosition({ attributes }, name) {
   const found = new Map()
   for (let i = 0; i < attributes.position.count; i++)
     found.set(at(attributes.position, i).join(), at(attributes[name], i))
@@ -21,8 +21,8 @@ function byPlace({ attributes }, name) {
 /** A square of two triangles with all members that a geometry may have; each attribute is linear in x and y. */
 function square() {
   const geometry = new THREE.PlaneGeometry(2, 2)
-  const set = (name, Class, size, of, normalized) => {
-    const numbers = [0, 1, 2, 3].flatMap((i) => of(...at(geometry.attributes.position, i)))
+  const set = (name, Class, size, evaluate, normalized) => {
+    const numbers = [0, 1, 2, 3].flatMap((i) => evaluate(...at(geometry.attributes.position, i)))
     geometry.setAttribute(name, new Class(numbers, size, normalized))
   }
   set('heat', THREE.Float32BufferAttribute, 1, (x, y) => [3 * x + y])
@@ -72,7 +72,7 @@ describe('subdivide', () => {
       [0, 1, 2, 3].map((i) => finer.attributes.second.getX(i)),
       [2, 4, 6, 8],
     )
-    assert.deepEqual(byPlace(finer, 'second').get('0,0,0'), [5])
+    assert.deepEqual(mapByPosition(finer, 'second').get('0,0,0'), [5])
   })
 
   test('groups contain the parts of their triangles', () => {
@@ -117,11 +117,11 @@ describe('subdivide', () => {
     const bump = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, position.dot(position).mult(-20).exp()),
     )
-    const made = subdivide(square(), { warp: bump, tolerance: 0.01 })
-    assert.ok(made.index.count > 300)
-    for (let i = 0; i < made.attributes.position.count; i++) {
-      const [x, y] = at(made.attributes.position, i)
-      assert.ok(Math.abs(at(made.attributes.heat, i)[0] - (3 * x + y)) < 1e-5)
+    const split = subdivide(square(), { warp: bump, tolerance: 0.01 })
+    assert.ok(split.index.count > 300)
+    for (let i = 0; i < split.attributes.position.count; i++) {
+      const [x, y] = at(split.attributes.position, i)
+      assert.ok(Math.abs(at(split.attributes.heat, i)[0] - (3 * x + y)) < 1e-5)
     }
     const full = subdivide(square(), { warp: bump, tolerance: 1e-6, maxTriangles: 100 })
     assert.match(full.userData.warnings[0], /maxTriangles/)
@@ -148,7 +148,7 @@ describe('bakeWarp', () => {
 
   for (const relative of [true, false])
     for (const own of ['with normals of their own', 'without'])
-      test(`warps morph targets, ${relative ? 'relative' : 'whole'}, ${own}`, () => {
+      test(`warps morph targets, ${relative ? 'relative' : 'absolute'}, ${own}`, () => {
         const given = morphingSphere(relative, own !== 'without')
         const before = JSON.stringify(given.toJSON())
         const baked = bakeWarp(given, waves)
@@ -187,24 +187,24 @@ const waves = compileWarp(({ glsl, position }) =>
 )
 const height = (x, y) => 0.2 * (Math.sin(2 * x) + Math.cos(3 * y))
 
-/** Transforms a normal with the inverse transpose of the Jacobian, from the slopes of that height. */
+/** Transforms a normal with the inverse transpose of the Jacobian of `waves`; `dx` and `dy` are the slopes of `height`. */
 function transformNormal(normal, { x, y }) {
   const [dx, dy] = [0.4 * Math.cos(2 * x), -0.6 * Math.sin(3 * y)]
-  const made = new THREE.Matrix3().set(1, 0, 0, 0, 1, 0, dx, dy, 1).invert().transpose()
-  return normal.applyMatrix3(made).normalize()
+  const matrix = new THREE.Matrix3().set(1, 0, 0, 0, 1, 0, dx, dy, 1).invert().transpose()
+  return normal.applyMatrix3(matrix).normalize()
 }
 
-/** Adds up the targets like the shaders of three.js. */
+/** Returns the normal of a vertex under morph targets, which are added up as in the shaders of three.js. */
 function normalOf({ geometry, morphTargetInfluences: influences }, i) {
   const { attributes, morphAttributes, morphTargetsRelative } = geometry
   const all = influences.reduce((sum, influence) => sum + influence, 0)
-  const made = new THREE.Vector3().fromBufferAttribute(attributes.normal, i)
+  const normal = new THREE.Vector3().fromBufferAttribute(attributes.normal, i)
   const targets = morphAttributes.normal
-  if (targets && !morphTargetsRelative) made.multiplyScalar(1 - all)
+  if (targets && !morphTargetsRelative) normal.multiplyScalar(1 - all)
   targets?.forEach((target, t) =>
-    made.addScaledVector(new THREE.Vector3().fromBufferAttribute(target, i), influences[t]),
+    normal.addScaledVector(new THREE.Vector3().fromBufferAttribute(target, i), influences[t]),
   )
-  return made.normalize()
+  return normal.normalize()
 }
 
 /** A sphere with two morph targets: a larger sphere next to it, and one that is stretched along an axis. */
@@ -217,9 +217,10 @@ function morphingSphere(relative, withNormals) {
   const { attributes } = geometry
   for (const name of withNormals ? ['position', 'normal'] : ['position'])
     geometry.morphAttributes[name] = targets.map((target) => {
-      const made = target.attributes[name].clone()
-      if (relative) made.array.forEach((_, i) => (made.array[i] -= attributes[name].array[i]))
-      return made
+      const attribute = target.attributes[name].clone()
+      if (relative)
+        attribute.array.forEach((_, i) => (attribute.array[i] -= attributes[name].array[i]))
+      return attribute
     })
   geometry.morphAttributes.position[1].name = 'second'
   geometry.morphTargetsRelative = relative

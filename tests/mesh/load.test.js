@@ -175,7 +175,7 @@ describe('loadMesh', () => {
         const { warnings, material, positions } = await loadMesh(place)
         assert.deepEqual(positions, sphere().positions)
         assert.equal(material.baseColorTexture, undefined)
-        assert.match(warnings.join(), /^The picture of the base colour .* is missing/)
+        assert.match(warnings.join(), /^The base-colour texture .* is missing/)
       }
     }
     for (const uri of ['no.bin', 'http://[', '100%.bin']) {
@@ -259,7 +259,7 @@ describe('loadMesh', () => {
     )
     await rejectsWithWarpError(
       () => loadMesh(exportGLB(mesh), { resolver: () => buffer }),
-      /^loadMesh: there is no option "resolver"; did you mean resolve\? There are resolve, as, decoders\./,
+      /^loadMesh: there is no option "resolver"; did you mean resolve\? The options are resolve, as, decoders\./,
     )
   })
 })

@@ -150,7 +150,7 @@ describe('decoders', () => {
       [7, /^loadMesh: expected an object for the option "decoders", got the number 7/],
       [
         { mesh: counting },
-        /^loadMesh: there is no option "mesh" in the option "decoders"; did you mean meshopt\? There are meshopt, draco/,
+        /^loadMesh: there is no option "mesh" in the option "decoders"; did you mean meshopt\? The options are meshopt, draco/,
       ],
       [
         { meshopt: {} },

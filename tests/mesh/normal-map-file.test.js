@@ -15,11 +15,11 @@ import { square, waves } from '../support/waved-normals.js'
 checkMemoryAfterEach()
 
 describe('the file', () => {
-  const baked = (mesh, options = { size: 16 }) => exportGLB(bakeNormalMap(mesh, waves, options))
+  const bakeToGlb = (mesh, options = { size: 16 }) => exportGLB(bakeNormalMap(mesh, waves, options))
 
   test('is valid, and keeps the arrays and the material', async () => {
     const mesh = { ...sphere(), material }
-    const glb = baked(mesh)
+    const glb = bakeToGlb(mesh)
     const { issues } = await validator.validateBytes(glb)
     assert.deepEqual(issues.messages, [])
     const { json, viewBytes } = readGlb(glb)
@@ -39,7 +39,7 @@ describe('the file', () => {
 
   test('repeats the image only where uvs are outside of 0 to 1', () => {
     const wraps = (uvAt) => {
-      const { json } = readGlb(baked(square(uvAt)))
+      const { json } = readGlb(bakeToGlb(square(uvAt)))
       return json.samplers?.[json.textures[0].sampler]
     }
     assert.deepEqual(

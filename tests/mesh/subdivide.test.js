@@ -105,11 +105,11 @@ describe('subdivide', () => {
     )
     rejectsChange(
       { levels: 1, maxTriangle: 1 },
-      /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? There/,
+      /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? The options are/,
     )
     rejectsChange(
       { warp: twist, tolerance: 1, angel: 1 },
-      /^subdivide: there is no option "angel"; did you mean angle\? There/,
+      /^subdivide: there is no option "angel"; did you mean angle\? The options are/,
     )
     rejectsChange({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })

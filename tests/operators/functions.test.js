@@ -248,8 +248,8 @@ describe('helper functions:', () => {
   test('a build translates offset functions that have names, and keeps closures', () => {
     const code = `const amount = 2
 function height(x) {
-  const scaled = (y) => y * amount
-  return scaled(x) + 1
+  const scale = (y) => y * amount
+  return scale(x) + 1
 }
 const offset = ({ position }) => [height(position.x), height(0), 0]
 function makeWave(height) {

@@ -188,7 +188,7 @@ test('functions of p5 use degrees after angleMode(DEGREES)', () => {
       ['asin', 'acos', 'atan', 'atan2'].map((name) => [name, degrees(Math[name])]),
     ),
   }
-  const written = ({ position: { x, y, z } }) => [
+  const offset = ({ position: { x, y, z } }) => [
     sin(x * 90) + cos(y),
     atan2(y, x) + tan(z) + acos(x),
     Math.sin(x) + asin(y) + atan(z),
@@ -200,7 +200,7 @@ test('functions of p5 use degrees after angleMode(DEGREES)', () => {
       x.sin().add(y.asin().degrees()).add(z.atan().degrees()),
     ),
   ).code
-  assert.equal(compileWarp(operators(written, scope)).code, expected)
+  assert.equal(compileWarp(operators(offset, scope)).code, expected)
 })
 
 test("a sketch in instance mode can call p5's functions as methods of its p", () => {

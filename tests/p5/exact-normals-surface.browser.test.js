@@ -179,7 +179,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       })
 
     test('messages about unsupported hooks use the names of the sketch', async () => {
-      const told = {
+      const mistakes = {
         ...(!isOld && {
           random: [
             strands(`getObjectInputs((inputs) => {
@@ -229,7 +229,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
         ${isWebGPU ? 'async ' : ''}function setup() {
           ${isWebGPU ? 'await ' : ''}createCanvas(50, 50, ${renderer})
           const { warn } = console
-          ${Object.entries(told)
+          ${Object.entries(mistakes)
             .map(
               ([name, [shader]]) => `{
             const shader = ${shader}
@@ -244,7 +244,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       )
       const said = await page.evaluate('said')
       await leavePage(page)
-      for (const [name, [, sentence]] of Object.entries(told))
-        assert.match(`${said[name]}`, sentence, name)
+      for (const [name, [, message]] of Object.entries(mistakes))
+        assert.match(`${said[name]}`, message, name)
     })
   })

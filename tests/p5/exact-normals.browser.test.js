@@ -76,7 +76,7 @@ test('an integer uniform keeps all its bits, and p5 declares it as an integer', 
       warps.still = atVertices(({ glsl }) => glsl.vec3(0, 0, 0))
       try {
         createWarp(${text})()
-        throw new Error('no sentence')
+        throw new Error('no message')
       } catch ({ message }) {
         if (!message.includes('add the option { defs: "uniform int n;" }')) throw new Error(message)
       }`,
@@ -244,11 +244,11 @@ test('p5 1.11: hooks in local and view space look like the same warp by createWa
       }))
       const own = warps.plain.modify({ 'vec3 getLocalNormal': '(vec3 normal) { return normal.zyx; }' })
       const warn = console.warn
-      console.warn = (message) => (window.told = message)
+      console.warn = (message) => (window.warning = message)
       window.isLeft = exactNormals(own) === own
       console.warn = warn
-      if (!window.isLeft || !/hook getLocalNormal of its own/.test(window.told))
-        throw new Error('not told: ' + window.told)`,
+      if (!window.isLeft || !/hook getLocalNormal of its own/.test(window.warning))
+        throw new Error('another warning: ' + window.warning)`,
     scenes: {
       byHand: scene('warps.byHand()'),
       plain: scene('shader(warps.plain)'),

@@ -86,14 +86,14 @@ async function setup() {
     assert.deepEqual(left, [0, 2, 1])
     const lines = source.split('\n')
     const first = lines.findIndex((line) => line.startsWith('const works')) + 1
-    const sentences = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
+    const expectedMessages = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
       (code) => expected[code],
     )
     const number = /, line (\d+)\)$/
     const shift = number.exec(said[0][1])[1] - first
     said.forEach(([name, message], i) => {
       assert.equal(name, 'WarpError', works[i])
-      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), sentences[i], works[i])
+      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), expectedMessages[i], works[i])
       assert.match(message, number, works[i])
       assert.equal(number.exec(message)[1] - first, shift + i, `${works[i]}: ${message}`)
     })
@@ -126,12 +126,12 @@ async function setup() { ${canvas(20, 20)}
     await page.waitForFunction('window.over')
     const said = await page.evaluate('said.filter((text) => /\\(\\S+, line \\d+\\)$/.test(text))')
     await leavePage(page)
-    const sentences = said.map((text) => text.replace(/ \(\S+, line \d+\)$/, ''))
-    for (const sentence of [
+    const messages = said.map((text) => text.replace(/ \(\S+, line \d+\)$/, ''))
+    for (const message of [
       ...Object.values(all),
       'createWarp: expected a function, got undefined.',
     ])
-      assert.ok(sentences.includes(sentence), `${sentence}\n${sentences.join('\n')}`)
+      assert.ok(messages.includes(message), `${message}\n${messages.join('\n')}`)
   })
 
 test('a printed expression describes itself', async () => {

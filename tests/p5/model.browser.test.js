@@ -27,12 +27,12 @@ for (const host of await openP5Hosts()) {
   // p5 2.3 cuts off the front half of ortho() on WEBGPU.
   const ortho = isWebGPU ? 'ortho(-150, 150, -150, 150, -1000, 1000)' : 'ortho()'
 
-  /** Runs a sketch with the code `loading`, which loads models in an async function, and `drawing`, which draws → { page, messages }. */
-  const sketch = (loading, drawing = '') =>
+  /** Runs a sketch: `loadCode` is the body of an async function that loads models, `drawCode` that of draw(). */
+  const runModelSketch = (loadCode, drawCode = '') =>
     host.open(
       `let isReady = false
       const base = '${folder}/'
-      async function load() { ${loading} }
+      async function load() { ${loadCode} }
       async function setup() {
         pixelDensity(1)
         ${canvas(size, size)}
@@ -43,16 +43,16 @@ for (const host of await openP5Hosts()) {
         background(0)
         noStroke()
         push()
-        ${drawing}
+        ${drawCode}
         pop()
         noLoop()
         window.done = true
       }`,
     )
 
-  /** Converts the reports about models to an object by name. */
-  async function reports(calls) {
-    const { page, messages } = await sketch(
+  /** Loads models: maps each name → a report of the model. */
+  async function loadReports(calls) {
+    const { page, messages } = await runModelSketch(
       `window.reports = {}
       ${Object.entries(calls)
         .map(([name, call]) => `reports.${name} = (${report})(await loadWarpModel(${call}))`)
@@ -67,18 +67,18 @@ for (const host of await openP5Hosts()) {
   for (const name of ['parts.obj', 'painted.obj', 'white.obj', 'text.stl', 'binary.stl'])
     test(`${host.name}: ${name} has the triangles and colours of p5's own loadModel`, async () => {
       // p5 1.11 throws for a model that has colours on only some parts.
-      const areColorsJudged = !isV1 || name !== 'parts.obj'
-      const { page } = await sketch(`
+      const comparesColors = !isV1 || name !== 'parts.obj'
+      const { page } = await runModelSketch(`
         const own = await new Promise((done) => loadModel(base + '${name}', done))
         const ours = await loadWarpModel(base + '${name}', { normalize: false, flipY: false })
         const round5 = (numbers) => [...numbers].map((x) => +x.toFixed(5))
-        const corner = ({ vertices, vertexColors, vertexNormals }, i, partsOfColor) => ({
+        const corner = ({ vertices, vertexColors, vertexNormals }, i, channels) => ({
           position: vertices[i].array(),
-          color: ${areColorsJudged} && round5(vertexColors.slice(partsOfColor * i, partsOfColor * i + 3)),
+          color: ${comparesColors} && round5(vertexColors.slice(channels * i, channels * i + 3)),
           normal: ${name.endsWith('stl')} && round5(vertexNormals[i].array()),
         })
-        const corners = (model, partsOfColor) =>
-          model.faces.map((face) => face.map((i) => corner(model, i, partsOfColor)))
+        const corners = (model, channels) =>
+          model.faces.map((face) => face.map((i) => corner(model, i, channels)))
         // The loader of p5 1.11 writes 3 numbers per colour, although p5 draws 4.
         window.reports = [corners(own, ${isV1 ? 3 : 4}), corners(ours, 4)]`)
       const [own, ours] = await page.evaluate('reports')
@@ -89,8 +89,8 @@ for (const host of await openP5Hosts()) {
 
   const pixelsOf = (page) => (isWebGPU ? readWebGPUPixels(page, 'redraw()') : readPixels(page))
 
-  async function picture(loading, drawing) {
-    const { page, messages } = await sketch(loading, drawing)
+  async function drawPicture(loadCode, drawCode) {
+    const { page, messages } = await runModelSketch(loadCode, drawCode)
     const image = await pixelsOf(page)
     await leavePage(page)
     assert.deepEqual(messages, [])
@@ -104,7 +104,7 @@ for (const host of await openP5Hosts()) {
 
   describe(`loadWarpModel on ${host.name}`, () => {
     test('makes a p5.Geometry: upright, 200 units at its longest, with all attributes', async () => {
-      const { plain, colors, material, texture, obj } = await reports({
+      const { plain, colors, material, texture, obj } = await loadReports({
         plain: `base + 'plain.glb'`,
         colors: `base + 'colors.glb'`,
         material: `new URL(base + 'material.glb', location)`,
@@ -137,7 +137,7 @@ for (const host of await openP5Hosts()) {
     })
 
     test("keeps the file's coordinates with normalize: false", async () => {
-      const { flipped, sized, raw } = await reports({
+      const { flipped, sized, raw } = await loadReports({
         flipped: `base + 'plain.glb', { normalize: false }`,
         sized: `base + 'plain.glb', { flipY: false }`,
         raw: `base + 'plain.glb', { normalize: false, flipY: false }`,
@@ -148,8 +148,8 @@ for (const host of await openP5Hosts()) {
       assert.deepEqual(raw.faces, [[0, 1, 2]])
     })
 
-    test('is drawn by model(), and by createWarp', async () => {
-      const image = await picture(
+    test('is drawn by model(), with and without a warp', async () => {
+      const image = await drawPicture(
         `window.one = await loadWarpModel(base + 'material.glb')
         window.two = await loadWarpModel(base + 'plain.glb')
         window.shift = createWarp(({ glsl }) => glsl.vec3(40, 0, 0))`,
@@ -171,7 +171,7 @@ for (const host of await openP5Hosts()) {
     })
 
     test('shows the image of a file the right way up', async () => {
-      const image = await picture(
+      const image = await drawPicture(
         `window.tile = await loadWarpModel(base + 'picture.glb')`,
         `${ortho}; texture(tile.texture); model(tile)`,
       )
@@ -182,7 +182,7 @@ for (const host of await openP5Hosts()) {
     })
 
     test('shows a bunny', async () => {
-      const { page, messages } = await sketch(
+      const { page, messages } = await runModelSketch(
         `window.rabbit = await loadWarpModel(base + 'bunny.glb')
         window.lean = createWarp(({ glsl, position }) =>
           glsl.vec3(position.y().mult(0.02).sin().mult(25), 0, 0))`,
@@ -198,7 +198,7 @@ for (const host of await openP5Hosts()) {
     })
 
     test('has a message for each mistake', async () => {
-      const { page } = await sketch(
+      const { page } = await runModelSketch(
         `window.errors = []
         const attempt = async (...args) => {
           try { await loadWarpModel(...args) } catch (error) {
@@ -223,7 +223,7 @@ for (const host of await openP5Hosts()) {
           'loadWarpModel: expected the address of a model such as "bunny.glb", got the number 42.',
           `loadWarpModel: cannot load ${url}/none.glb; the server answered 404.`,
           errors[3][1],
-          'loadWarpModel: there is no option "size"; there are normalize, flipY, decoders.',
+          'loadWarpModel: there is no option "size"; the options are normalize, flipY, decoders.',
           'loadWarpModel: expected an object of options, got the boolean true.',
         ],
       )

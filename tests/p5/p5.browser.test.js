@@ -259,7 +259,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
         warps.off = createWarp(still, { stroke: false })
         warps.normal = createWarp(({ normal }) => normal.mult(1e-6), { surfaceVariation: false })
         warps.uv = createWarp(({ uv, glsl }) => glsl.vec3(uv.x().mult(1e-6), 0, 0), { surfaceVariation: false })
-        warps.refused = createWarp(({ uv, glsl }) => glsl.vec3(uv.x().mult(1e-6), 0, 0),
+        warps.invalid = createWarp(({ uv, glsl }) => glsl.vec3(uv.x().mult(1e-6), 0, 0),
           { stroke: true, surfaceVariation: false })
         warps.away = createWarp(({ glsl }) => glsl.vec3(500, 0, 0), { space: 'world', stroke: true })
         fill(255, 0, 0)`
@@ -278,7 +278,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
         'another shader': `${lines} warps.away(); shader(baseMaterialShader()); plane(100)`,
         resetShader: `${lines} warps.away(); resetShader(); plane(100)`,
         'after pop()': `${lines} push(); warps.away(); plane(100); pop(); plane(100)`,
-        refused: `${lines} try { warps.refused() } catch ({ message }) {
+        invalid: `${lines} try { warps.invalid() } catch ({ message }) {
           if (/lines have no normal, uv or fill/.test(message)) { noStroke(); fill(0, 255, 0); plane(100) } }`,
       }
       const expected = {
@@ -289,7 +289,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
         'turned off': 'red',
         'an offset that depends on the normal': 'red',
         'an offset that depends on uv': 'red',
-        refused: 'green',
+        invalid: 'green',
       }
       const colors = { red: [255, 0, 0], blue: [0, 0, 255], black: [0, 0, 0], green: [0, 255, 0] }
       const images = await draw({ setup, scenes })

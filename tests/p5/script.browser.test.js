@@ -225,7 +225,7 @@ describe('the order of scripts', () => {
 
 describe('a page whose policy is script-src self', () => {
   /** Returns the messages of calls that need WebAssembly, under such a policy. */
-  async function refusals(policy) {
+  async function loadWithPolicy(policy) {
     const html = `<!doctype html>
       <meta http-equiv="Content-Security-Policy" content="script-src 'self' ${policy}">
       <script src="${p5Versions['2.x']}"></script>
@@ -251,7 +251,7 @@ describe('a page whose policy is script-src self', () => {
   }
 
   test('says what to add to the policy', async () => {
-    const { results } = await refusals('')
+    const { results } = await loadWithPolicy('')
     for (const result of results) {
       assert.match(result, /^WarpError: .*WebAssembly/)
       assert.match(result, /Content-Security-Policy .* header .* <meta> .*'wasm-unsafe-eval'/)
@@ -259,7 +259,7 @@ describe('a page whose policy is script-src self', () => {
   })
 
   test("needs no more than 'wasm-unsafe-eval'", async () => {
-    const { results, messages } = await refusals("'wasm-unsafe-eval'")
+    const { results, messages } = await loadWithPolicy("'wasm-unsafe-eval'")
     assert.deepEqual(results, ['works', 'works', 'works'])
     assert.deepEqual(messages, [])
   })

@@ -18,7 +18,7 @@ import {
 /**
  * Sketches in p5.strands as people write them, for WEBGPU. `hooks` is the body of the callback that `modify` takes. `move(p, n, uv, i)`
  * returns the position of a vertex of instance i, whose number is the fifth argument, in double precision: in the units of the geometry or, with `space`, of the world or the
- * camera; `later` moves it on in the world. `refused` is the message about a sketch without exact normals.
+ * camera; `later` moves it on in the world. `rejected` is the message about a sketch without exact normals.
  */
 const { abs, atan2, cos, exp, floor, hypot, sin, sqrt } = Math
 const liftBy = (height) => (p, n, uv, i) => [p[0], p[1] + height(p, n, uv, i), p[2]]
@@ -281,7 +281,7 @@ ${inObject('inputs.position.y += 0.5 * heightOf(inputs.position)')}`,
       'const lifts = uniformStorage(() => warps.lifts)',
     ),
     move: liftBy(([x]) => lifts[floor((x + 1) * 2)] * x),
-    refused: /uniformStorage\(\) "lifts" in getObjectInputs .* differs over the surface/,
+    rejected: /uniformStorage\(\) "lifts" in getObjectInputs .* differs over the surface/,
   },
   'random() for colours alone': {
     hooks: `const shade = sharedFloat()
@@ -318,7 +318,7 @@ ${inObject('inputs.position.z += (0.9 + 0.1 * random()) * 0.2 * sin(inputs.posit
       for (let i = 0; i < 3; i++) { sum += random() }
       inputs.position.y += sum * 0.02`),
     move: (p) => p,
-    refused: /random\(\) in getObjectInputs .* write noise\(\)/,
+    rejected: /random\(\) in getObjectInputs .* write noise\(\)/,
   },
   'random() behind a branch': {
     hooks: inObject(`
@@ -326,7 +326,7 @@ ${inObject('inputs.position.z += (0.9 + 0.1 * random()) * 0.2 * sin(inputs.posit
       if (inputs.position.x > 0) { lift = random() }
       inputs.position.y += lift * 0.02 + random() * 0.1`),
     move: (p) => p,
-    refused: /random\(\) in getObjectInputs .* write noise\(\)/,
+    rejected: /random\(\) in getObjectInputs .* write noise\(\)/,
   },
   'instances with a wave of their own': {
     instances: 3,

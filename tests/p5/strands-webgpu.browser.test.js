@@ -48,7 +48,7 @@ if (scripts) {
 
   test('sketches in p5.strands have the light of meshes that were moved by hand', async (t) => {
     const problems = []
-    for (const [name, sketch] of entries.filter(([, { refused }]) => !refused)) {
+    for (const [name, sketch] of entries.filter(([, { rejected }]) => !rejected)) {
       const meshes = meshesByHand(sketch, eye)
       const model = `rotateX(0.4); scale(40); model(warps.ball, ${sketch.instances ?? 1})`
       const images = await drawScenes(browser, server, all, {
@@ -79,7 +79,7 @@ if (scripts) {
   })
 
   test('sketches without exact normals stay as they are, with a message', async () => {
-    for (const [name, sketch] of entries.filter(([, { refused }]) => refused)) {
+    for (const [name, sketch] of entries.filter(([, { rejected }]) => rejected)) {
       const { page, messages } = await runSketch(
         browser,
         server,
@@ -96,7 +96,7 @@ if (scripts) {
       await leavePage(page)
       assert.equal(messages.length, 1, `${name}: ${messages.join()}`)
       assert.match(messages[0], /^exactNormals: the shader stays as it is\. /, name)
-      assert.match(messages[0], sketch.refused, name)
+      assert.match(messages[0], sketch.rejected, name)
     }
   })
 }

@@ -61,7 +61,7 @@ const spaces = {
 
 /** Returns the warped position of a point of the unit sphere, and the normal there from finite differences, in view space. */
 function seenAt(p, { offset, before, after }) {
-  const moved = (q) => {
+  const move = (q) => {
     const position = m.movePoint(before, q)
     // As in p5: transformed by the inverse transpose, of any length.
     const normal = m.turnNormal(before, q)
@@ -69,11 +69,11 @@ function seenAt(p, { offset, before, after }) {
   }
   const side = m.normalize(m.cross(p, Math.abs(p[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]))
   const slope = (t) => {
-    const at = (s) => moved(m.normalize(p.map((x, k) => x + s * t[k])))
+    const at = (s) => move(m.normalize(p.map((x, k) => x + s * t[k])))
     return m.subtract(at(1e-4), at(-1e-4))
   }
   const normal = m.normalize(m.cross(slope(side), slope(m.cross(p, side))))
-  return { position: moved(p), normal }
+  return { position: move(p), normal }
 }
 
 describe('createWarp on p5 2.x, along the normal', () => {
@@ -85,14 +85,14 @@ describe('createWarp on p5 2.x, along the normal', () => {
       [p5Versions['2.x'], addon],
       `let scene = () => (window.done = true)
       const warps = {}, rough = {}
-      let told, untold
+      let varied, plain
       async function setup() {
         pixelDensity(1)
         createCanvas(${size}, ${size}, WEBGL)
         noLoop()
-        told = ${geometryCode(sphere, 'told')}
-        untold = ${geometryCode(sphere, 'untold')}
-        if ((await addSurfaceVariation(told)) !== told) throw new Error('another shape came back')
+        varied = ${geometryCode(sphere, 'varied')}
+        plain = ${geometryCode(sphere, 'plain')}
+        if ((await addSurfaceVariation(varied)) !== varied) throw new Error('another shape came back')
         ${Object.entries(spaces)
           .map(([name, { code }]) => {
             const space = name === 'uv' ? 'local' : name
@@ -115,12 +115,12 @@ describe('createWarp on p5 2.x, along the normal', () => {
       return readPixels(page)
     }
     for (const [name, space] of Object.entries(spaces)) {
-      const exact = await draw(`warps.${name}(); model(told)`)
+      const exact = await draw(`warps.${name}(); model(varied)`)
       // Draws after the other shape, whose attributes p5 leaves enabled, and for the first time.
       const afterIt = await draw(
-        `warps.${name}(); model(told); clear(); background(0); model(untold)`,
+        `warps.${name}(); model(varied); clear(); background(0); model(plain)`,
       )
-      const rough = await draw(`rough.${name}(); model(told)`)
+      const rough = await draw(`rough.${name}(); model(varied)`)
       const lit = litPixels(exact).length
       assert.ok(differingPixels(exact, rough, 10) > 0.15 * lit, `${name}: it makes a difference`)
 
@@ -143,7 +143,7 @@ describe('createWarp on p5 2.x, along the normal', () => {
           const color = colorAt(image, ...screen)
           return Math.max(...color.map((value, i) => Math.abs(value - expected[i])))
         })
-      assert.ok(Math.max(...off(afterIt)) <= 3, `${name}: ${Math.max(...off(afterIt))} untold`)
+      assert.ok(Math.max(...off(afterIt)) <= 3, `${name}: ${Math.max(...off(afterIt))} plain`)
       assert.ok(Math.max(...off(exact)) <= 3, `${name}: ${Math.max(...off(exact))} levels off`)
       assert.ok(Math.max(...off(rough)) >= 10, `${name}: ${Math.max(...off(rough))} without it`)
     }

@@ -204,13 +204,13 @@ test('a mistake in the WGSL of defs is reported with its line in defs and in the
       said.push([event.reason.name, event.reason.message])
       window.done = true
     })
-    const moved = ({ glsl }) => glsl.vec3(glsl.param('twice(1.0)'), 0, 0)
+    const shift = ({ glsl }) => glsl.vec3(glsl.param('twice(1.0)'), 0, 0)
     async function setup() {
       await createCanvas(100, 100, WEBGPU)
       noLoop()
-      createWarp(moved, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * x; }' })
-      createWarp(moved, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * y; }' })
-      createWarp(moved, { defs: 'fn twice(x: f32) -> f32 { return 2.0 * x' })
+      createWarp(shift, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * x; }' })
+      createWarp(shift, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * y; }' })
+      createWarp(shift, { defs: 'fn twice(x: f32) -> f32 { return 2.0 * x' })
     }`,
   )
   await page.waitForFunction('said.length >= 2')
@@ -259,8 +259,8 @@ test('p5 itself still fails with GLSL and models of text on WEBGPU', async () =>
     browser,
     server,
     [p5, p5WebGPU],
-    `const told = {}
-    const attempt = (name, draw) => { try { draw(); told[name] = 'drawn' } catch ({ message }) { told[name] = message } }
+    `const outcomes = {}
+    const attempt = (name, draw) => { try { draw(); outcomes[name] = 'drawn' } catch ({ message }) { outcomes[name] = message } }
     async function setup() {
       await createCanvas(100, 100, WEBGPU)
       noLoop()
@@ -275,11 +275,11 @@ test('p5 itself still fails with GLSL and models of text on WEBGPU', async () =>
       done = true
     }`,
   )
-  const told = await page.evaluate('told')
+  const outcomes = await page.evaluate('outcomes')
   await leavePage(page)
-  assert.match(told.GLSL ?? messages.join('\n'), /main/)
-  assert.match(told['without uvs'], /flat is not a function/)
-  assert.equal(told['with uvs'], 'drawn')
+  assert.match(outcomes.GLSL ?? messages.join('\n'), /main/)
+  assert.match(outcomes['without uvs'], /flat is not a function/)
+  assert.equal(outcomes['with uvs'], 'drawn')
   assert.ok(
     messages.every((message) => /WGSL|#version/.test(message)),
     messages.join('\n'),

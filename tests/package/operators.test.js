@@ -10,7 +10,7 @@ const entry = `${project}/with-operators.mjs`
 let operators
 before(async () => ({ operators } = await load('warpjet/operators/plugin')))
 
-function works(program) {
+function assertWorks(program) {
   const { output, status } = runIn(process.execPath, [program])
   assert.equal(output, 'moved 3,1,3\n')
   assert.equal(status, 0)
@@ -32,32 +32,38 @@ test('Vite translates operators', async () => {
     ssr: { noExternal: true },
     build: { ssr: entry, outDir, emptyOutDir: true },
   })
-  works(`${outDir}/with-operators.js`)
+  assertWorks(`${outDir}/with-operators.js`)
 })
 
-const nodeModules = async () => {
+const makeNodeResolve = async () => {
   const { default: nodeResolve } = await load('@rollup/plugin-node-resolve')
   return nodeResolve({ exportConditions: ['node'] })
 }
 
-/** Rollup and rolldown have the same options here. */
-async function roll(bundler, dir, ...plugins) {
+/** Builds with Rollup or rolldown, which have the same options here, and runs the output. */
+async function bundleAndRun(bundler, dir, ...plugins) {
   const warnings = []
   const onwarn = ({ message }) => warnings.push(message)
   const bundle = await bundler({ input: entry, platform: 'node', onwarn, plugins })
   await bundle.write({ dir: `${project}/${dir}`, entryFileNames: '[name].mjs', format: 'es' })
   await bundle.close()
   assert.deepEqual(warnings, [])
-  works(`${dir}/with-operators.mjs`)
+  assertWorks(`${dir}/with-operators.mjs`)
 }
 
 test('Rollup translates operators', async () => {
   const { rollup } = await load('rollup')
-  const forRollup = ({ platform: _, ...options }) => rollup(options)
-  await roll(forRollup, 'out/operators-rollup', operators(), await nodeModules())
+  const rollupWithoutPlatform = ({ platform: _, ...options }) => rollup(options)
+  await bundleAndRun(
+    rollupWithoutPlatform,
+    'out/operators-rollup',
+    operators(),
+    await makeNodeResolve(),
+  )
 })
 
-test('rolldown translates operators', () => roll(rolldown, 'out/operators-rolldown', operators()))
+test('rolldown translates operators', () =>
+  bundleAndRun(rolldown, 'out/operators-rolldown', operators()))
 
 test('webpack translates operators with the loader', async () => {
   const { default: webpack } = await load('webpack')
@@ -77,5 +83,5 @@ test('webpack translates operators with the loader', async () => {
   )
   const { errors, warnings } = stats.toJson({ all: false, errors: true, warnings: true })
   assert.deepEqual([...errors, ...warnings], [])
-  works('out/operators-webpack/main.cjs')
+  assertWorks('out/operators-webpack/main.cjs')
 })

@@ -65,7 +65,7 @@ test('a surface that becomes rougher is cut anew', async (t) => {
 })
 
 test('cameras, sizes and materials change, and dispose() frees the buffers', async (t) => {
-  const { counts } = await run(t, 'life')
+  const { counts } = await run(t, 'countOverTime')
   const { pairs, large, held, left, ...others } = counts
   assert.deepEqual(pairs.slice(2), pairs.slice(0, 2))
   assert.ok(pairs[0] > 1.3 * pairs[1], `${pairs}`)

@@ -104,7 +104,7 @@ for (const { name, version, script, settings } of hosts)
     ])
       test(`poses look like fine ones: ${JSON.stringify(kinds)}`, async (t) => {
         for (const more of [{ look: 'normals' }, { look: 'colors', space: 'world' }]) {
-          const found = await measure('posed', { kinds, ...more })
+          const found = await measure('comparePoses', { kinds, ...more })
           t.diagnostic(JSON.stringify(found))
           assert.deepEqual(messages, [])
           assert.ok(Math.max(...found.beyond) <= 10, `${found.beyond} pixels`)
@@ -157,7 +157,7 @@ for (const { name, version, script, settings } of hosts)
     })
 
     test('hooks, cameras, geometries and clones may change, and dispose() frees all', async (t) => {
-      const found = await measure('life')
+      const found = await measure('countOverTime')
       t.diagnostic(JSON.stringify(found))
       assert.deepEqual(messages, [])
       const { counts, before, after } = found
@@ -193,7 +193,7 @@ for (const { name, version, script, settings } of hosts)
       ['morphs', /bones or morph targets move the warped surface in the space 'rest'/, 'rest'],
     ])
       test(`${kind} keep their vertices, with one message`, async () => {
-        const { own, found } = await measure('kept', { kind, space })
+        const { own, found } = await measure('countKept', { kind, space })
         assert.equal(found, own)
         assert.equal(messages.length, 1, messages.join('\n'))
         assert.match(messages[0], /although the option detail asks for more: /)
@@ -202,7 +202,7 @@ for (const { name, version, script, settings } of hosts)
 
     if (!settings.backend)
       test('a larger canvas gets more triangles, beside a second renderer', async (t) => {
-        const counts = await page.evaluate(() => detail.canvases([128, 512, 128]))
+        const counts = await page.evaluate(() => detail.countOnCanvases([128, 512, 128]))
         t.diagnostic(JSON.stringify(counts))
         const [[small, other], [large]] = counts
         assert.ok(large > 1.5 * small, `${large} and ${small}`)

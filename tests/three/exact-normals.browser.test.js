@@ -37,7 +37,7 @@ const wrongCalls = [
   'the LineBasicMaterial has no normals.',
   "the MeshStandardNodeMaterial is of nodes, which only WebGPURenderer draws; import exactNormals of 'warpjet/three/webgpu'.",
   `expected 'auto', 'vertex' or 'pixel' for the option "normals", got the text "face".`,
-  'there is no option "normal"; did you mean normals? There are normals, surfaceVariation.',
+  'there is no option "normal"; did you mean normals? The options are normals, surfaceVariation.',
 ].map((message) => `WarpError: exactNormals: ${message}`)
 
 for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))

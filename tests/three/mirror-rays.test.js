@@ -45,9 +45,9 @@ describe('rays of three.js', () => {
               assert.equal(faceIndex, expected[i].faceIndex)
               assert.ok(point.distanceTo(expected[i].point) < 1e-5)
               // Local points of the other mesh, before its matrix is applied.
-              const mirrored = (v) => v.clone().set(-v.x, v.y, v.z)
-              assert.ok(face.normal.distanceTo(mirrored(expected[i].face.normal)) < 1e-4)
-              assert.ok(normal.normalize().angleTo(mirrored(expected[i].normal)) < 1e-3)
+              const mirrorX = (v) => v.clone().set(-v.x, v.y, v.z)
+              assert.ok(face.normal.distanceTo(mirrorX(expected[i].face.normal)) < 1e-4)
+              assert.ok(normal.normalize().angleTo(mirrorX(expected[i].normal)) < 1e-3)
             })
           }
           assert.ok(count > 20, `${count} hits`)

@@ -34,7 +34,7 @@ test('uniforms have the form of those of three.js, and reject invalid values wit
   assert.throws(() => (uniforms.follow.value = NaN), WarpError)
   assert.equal(uniforms.follow.value, 3)
   assert.throws(() => uniforms.heigth.value, {
-    message: 'warp: the warp has no uniform "heigth"; there are tint, place, turn, shift, follow.',
+    message: 'warp: the warp has no uniform "heigth"; it has tint, place, turn, shift, follow.',
   })
   dispose()
 })

@@ -192,16 +192,16 @@ export function wave<Value extends Scalar | Vec3>(value: Value, amount: number):
   return value.sin().mult(amount)
 }
 export const doubled = (vector: Vector): Vector => vector.mult(2).normalize()
-export const flipped = (matrix: AnyMatrix): AnyMatrix => matrix.transpose().neg()
+export const flip = (matrix: AnyMatrix): AnyMatrix => matrix.transpose().neg()
 
 // A model in a sketch. Does not extend p5's own types.
 export async function load(sketch: Loading): Promise<number> {
   const model: WarpModel = await sketch.loadWarpModel('bunny.glb', { normalize: false })
   // @ts-expect-error no such option
   await sketch.loadWarpModel('bunny.glb', { size: 2 })
-  const told: WarpModel = await sketch.addSurfaceVariation(model)
+  const varied: WarpModel = await sketch.addSurfaceVariation(model)
   // @ts-expect-error no shape
-  await sketch.addSurfaceVariation(told.vertices.length)
+  await sketch.addSurfaceVariation(varied.vertices.length)
   return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
 }
 

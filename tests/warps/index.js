@@ -1,6 +1,6 @@
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { compileWarp } from '../../dist/warpjet.js'
-import { degrees } from '../support/browser/compare.js'
+import { maxDegrees } from '../support/browser/compare.js'
 import { gallery } from './gallery.js'
 import { inputs } from './inputs.js'
 import { normalAt } from './normal-field.js'
@@ -62,7 +62,7 @@ const sketches = (await sketchWarps())
 export const warps = [...stress, ...sketches, ...operations, ...pieces, ...inputs].map((warp) => ({
   compile: (target, more) => compileWarp(warp.warp, { target, ...more }),
   step: warp.size / 1000,
-  degrees,
+  degrees: maxDegrees,
   every: 1,
   reach: warp.size,
   params: {},

@@ -1,4 +1,4 @@
-// The compiler with only 8 MB of memory: running out of it throws one sentence, and the next warp works.
+// The compiler with only 8 MB of memory: running out of it throws one message, and the next warp works.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 

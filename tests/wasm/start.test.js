@@ -25,27 +25,27 @@ function problems(change) {
   return JSON.parse(output)
 }
 
-/** Source of a class for `new WebAssembly.Module(bytes)` that throws if `refusal` says so. */
-const withModule = (refusal) =>
-  `WebAssembly.Module = class { constructor(bytes) { ${refusal}; return new Module(bytes) } }`
+/** Source of a class for `new WebAssembly.Module(bytes)` whose constructor first runs `statement`, which may throw. */
+const withModule = (statement) =>
+  `WebAssembly.Module = class { constructor(bytes) { ${statement}; return new Module(bytes) } }`
 
 test('WebAssembly starts in an unchanged environment', () => {
   assert.deepEqual(problems(''), ['works', 'works'])
 })
 
 test('under a Content-Security-Policy the message says what to add, whatever the browser’s own message is', () => {
-  for (const refusal of [
+  for (const statement of [
     "throw new WebAssembly.CompileError('call to WebAssembly.Module() blocked by CSP')",
     "throw new EvalError('Refused to create a WebAssembly object')",
   ])
-    for (const problem of problems(withModule(refusal)))
+    for (const problem of problems(withModule(statement)))
       assert.match(problem, /^WarpError: .*'wasm-unsafe-eval' to its script-src/)
 })
 
 test('in a browser that compiles no large module synchronously, the message names the required version', () => {
-  const refusal =
+  const statement =
     "if (bytes.length > 4096) throw new RangeError('WebAssembly.Compile is disallowed on the main thread, if the buffer size is larger than 4KB.')"
-  for (const problem of problems(withModule(refusal)))
+  for (const problem of problems(withModule(statement)))
     assert.match(problem, /^WarpError: .*update it \(Chrome and Edge do since version 114\)/)
 })
 

@@ -3,7 +3,7 @@ import { javascriptLanguage } from '@codemirror/lang-javascript'
 import { hosts, isThree, tagsOf } from './hosts.js'
 
 /** Writes JSON for a script tag. */
-export const jsonInside = (value) => JSON.stringify(value).replaceAll('<', '\\u003C')
+export const writeJsonForScript = (value) => JSON.stringify(value).replaceAll('<', '\\u003C')
 
 /** Text that an HTML parser takes for the end of a script or, after the start of a comment, for a nested script. */
 const dangerous = /<(?=\/script|!--|script)/gi
@@ -12,7 +12,7 @@ const dangerous = /<(?=\/script|!--|script)/gi
  * Escapes JavaScript for a script tag: nothing in it can end the tag, and its meaning does not change. Outside of strings `<script`
  * stays, as in `a<scripts.length`: it is dangerous only after `<!--`, which is escaped.
  */
-export function insideScript(text, { isModule = false } = {}) {
+export function escapeForScript(text, { isModule = false } = {}) {
   const found = [...text.matchAll(dangerous)]
   if (!found.length) return text
   const tree = javascriptLanguage.parser.parse(text)
@@ -20,13 +20,14 @@ export function insideScript(text, { isModule = false } = {}) {
   for (const { index } of found.reverse()) {
     const rest = text.slice(index, index + 4)
     const kind = kindAt(tree, index)
-    let sign = '<'
-    if (kind === 'String' || kind === 'RegExp') sign = isEscaped(text, index) ? 'u003C' : '\\u003C'
-    else if (kind === 'TemplateString') sign = "<${''}"
-    else if (rest.startsWith('</')) sign = '< '
+    let replacement = '<'
+    if (kind === 'String' || kind === 'RegExp')
+      replacement = isEscaped(text, index) ? 'u003C' : '\\u003C'
+    else if (kind === 'TemplateString') replacement = "<${''}"
+    else if (rest.startsWith('</')) replacement = '< '
     // In a classic script `<!--` begins a single-line comment.
-    else if (rest === '<!--') sign = isModule || kind ? '< ' : '//'
-    result = result.slice(0, index) + sign + result.slice(index + 1)
+    else if (rest === '<!--') replacement = isModule || kind ? '< ' : '//'
+    result = result.slice(0, index) + replacement + result.slice(index + 1)
   }
   return result
 }
@@ -83,4 +84,5 @@ export function pageOf(
 }
 
 const importMap = (imports) =>
-  Object.keys(imports).length > 0 && `<script type="importmap">${jsonInside({ imports })}</script>`
+  Object.keys(imports).length > 0 &&
+  `<script type="importmap">${writeJsonForScript({ imports })}</script>`

@@ -1,6 +1,6 @@
 /** Exports a sketch: a self-contained page, a page for the p5 editor, or an npm project. */
 import { devDependencies, version } from '../../package.json'
-import { insideScript, jsonInside, pageOf, tag } from './document.js'
+import { escapeForScript, pageOf, tag, writeJsonForScript } from './document.js'
 import { atCDN, hosts, inModules, isThree, tagsOf } from './hosts.js'
 import { modulesAsData } from './modules.js'
 import { readText } from './parts.js'
@@ -15,7 +15,7 @@ const versions = {
 }
 
 const inline = (text) =>
-  `<script>\n${insideScript(text.replace(/^\/\/# sourceMappingURL.*$/m, ''))}\n</script>`
+  `<script>\n${escapeForScript(text.replace(/^\/\/# sourceMappingURL.*$/m, ''))}\n</script>`
 
 /** Finds the files that a sketch names → [[name, Blob]]. Names without a file are skipped: the sketch may save to them. */
 async function filesOf({ text }, dropped) {
@@ -40,10 +40,10 @@ export async function pageAlone(sketch, dropped = new Map()) {
   )
   const isModule = isThree(sketch.host)
   const shim = files.length && [
-    `<script>\nwindow.sketchFiles = ${jsonInside(Object.fromEntries(files))}\n</script>`,
+    `<script>\nwindow.sketchFiles = ${writeJsonForScript(Object.fromEntries(files))}\n</script>`,
     inline(await readText('../dist/files.js')),
   ]
-  const body = insideScript(sketch.text, { isModule })
+  const body = escapeForScript(sketch.text, { isModule })
   return pageOf(sketch, {
     title: 'Made with warpjet',
     before: shim ? shim.join('\n    ') : '',
@@ -121,7 +121,7 @@ export function pageWithTags(sketch) {
     modules: Object.fromEntries(
       Object.entries(modules).map(([name, path]) => [name, atCDN(path, versions)]),
     ),
-    sketch: `<script${isModule ? ' type="module"' : ''}>\n${insideScript(text, { isModule })}\n</script>`,
+    sketch: `<script${isModule ? ' type="module"' : ''}>\n${escapeForScript(text, { isModule })}\n</script>`,
   })
 }
 

@@ -1,6 +1,6 @@
 /** Lays out a page of the docs, with links to all pages at the side and to the previous and next one below. */
 import { plain } from './html.js'
-import { frame } from './layout.js'
+import { renderPage } from './layout.js'
 import { groups, pages } from './navigation.js'
 
 const entry = (here) => (page) =>
@@ -32,7 +32,7 @@ const descriptionOf = (html) => {
 
 export function docsPage({ file, url, html }) {
   const title = plain(/<h1[^>]*>([^]*?)<\/h1>/.exec(html)?.[1] ?? file)
-  return frame(
+  return renderPage(
     {
       url,
       title: `${title} · warpjet`,

@@ -4,7 +4,7 @@ import hljs from 'highlight.js'
 import { sections } from '../catalogue.js'
 import { sliders } from '../sliders.js'
 import { escapeHtml } from './html.js'
-import { frame } from './layout.js'
+import { renderPage } from './layout.js'
 
 export const examples = sections.flatMap(({ title: section, source, examples }) =>
   examples.map((example) => ({ ...example, section, source })),
@@ -48,7 +48,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
   const at = (step) => examples[(index + step + examples.length) % examples.length]
   const link = (step, rel, word) =>
     `<a rel="${rel}" href="../${at(step).name}/"><small>${word}</small>${escapeHtml(at(step).title)}</a>`
-  return frame(
+  return renderPage(
     {
       url,
       title: `${title} · warpjet`,

@@ -1,9 +1,9 @@
 /** Lays out a page with one example as large as the window, below its description and a link back. */
 import { escapeHtml } from './html.js'
-import { frame } from './layout.js'
+import { renderPage } from './layout.js'
 
 export const fullPage = ({ name, url, figure, title, text }) =>
-  frame(
+  renderPage(
     {
       url,
       title: `${title}, full page · warpjet`,

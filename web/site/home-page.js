@@ -1,7 +1,7 @@
 /** Lays out the first page: a warp that follows the pointer, how to install warpjet, and the gallery. */
 import { sections } from '../catalogue.js'
 import { escapeHtml } from './html.js'
-import { frame } from './layout.js'
+import { renderPage } from './layout.js'
 
 export const scriptTag =
   '<script src="https://cdn.jsdelivr.net/npm/warpjet@0.1/dist/p5.warpjet.min.js"></script>'
@@ -15,7 +15,7 @@ const tile = (section) => (example) => {
 }
 
 export const homePage = () =>
-  frame(
+  renderPage(
     {
       url: 'index.html',
       title: 'warpjet: warp any mesh, with lighting that stays right',

@@ -1,7 +1,7 @@
 /** The layout shared by all pages of the site: head, bar, search and content. */
 import { folderAddress } from './folder-address.js'
 import { escapeHtml } from './html.js'
-import { places } from './navigation.js'
+import { entries } from './navigation.js'
 import { withPolicy } from './policy.js'
 
 /** @param url a page's address relative to the first page @returns the first page's address relative to that page */
@@ -16,7 +16,7 @@ const link =
  * Returns a whole page as HTML. `here` is the title of its entry in the bar, `kind` its body class, `script` the module of web/site
  * that it runs in addition to site.js, `preload` an image that is visible first.
  */
-export function frame({ url, title, description, kind, here, script, preload }, content) {
+export function renderPage({ url, title, description, kind, here, script, preload }, content) {
   const root = rootOf(url)
   const scripts = ['site', script].filter(Boolean)
   return withPolicy(`<!doctype html>
@@ -40,7 +40,7 @@ export function frame({ url, title, description, kind, here, script, preload }, 
     <a class="skip" href="#main">Skip to the page</a>
     <header class="bar">
       <a class="name" href="${root}">warpjet</a>
-      <nav aria-label="Site">${places.map(link(root, here)).join('')}</nav>
+      <nav aria-label="Site">${entries.map(link(root, here)).join('')}</nav>
       <search>
         <input type="search" id="search" placeholder="Search" aria-label="Search the site" autocomplete="off"
           role="combobox" aria-expanded="false" aria-controls="found" aria-autocomplete="list" />

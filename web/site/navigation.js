@@ -79,7 +79,7 @@ export const pages = groups.flatMap(({ title: group, pages }) =>
 )
 
 /** The entries of the bar on every page. `href` is relative to the first page. */
-export const places = [
+export const entries = [
   { title: 'Gallery', href: '#gallery' },
   { title: 'Docs', href: 'docs/' },
   { title: 'Playground', href: 'playground/' },

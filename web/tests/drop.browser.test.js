@@ -231,8 +231,8 @@ describe('the page for your own model', () => {
     }
     for (const [name, bytes] of Object.entries(wrong)) {
       await drop(page, { [name]: bytes })
-      const sentence = await problem(page)
-      assert.match(sentence, /^[A-Z“][^\n]{15,300}\.$/, name)
+      const message = await problem(page)
+      assert.match(message, /^[A-Z“][^\n]{15,300}\.$/, name)
       assert.equal(await text(page, '.name'), 'ball')
       assert.equal(difference(before, await picture(page)), 0, name)
     }

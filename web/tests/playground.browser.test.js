@@ -85,10 +85,10 @@ describe('the playground', () => {
         /./,
       ],
     ]
-    for (const [sketch, number, sentence, other = number] of mistakes) {
+    for (const [sketch, number, message, other = number] of mistakes) {
       await write(page, sketch)
       const mistake = await page.locator('.mistake').textContent()
-      assert.match(mistake.replace(/^Line \d+ /, ''), sentence)
+      assert.match(mistake.replace(/^Line \d+ /, ''), message)
       const named = Number(/^Line (\d+) /.exec(mistake)?.[1])
       assert.ok(named === number || named === other, `${mistake}, not line ${number}`)
       assert.equal(await page.locator('.cm-lint-marker-error').count(), 1, mistake)

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
 import { converted } from '../playground/convert.js'
-import { insideScript } from '../playground/document.js'
+import { escapeForScript } from '../playground/document.js'
 import { guardLoops } from '../playground/guard.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
 import { evaluatedOf, maskOf, readMessage, shapesOf } from '../playground/messages.js'
@@ -126,7 +126,7 @@ describe('a loop in a sketch', () => {
 
 test('text in a script tag cannot end it', () => {
   const text = "const a = '</script><!-- <script>', b = 1 < 2"
-  const inside = insideScript(text)
+  const inside = escapeForScript(text)
   assert.doesNotMatch(inside, /<\/script|<!--|<script/i)
   assert.equal(new Function(`${inside}; return a`)(), new Function(`${text}; return a`)())
 })
@@ -143,7 +143,7 @@ test('text in a script tag keeps its meaning, in strings and outside of them', (
     ['return String.raw`</script>\\n<!--`'],
     ['return 1 + 1 <!-- </script> the rest of the line is a comment\n'],
   ]) {
-    const inside = insideScript(text, { isModule })
+    const inside = escapeForScript(text, { isModule })
     assert.doesNotMatch(inside, /<\/script|<!--/i)
     // `new Function` makes classic scripts, where `<!--` begins a comment.
     const meant = isModule ? text.replace('<!--', '< !--') : text

@@ -51,8 +51,8 @@ const findings = (page) =>
     ]
     const rules = Object.fromEntries(optional.map((id) => [id, { enabled: true }]))
     // Reporting only violations saves most of the work.
-    const told = { resultTypes: ['violations'], selectors: false, ancestry: false }
-    const { violations } = await window.axe.run(document, { iframes: false, rules, ...told })
+    const output = { resultTypes: ['violations'], selectors: false, ancestry: false }
+    const { violations } = await window.axe.run(document, { iframes: false, rules, ...output })
     return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)}`)
   })
 

@@ -113,7 +113,7 @@ const parameter =
   (label, ...others) => {
     if (others.length > 0)
       throw new Place(name).error(
-        `it takes only a name; there are ${Object.keys(params).join(', ')}.`,
+        `it takes only a name; the functions for other types are ${Object.keys(params).join(', ')}.`,
       )
     return session.input(label, shape, name)
   }

@@ -129,5 +129,5 @@ export function withDeclared(
 /** Makes the error for a uniform that the warp does not have. `names` are those that it has. */
 export const unknownUniform = (place: Place, name: string, names: readonly string[]): WarpError =>
   place.error(
-    `the warp has no uniform "${name}"; ${names.length ? `there ${names.length > 1 ? 'are' : 'is'} ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
+    `the warp has no uniform "${name}"; ${names.length ? `it has ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
   )

@@ -65,7 +65,7 @@ function uniformExpressions(
       if (name in target || typeof name === 'symbol') return Reflect.get(target, name)
       throw place.error(
         declared.size
-          ? `the option "uniforms" declares no "${name}"; there are ${listNames(declared)}.`
+          ? `the option "uniforms" declares no "${name}"; it declares ${listNames(declared)}.`
           : `the offset reads uniforms.${name}, which nothing declares; add the option { uniforms: { ${name}: 0.5 } }.`,
       )
     },

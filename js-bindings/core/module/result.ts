@@ -28,8 +28,8 @@ export const toDeclared = ({ name, shape, read }: Variable): Declared => ({
   type: read?.type ?? typeOf(shape),
 })
 
-/** Lists each variable once: the two halves of a whole number are one variable. */
-export const declaredOf = (variables: readonly Variable[]): Declared[] =>
+/** Lists each variable once: an integer is read as two halves of 16 bits, which are one variable. */
+export const uniqueDeclared = (variables: readonly Variable[]): Declared[] =>
   [...new Map(variables.map((each) => [each.name, each])).values()].map(toDeclared)
 
 export interface Compiled {
@@ -48,7 +48,7 @@ export interface CompileOptions {
   target?: Target
 }
 
-/** Does `work` with a session, and closes it whatever happens. */
+/** Calls `work` with a new session, which is closed afterwards, also if `work` throws. */
 export function withSession<Result>(
   target: Target,
   work: (session: Session) => Result,

@@ -1,4 +1,4 @@
-// The passes that warp the samples of the base and choose the pieces of its edges. They follow src/detail/need.cpp, which explains the formulas.
+// The passes that warp the samples of the base and measure into how many pieces its edges must be divided. They follow src/detail/need.cpp, which explains the formulas.
 import { groupSize, parameters } from './common-wgsl.js'
 import { sampleNames, type NamedNumbers, type PackedNumbers } from './warp-wgsl.js'
 
@@ -8,13 +8,16 @@ export interface SampleInput {
   readonly size: number
 }
 
-/** Names of the matrices that bring samples into the world. */
-export const worldNames = { position: 'sampleToWorld', normal: 'sampleNormalToWorld' }
+/** The matrices that transform positions and normals of samples to world space. */
+export interface World {
+  readonly position: () => readonly number[]
+  readonly normal: () => readonly number[]
+}
 
-export const worldNumbers = (
-  position: () => readonly number[],
-  normal: () => readonly number[],
-): NamedNumbers[] => [
+/** Names of these matrices in WGSL. */
+const worldNames = { position: 'sampleToWorld', normal: 'sampleNormalToWorld' }
+
+export const worldNumbers = ({ position, normal }: World): NamedNumbers[] => [
   { name: worldNames.position, type: 'mat4', read: position },
   { name: worldNames.normal, type: 'mat3', read: normal },
 ]

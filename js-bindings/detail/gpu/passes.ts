@@ -5,7 +5,13 @@ import { details } from '../../wasm/detail.js'
 import type { DetailBase } from '../detailed-mesh.js'
 import { blockSize, constantsOf } from './common-wgsl.js'
 import { choosePass, placePass, totalPass, writePass } from './divide-wgsl.js'
-import { evaluatePass, measurePass, worldNumbers, type SampleInput } from './measure-wgsl.js'
+import {
+  evaluatePass,
+  measurePass,
+  worldNumbers,
+  type SampleInput,
+  type World,
+} from './measure-wgsl.js'
 import { tessellationTable } from './table.js'
 import { PackedNumbers, warpInWgsl } from './warp-wgsl.js'
 import { usage, type GpuBuffer, type GpuDevice, type GpuPipeline } from './webgpu.js'
@@ -21,18 +27,13 @@ export interface Passes {
   readonly pieceCounts: readonly number[]
 }
 
-/** The matrices that bring samples into the world. */
-export interface World {
-  readonly position: () => readonly number[]
-  readonly normal: () => readonly number[]
-}
-
-interface OfDevice {
+/** The pipelines and the table of a device, which all meshes share. */
+interface DeviceCache {
   readonly pipelines: Map<string, Promise<GpuPipeline>>
   table?: Promise<GpuBuffer>
 }
 
-const ofDevices = new WeakMap<GpuDevice, OfDevice>()
+const caches = new WeakMap<GpuDevice, DeviceCache>()
 
 /** Compiles the passes. Rejects if the limits of the device are too low, or if the warp reads what only shaders have. */
 export async function compilePasses(
@@ -46,15 +47,12 @@ export async function compilePasses(
     throw new Error('the limits of the device are too low')
   const text = warpInWgsl(warp)
   if (!text) throw new Error('the warp reads what only shaders have')
-  let shared = ofDevices.get(device)
-  if (!shared) ofDevices.set(device, (shared = { pipelines: new Map() }))
+  let shared = caches.get(device)
+  if (!shared) caches.set(device, (shared = { pipelines: new Map() }))
   const bound = details.get()
   const constants = constantsOf(bound)
   const pieceCounts = [...bound.pieceNumbers()]
-  const numbers = new PackedNumbers([
-    ...text.numbers,
-    ...(world ? worldNumbers(world.position, world.normal) : []),
-  ])
+  const numbers = new PackedNumbers([...text.numbers, ...(world ? worldNumbers(world) : [])])
   const inputs: SampleInput[] = [
     { input: 'position', size: 3 },
     ...attributes.flatMap(({ input, size }) => {

@@ -18,7 +18,7 @@ async function makeTable() {
   const table = new bound.TessellationTable()
   try {
     for (let isDone = false; !isDone;) {
-      await whenIdle()
+      await waitUntilIdle()
       if (bound.isBroken) throw new Error('the wasm module failed')
       const end = performance.now() + sliceLength
       while (!isDone && performance.now() < end) isDone = !table.makeNext()
@@ -29,8 +29,8 @@ async function makeTable() {
   }
 }
 
-/** Safari has no `requestIdleCallback`. */
-const whenIdle = () =>
+/** Waits until the page is idle, or 10 ms in Safari, which has no `requestIdleCallback`. */
+const waitUntilIdle = () =>
   new Promise<unknown>((resolve) =>
     'requestIdleCallback' in globalThis
       ? requestIdleCallback(resolve, { timeout: 50 })

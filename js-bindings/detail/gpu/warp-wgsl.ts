@@ -70,17 +70,17 @@ export function warpInWgsl(warp: HostWarp) {
     ['offset', 'position'],
     { names },
   )
-  const ofUniforms = new Map(warp.uniforms.inShader.map((uniform) => [uniform.label, uniform]))
+  const uniformsByLabel = new Map(warp.uniforms.inShader.map((uniform) => [uniform.label, uniform]))
   const isKnown =
     attributes.every(({ name }) => name in sampleNames) &&
-    parameters.every(({ name }) => ofUniforms.has(name) && !ofUniforms.get(name)!.image)
+    parameters.every(({ name }) => uniformsByLabel.has(name) && !uniformsByLabel.get(name)!.image)
   if (!isKnown) return undefined
   const inFrame = new Set(frame)
   const numbers = uniforms.map(({ name, type }): NamedNumbers => {
     const read: NamedNumbers['read'] = inFrame.has(name)
       ? (given) => warp.frame(given)[name]!
-      : ofUniforms.has(name)
-        ? () => ofUniforms.get(name)!.numbers()
+      : uniformsByLabel.has(name)
+        ? () => uniformsByLabel.get(name)!.numbers()
         : (given) => [given[name] as number | number[]].flat()
     return { name: name in drawInputs ? drawName(name) : name, type, read }
   })

@@ -71,7 +71,7 @@ function transform(m: readonly number[]): ToSpace {
     [0, 5, 1, 4],
   ].map(([a, b, c, d]) => m[a!]! * m[b!]! - m[c!]! * m[d!]!)
   const determinant = m[0]! * cofactors[0]! + m[1]! * cofactors[1]! + m[2]! * cofactors[2]!
-  const ofNormals = cofactors.map((x) => x / determinant)
+  const normalMatrix = cofactors.map((x) => x / determinant)
   return (samples, positions) => {
     const { positions: given, normals, ...others } = samples
     for (let i = 0; i < positions.length; i += 3)
@@ -82,7 +82,7 @@ function transform(m: readonly number[]): ToSpace {
           m[8 + row]! * given[i + 2]! +
           m[12 + row]!
     const moved: Vertices = { ...others, positions }
-    if (normals) moved.normals = turn(normals, ofNormals)
+    if (normals) moved.normals = turn(normals, normalMatrix)
     return moved
   }
 }

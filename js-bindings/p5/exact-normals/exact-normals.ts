@@ -146,14 +146,14 @@ ${readsVariation(warp) ? variationInGlsl(matrices[spaceOf(name)]) : ''}${code}
  * p5 there, so a collapsed surface keeps the normal that the sketch's own hook returns.
  */
 function makeWgslHooks(shader: ModifiedShader): NewHooks | undefined {
-  const ofCamera = shader.hooks.modified.vertex['Vertex getWorldInputs']
+  const normalMatrix = shader.hooks.modified.vertex['Vertex getWorldInputs']
     ? 'camera.uCameraNormalMatrix * model.uModelNormalMatrix'
     : 'model.uNormalMatrix'
   const exact = makeExactHooks(shader, structHooks, (name) => ({
     ...structTemplate,
     hook: ({ code, original, normal, warp }) => ({
       [name]: `(warpjetInputs: Vertex) {
-${variationInWgsl({ text: warp, space: spaceOf(name) }, ofCamera)}${code}
+${variationInWgsl({ text: warp, space: spaceOf(name) }, normalMatrix)}${code}
   var warpjetResult = ${original}(warpjetInputs, instanceID, _p5VertexId);
   if (any(${normal} != vec3<f32>())) { warpjetResult.normal = ${normal}; }
   return warpjetResult;

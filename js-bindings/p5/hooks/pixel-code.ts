@@ -14,14 +14,14 @@ import { inputUniforms } from '../sketch-uniforms.js'
 import type { PixelCode, Varying } from './styles.js'
 
 /** Returns the fragment stage's name of an input. */
-export const nameOfPixel = (input: string) => `warpjetPixel_${input}`
+export const varyingOfInput = (input: string) => `warpjetPixel_${input}`
 
 /** The names of inputs in the code. All are varyings but the normal, which is computed from one. */
 const names = {
   ...Object.fromEntries(
     ['position', 'normal', 'uv', 'color', 'instance', ...variationNames].map((input) => [
       input,
-      nameOfPixel(input),
+      varyingOfInput(input),
     ]),
   ),
   ...inputUniforms,
@@ -56,7 +56,7 @@ export function pixelTextOf(warp: HostWarp, target: Target) {
   const varyings = inputs.map(({ name, type }): Varying =>
     name === 'normal'
       ? { input: name, name: normalVarying, type: 'vec4' }
-      : { input: name, name: nameOfPixel(name), type: type as Varying['type'] },
+      : { input: name, name: varyingOfInput(name), type: type as Varying['type'] },
   )
   return { text, varyings }
 }
@@ -87,8 +87,10 @@ export function obstacleFor(
     (name) => modified.vertex[name] && isAfter(name) && /normal/i.test(name + vertex[name]!),
   )
   if (later) return `the hook ${later.split(' ')[1]} of its shader changes normals after the warp`
-  const ofVertex = variablesOfVertices(base).find((name) => new RegExp(`\\b${name}\\b`).test(defs))
-  if (ofVertex) return `"defs" reads ${ofVertex}, which only vertices have`
+  const vertexVariable = variablesOfVertices(base).find((name) =>
+    new RegExp(`\\b${name}\\b`).test(defs),
+  )
+  if (vertexVariable) return `"defs" reads ${vertexVariable}, which only vertices have`
   const known = new Set(`${base.fragSrc()} ${defs}`.match(/\w+/g))
   for (const { name } of uniforms) known.add(name)
   const missing = text.parameters.find(({ name }) => !known.has(name))

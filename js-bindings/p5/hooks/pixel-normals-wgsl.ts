@@ -2,7 +2,7 @@
 import type { Declared } from '../../compile/hosts.js'
 import type { Shader } from '../host.js'
 import type { WarpSpace } from '../settings.js'
-import { nameOfPixel, normalVarying, normalWithLength } from './pixel-code.js'
+import { normalVarying, normalWithLength, varyingOfInput } from './pixel-code.js'
 import type { PixelCode } from './styles.js'
 
 /** WGSL types of inputs and of the option `uniforms`. */
@@ -25,7 +25,7 @@ export const pixelVaryings = (pixel: PixelCode | undefined) =>
  */
 export function readInputs({ varyings }: PixelCode): string {
   const names = new Set(varyings.map(({ name }) => name))
-  const [normal, instance] = ['normal', 'instance'].map(nameOfPixel)
+  const [normal, instance] = ['normal', 'instance'].map(varyingOfInput)
   return [
     names.has(normalVarying) && `  let ${normal} = ${normalWithLength};\n`,
     names.has(instance!) && `  let ${instance} = round(${instance});\n`,

@@ -1,24 +1,24 @@
 /** Normals at each pixel in GLSL, for both versions of p5; see pixel-code.ts. */
 import type { Modifications, Shader } from '../host.js'
 import { facingInGlsl } from './facing.js'
-import { nameOfPixel, normalVarying, normalWithLength } from './pixel-code.js'
+import { normalVarying, normalWithLength, varyingOfInput } from './pixel-code.js'
 import { glslDeclarations, type PixelCode, type WarpCode } from './styles.js'
 
-/** Transforms normals from the space of the offset to view space, by a matrix of p5 unless both are the same. */
+/** The transformation of normals from the space of the offset to view space. Without a matrix of p5, the spaces are the same. */
 export interface ToView {
   matrix?: readonly [type: 'mat3' | 'mat4', name: string]
   transform: (normal: string) => string
-  /** True if the vertex shader declares the matrix above `precision highp float`, as the fragment shader must then do too. */
+  /** `true` if the vertex shader declares the matrix above `precision highp float`; then the fragment shader must do so too. */
   isAbovePrecision?: boolean
 }
 
-const hookOfLight = 'Inputs getPixelInputs'
-const hookOfColor = 'vec4 getFinalColor'
+const lightHook = 'Inputs getPixelInputs'
+const colorHook = 'vec4 getFinalColor'
 
-/** Passes the position in view space to the fragments of a shader that does not. */
+/** A varying for the position in view space, for shaders that do not pass it to the fragment stage themselves. */
 const ownViewPosition = 'warpjetPixelViewPosition'
 
-const isLit = ({ hooks }: Shader) => hookOfLight in hooks.fragment
+const isLit = ({ hooks }: Shader) => lightHook in hooks.fragment
 
 /** Returns whether the shader lights normals or shows them as colours. */
 export const readsNormals = (base: Shader) =>
@@ -55,7 +55,7 @@ export function pixelHooks(
   const body = `  vec3 warpjetFacingNormal = warpjetFacing(${isLit(base) ? 'vViewPosition' : ownViewPosition});
 ${readNormal(pixel)}${pixel.text.code}
   vec3 warpjetShownNormal = warpjetNormal == vec3(0.0) ? warpjetFacingNormal : normalize(${transform('warpjetNormal')});`
-  const [parameters] = /\([^)]*\)/.exec(base.hooks.fragment[hookOfColor] ?? '()')!
+  const [parameters] = /\([^)]*\)/.exec(base.hooks.fragment[colorHook] ?? '()')!
   return {
     fragmentDeclarations: glslDeclarations(
       { ...warpCode, text: pixel.text, uniforms: pixel.uniforms },
@@ -67,18 +67,18 @@ ${readNormal(pixel)}${pixel.text.code}
     ),
     ...(isLit(base)
       ? {
-          [hookOfLight]: `(Inputs inputs) {
+          [lightHook]: `(Inputs inputs) {
 ${body}
   inputs.normal = warpjetShownNormal;
   return inputs;
 }`,
         }
-      : { [hookOfColor]: `${parameters} {\n${body}\n  return vec4(warpjetShownNormal, 1.0);\n}` }),
+      : { [colorHook]: `${parameters} {\n${body}\n  return vec4(warpjetShownNormal, 1.0);\n}` }),
   }
 }
 
 /** Returns statements that restore the length of the normal, which interpolation shortens. */
 function readNormal({ varyings }: PixelCode): string {
   if (!varyings.some(({ name }) => name === normalVarying)) return ''
-  return `  vec3 ${nameOfPixel('normal')} = ${normalWithLength};\n`
+  return `  vec3 ${varyingOfInput('normal')} = ${normalWithLength};\n`
 }

@@ -48,13 +48,13 @@ export function attributesOf({ text, space }: InSpace) {
   )
 }
 
-/** Does the same as `variationInGlsl`. The matrix `ofCamera` transforms normals to view space. */
-export function variationInWgsl(warpCode: InSpace, ofCamera = 'model.uNormalMatrix'): string {
+/** Does the same as `variationInGlsl`. The matrix `cameraMatrix` transforms normals to view space. */
+export function variationInWgsl(warpCode: InSpace, cameraMatrix = 'model.uNormalMatrix'): string {
   const { space } = warpCode
   const names = attributesOf(warpCode)
   if (names.length === 0) return ''
   const attributeOf = (name: string) => `${variationAttribute(name)}_`
-  const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: ofCamera }[space]
+  const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: cameraMatrix }[space]
   const lines = names.map((name) => {
     if (!matrix) return attributeOf(name)
     if (!isOfNormal(name)) return `warpjetNormalMatrix * ${attributeOf(name)}`

@@ -29,7 +29,7 @@ export function problemOf(warp: ThreeWarp, object: Warpable): string | undefined
     return 'an InstancedBufferGeometry is not divided'
   if (isInstancedMesh && warp.settings.space === 'world')
     return "in the space 'world' each instance has a surface of its own"
-  if (!warp.runs)
+  if (!warp.canRunOnCpu)
     return 'the offset calls a glsl.fn or reads an image, which only the GPU can evaluate'
   for (const name of ['position', 'normal', 'uv'] as const)
     if ((name === 'position' || warp.reads(name)) && !attributes[name])

@@ -23,7 +23,7 @@ const maxInstances = 16
 
 const size = new Vector2()
 const matrix = new Matrix4()
-const ofInstance = new Matrix4()
+const instanceMatrix = new Matrix4()
 const place = new Vector3()
 const eye = new Vector3()
 
@@ -36,15 +36,15 @@ export function viewsOf(warp: ThreeWarp, object: Mesh, render: Render): DetailVi
   const instances = nearestInstances(object, camera)
   const facing = facingOf(warp, object, render, instances)
   const views: DetailViews = []
-  const ofShadows = castsShadow(object, render) ? shadowCamerasOf(render) : []
-  for (const { seen, width, height } of [...camerasOf(render), ...ofShadows])
+  const shadowCameras = castsShadow(object, render) ? shadowCamerasOf(render) : []
+  for (const { seen, width, height } of [...camerasOf(render), ...shadowCameras])
     for (const instance of instances) {
       matrix.multiplyMatrices(seen.projectionMatrix, seen.matrixWorldInverse)
       if (warp.settings.space !== 'world') {
         matrix.multiply(object.matrixWorld)
         if (instance !== undefined) {
-          ;(object as InstancedMesh).getMatrixAt(instance, ofInstance)
-          matrix.multiply(ofInstance)
+          ;(object as InstancedMesh).getMatrixAt(instance, instanceMatrix)
+          matrix.multiply(instanceMatrix)
         }
       }
       views.push(...matrix.elements, width / 2, height / 2, facing)
@@ -76,10 +76,10 @@ function nearestInstances(object: Mesh, camera: Camera): (number | undefined)[] 
   if (count <= maxInstances) return all
   eye.setFromMatrixPosition(camera.matrixWorld)
   const distances = all.map((i) => {
-    ;(object as InstancedMesh).getMatrixAt(i, ofInstance)
-    place.setFromMatrixPosition(ofInstance).applyMatrix4(object.matrixWorld)
+    ;(object as InstancedMesh).getMatrixAt(i, instanceMatrix)
+    place.setFromMatrixPosition(instanceMatrix).applyMatrix4(object.matrixWorld)
     // A larger instance is seen as a nearer one is.
-    return place.distanceToSquared(eye) / Math.abs(ofInstance.determinant()) ** (2 / 3)
+    return place.distanceToSquared(eye) / Math.abs(instanceMatrix.determinant()) ** (2 / 3)
   })
   return all.sort((a, b) => distances[a]! - distances[b]!).slice(0, maxInstances)
 }

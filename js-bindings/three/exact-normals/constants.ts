@@ -2,14 +2,14 @@
 import type { BufferGeometry, Mesh, Object3D } from 'three'
 import { variationAttribute, variationNames } from '../../compile/hosts.js'
 import { noteApproximation } from '../../errors/notes.js'
-import type { ExactSettings, Reading } from './reading.js'
+import type { Displacement, ExactSettings } from './displacement.js'
 
 interface Noting {
   settings: ExactSettings
   warn: (message: string) => void
 }
 
-const ofInstances = new Set(['instanceMatrix', 'instanceColor', 'gl_InstanceID'])
+const instanceAttributes = new Set(['instanceMatrix', 'instanceColor', 'gl_InstanceID'])
 
 const isInstanced = (attribute: object | undefined) => {
   const { isInstancedBufferAttribute, data } = (attribute ?? {}) as {
@@ -22,7 +22,7 @@ const isInstanced = (attribute: object | undefined) => {
 /** Warns if the normals of an object are only approximate, since how an attribute varies over the surface is unknown. */
 export function noteConstants(
   exact: Noting,
-  { warp, parameters }: Reading,
+  { warp, parameters }: Displacement,
   object: Object3D | undefined,
 ) {
   const { method, surfaceVariation } = exact.settings
@@ -32,7 +32,7 @@ export function noteConstants(
   if (warp.varies && attributes && !hasVariation)
     noteApproximation(method, 'await addSurfaceVariation(geometry)')
   const isOfVertices = (name: string) =>
-    attributes !== undefined && !ofInstances.has(name) && !isInstanced(attributes[name])
+    attributes !== undefined && !instanceAttributes.has(name) && !isInstanced(attributes[name])
   const [first] = parameters.filter(({ isAttribute, name }) => isAttribute && isOfVertices(name))
   if (first)
     exact.warn(

@@ -76,7 +76,9 @@ const counts = [
  */
 export function definesFor(shader: ExactShader): string {
   const given = shader as unknown as Record<string, unknown>
-  const ofMaterial = Object.entries(shader.defines ?? {}).filter(([, value]) => value !== false)
+  const materialDefines = Object.entries(shader.defines ?? {}).filter(
+    ([, value]) => value !== false,
+  )
   return [
     'attribute in',
     'varying out',
@@ -89,7 +91,7 @@ export function definesFor(shader: ExactShader): string {
       ...(given[name] ? [`USE_${macro}`] : []),
       ...(given[`${name}Uv`] ? [`${macro}_UV ${String(given[`${name}Uv`])}`] : []),
     ]),
-    ...ofMaterial.map(([name, value]) => `${name} ${String(value)}`),
+    ...materialDefines.map(([name, value]) => `${name} ${String(value)}`),
   ]
     .map((define) => `#define ${define}`)
     .join('\n')

@@ -11,10 +11,10 @@ import { weavePixelNormals, weaveVertexNormals } from '../weave-fragment.js'
 import type { WeaveOptions } from '../weave-options.js'
 import { areNormalsAtVertices } from './at-vertices.js'
 import { noteConstants } from './constants.js'
+import { readDisplacement, type Displacement, type ExactSettings } from './displacement.js'
 import { withExactFunctions, withExactNames, withNamesOfShader } from './exact-names.js'
 import { declareParameters, obstacleInParameters } from './parameters.js'
 import { spaceOf } from './pose-space.js'
-import { readDisplacement, type ExactSettings, type Reading } from './reading.js'
 import type { ExactShader } from './shader.js'
 import { weaveAttribute } from './weave-attribute.js'
 import { makesNormal, obstacleInChunks, weaveChunks } from './weave-chunks.js'
@@ -95,7 +95,7 @@ export class ExactMaterial {
   }
 
   /** Reads the displacement of a shader. Throws a `WarpError` if that is impossible. */
-  read(shader: ExactShader, values?: Record<string, () => unknown>): Reading {
+  read(shader: ExactShader, values?: Record<string, () => unknown>): Displacement {
     return readDisplacement(
       shader,
       this.settings,
@@ -148,27 +148,32 @@ export class ExactMaterial {
     // Materials without light have no normals.
     if (!isOfChunks && !isShaderMaterial) return
     try {
-      const reading = this.read(shader)
-      if (reading.note) this.warn(reading.note)
-      if (reading.warp.isRigid) return
+      const displacement = this.read(shader)
+      if (displacement.note) this.warn(displacement.note)
+      if (displacement.warp.isRigid) return
       const drawn = isOfChunks
-        ? this.weaveChunks(shader, renderer, reading)
-        : this.weaveAttribute(shader, reading)
-      this.put(shader, reading, drawn)
-      noteConstants(this, reading, this.drawn)
+        ? this.weaveChunks(shader, renderer, displacement)
+        : this.weaveAttribute(shader, displacement)
+      this.put(shader, displacement, drawn)
+      noteConstants(this, displacement, this.drawn)
     } catch (error) {
       this.warn(`keeps its own normals: ${messageOf(error)}`)
     }
   }
 
-  private weaveChunks(shader: ExactShader, renderer: WebGLRenderer, reading: Reading) {
-    const { warp } = reading
-    const pixel = this.pixelFor(shader, renderer, reading)
-    const vertexShader = weaveChunks(shader.vertexShader, reading, this.weaveOptions(shader), pixel)
+  private weaveChunks(shader: ExactShader, renderer: WebGLRenderer, displacement: Displacement) {
+    const { warp } = displacement
+    const pixel = this.pixelFor(shader, renderer, displacement)
+    const vertexShader = weaveChunks(
+      shader.vertexShader,
+      displacement,
+      this.weaveOptions(shader),
+      pixel,
+    )
     if (areNormalsAtVertices()) return { vertexShader, fragmentShader: shader.fragmentShader }
     const fragmentShader = pixel
       ? weavePixelNormals(
-          declareParameters(shader.fragmentShader, reading),
+          declareParameters(shader.fragmentShader, displacement),
           pixel,
           String(shader.precision),
         )
@@ -179,20 +184,20 @@ export class ExactMaterial {
   private pixelFor(
     shader: ExactShader,
     renderer: WebGLRenderer,
-    reading: Reading,
+    displacement: Displacement,
   ): PixelNormals | undefined {
     if (areNormalsAtVertices()) return undefined
     return pixelNormalsFor(
       shader as never,
       this.material,
       renderer,
-      reading.warp,
+      displacement.warp,
       nameOfMaterial(this.material),
-      (vertexShader) => obstacleInParameters(reading) ?? obstacleInChunks(vertexShader),
+      (vertexShader) => obstacleInParameters(displacement) ?? obstacleInChunks(vertexShader),
     )
   }
 
-  private weaveAttribute(shader: ExactShader, reading: Reading) {
+  private weaveAttribute(shader: ExactShader, displacement: Displacement) {
     if (this.settings.normals === 'pixel')
       this.warn(
         "has its normals computed at vertices, although the option normals is 'pixel': its vertex shader lacks the chunks beginnormal_vertex and defaultnormal_vertex of three.js.",
@@ -200,7 +205,7 @@ export class ExactMaterial {
     return {
       vertexShader: weaveAttribute(
         shader.vertexShader,
-        reading,
+        displacement,
         this.weaveOptions(shader),
         this.place,
       ),
@@ -222,7 +227,7 @@ export class ExactMaterial {
 
   private put(
     shader: ExactShader,
-    { warp }: Reading,
+    { warp }: Displacement,
     { vertexShader, fragmentShader }: Pick<ExactShader, 'vertexShader' | 'fragmentShader'>,
   ) {
     // The uniforms of a ShaderMaterial are the user's object.

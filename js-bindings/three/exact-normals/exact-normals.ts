@@ -7,9 +7,9 @@ import { Place } from '../../options/place.js'
 import { object, type KindsOf } from '../../options/schema.js'
 import { describeOfThree, nameOfMaterial } from '../describe.js'
 import { isWarpedByHand } from '../supported.js'
+import type { ExactSettings } from './displacement.js'
 import { exactMaterial } from './exact-material.js'
 import { followDisplacement } from './follow.js'
-import type { ExactSettings } from './reading.js'
 
 export interface ExactNormalsOptions {
   /**

@@ -1,6 +1,6 @@
 /**
- * Lets shadows, culling and rays of a mesh follow the displacement of its material. What three.js has not compiled yet is read from the
- * material's `onBeforeCompile`, which is called with a shader of its own for that.
+ * Lets shadows, culling and rays of a mesh follow the displacement of its material. Before three.js has compiled the material, the
+ * displacement is read from a new shader, with which the material's `onBeforeCompile` is called.
  */
 import {
   MeshDepthMaterial,
@@ -15,8 +15,8 @@ import { extentOf } from '../extent.js'
 import { replaceProperties, wrapMethod } from '../properties.js'
 import { raycastOf, type Raycast } from '../rays.js'
 import type { ThreeWarp } from '../three-warp.js'
-import { MeshReading } from './mesh-reading.js'
-import { putShadow } from './shadow.js'
+import { MeshDisplacement } from './mesh-displacement.js'
+import { displaceShadow } from './shadow.js'
 
 const followed = new WeakSet<Mesh>()
 
@@ -25,25 +25,25 @@ export function followDisplacement(mesh: Mesh, method: string) {
   followed.add(mesh)
   if (Array.isArray(mesh.material)) {
     console.warn(
-      `${method}: ${nameOf(mesh)} has several materials, so that its shadows, culling and rays stay as they are.`,
+      `${method}: ${nameOf(mesh)} has several materials, so its shadows, culling and raycasts ignore their displacement.`,
     )
     return
   }
-  const reading = new MeshReading(mesh)
-  followBounds(mesh, reading)
-  followRays(mesh, reading)
-  mesh.customDepthMaterial ??= putShadow(
+  const displacement = new MeshDisplacement(mesh)
+  followBounds(mesh, displacement)
+  followRays(mesh, displacement)
+  mesh.customDepthMaterial ??= displaceShadow(
     new MeshDepthMaterial({ depthPacking: RGBADepthPacking }),
-    reading,
+    displacement,
   )
-  mesh.customDistanceMaterial ??= putShadow(new MeshDistanceMaterial(), reading)
+  mesh.customDistanceMaterial ??= displaceShadow(new MeshDistanceMaterial(), displacement)
 }
 
 type Extent = ReturnType<typeof extentOf>
 
 const extents = new WeakMap<ThreeWarp, Extent>()
 
-/** Returns a function for the present extent. A reading belongs to one mesh. */
+/** Returns the function that computes the current extent. Each warp is made for one mesh, so it has one extent. */
 function extentFor(warp: ThreeWarp, mesh: Mesh): Extent {
   let extent = extents.get(warp)
   if (!extent) extents.set(warp, (extent = extentOf(warp, mesh)))
@@ -51,12 +51,12 @@ function extentFor(warp: ThreeWarp, mesh: Mesh): Extent {
 }
 
 /** Three.js culls by the bounds of an object, if it has any, and otherwise by those of its geometry. */
-function followBounds(mesh: Mesh, reading: MeshReading) {
+function followBounds(mesh: Mesh, displacement: MeshDisplacement) {
   const bounds = (name: 'boundingSphere' | 'boundingBox', part: 'sphere' | 'box') => {
     let original = (mesh as unknown as Record<string, Sphere | Box3 | null | undefined>)[name]
     return {
       get() {
-        const warp = reading.onCpu()?.warp
+        const warp = displacement.readForCpu()?.warp
         return warp ? extentFor(warp, mesh)()[part] : original
       },
       set: (assigned: typeof original) => void (original = assigned),
@@ -68,19 +68,19 @@ function followBounds(mesh: Mesh, reading: MeshReading) {
   })
 }
 
-function followRays(mesh: Mesh, reading: MeshReading) {
+function followRays(mesh: Mesh, displacement: MeshDisplacement) {
   wrapMethod<Raycast>(mesh, 'raycast', (original) => {
-    const made = new WeakMap<ThreeWarp, Raycast>()
+    const raycasts = new WeakMap<ThreeWarp, Raycast>()
     return function (this: Mesh, raycaster, intersects) {
-      const warp = reading.onCpu()?.warp
-      if (warp && !warp.runs)
-        reading.exact?.warn(
-          'moves vertices by values that only the GPU has, so rays meet the mesh without its displacement.',
+      const warp = displacement.readForCpu()?.warp
+      if (warp && !warp.canRunOnCpu)
+        displacement.exact?.warn(
+          'moves vertices by values that only the GPU has, so raycasts hit the undisplaced mesh.',
         )
-      if (!warp?.runs) return original.call(this, raycaster, intersects)
-      let cast = made.get(warp)
+      if (!warp?.canRunOnCpu) return original.call(this, raycaster, intersects)
+      let cast = raycasts.get(warp)
       if (!cast)
-        made.set(
+        raycasts.set(
           warp,
           (cast = raycastOf(warp, mesh, original, () => extentFor(warp, mesh)().sphere)),
         )

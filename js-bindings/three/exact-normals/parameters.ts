@@ -1,5 +1,5 @@
 // Variables of the vertex shader that normals at pixels need in the fragment shader.
-import type { Reading } from './reading.js'
+import type { Displacement } from './displacement.js'
 
 /** Uniforms that three.js sets for every program, and those of them that it declares in fragment shaders. */
 const types: Record<string, string> = {
@@ -12,7 +12,7 @@ const types: Record<string, string> = {
 const declared = new Set(['viewMatrix', 'cameraPosition'])
 
 /** Returns why normals cannot be computed in the fragment shader; `undefined` if they can. */
-export function obstacleInParameters({ parameters }: Reading): string | undefined {
+export function obstacleInParameters({ parameters }: Displacement): string | undefined {
   const found = parameters.find(({ name }) => !(name in types))
   if (!found) return undefined
   return found.isAttribute
@@ -21,7 +21,7 @@ export function obstacleInParameters({ parameters }: Reading): string | undefine
 }
 
 /** Declares the uniforms in a fragment shader. */
-export const declareParameters = (fragmentShader: string, { parameters }: Reading): string =>
+export const declareParameters = (fragmentShader: string, { parameters }: Displacement): string =>
   parameters
     .filter(
       ({ name }) =>

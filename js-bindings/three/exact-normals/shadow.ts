@@ -1,16 +1,16 @@
-// Materials that draw the shadow of a displaced mesh: three's own, with the displacement as a warp.
+// Shadows of displaced meshes: the displacement, as a warp, is inserted into the depth and distance materials of three.js.
 import type { Material } from 'three'
 import { replaceProperties } from '../properties.js'
 import { uniformsFor } from '../shader-weaver.js'
 import { weave } from '../weave.js'
+import type { Displacement } from './displacement.js'
 import { messageOf, renameUniforms } from './exact-material.js'
 import { withExactFunctions, withExactNames } from './exact-names.js'
-import type { MeshReading } from './mesh-reading.js'
-import type { Reading } from './reading.js'
+import type { MeshDisplacement } from './mesh-displacement.js'
 import type { ExactShader } from './shader.js'
 
-/** Variables that are different for a light than for the camera. */
-const ofCamera = [
+/** Variables whose value for a light differs from that for the camera. */
+const cameraVariables = [
   'viewMatrix',
   'modelViewMatrix',
   'projectionMatrix',
@@ -23,13 +23,13 @@ const ofCamera = [
 const declared = new Set(['instanceMatrix', 'instanceColor'])
 
 /** Lets three.js compile a material again when the shader of the mesh has changed. */
-function followVersion(material: Material, reading: MeshReading) {
+function followVersion(material: Material, displacement: MeshDisplacement) {
   let { version } = material
-  let state = reading.exact?.state
+  let state = displacement.exact?.state
   replaceProperties(material, {
     version: {
       get() {
-        const now = reading.exact?.state
+        const now = displacement.exact?.state
         if (now !== state) version++
         state = now
         return version
@@ -39,37 +39,43 @@ function followVersion(material: Material, reading: MeshReading) {
   })
 }
 
-export function putShadow<Kind extends Material>(material: Kind, reading: MeshReading): Kind {
-  followVersion(material, reading)
-  material.customProgramCacheKey = () => `exactNormals ${reading.onGpu()?.warp.key}`
+export function displaceShadow<Kind extends Material>(
+  material: Kind,
+  displacement: MeshDisplacement,
+): Kind {
+  followVersion(material, displacement)
+  material.customProgramCacheKey = () => `exactNormals ${displacement.readForGpu()?.warp.key}`
   material.onBeforeCompile = (shader) => {
-    const found = reading.onGpu()
+    const found = displacement.readForGpu()
     if (!found) return
     try {
-      putDisplacement(shader as unknown as ExactShader, found, material)
+      insertDisplacement(shader as unknown as ExactShader, found, material)
     } catch (error) {
-      reading.exact?.warn(
-        `has the shadow of the mesh without its displacement: ${messageOf(error)}`,
-      )
+      displacement.exact?.warn(`cannot displace the shadow of the mesh: ${messageOf(error)}`)
     }
   }
   return material
 }
 
-function putDisplacement(shader: ExactShader, { warp, parameters }: Reading, material: Material) {
+function insertDisplacement(
+  shader: ExactShader,
+  { warp, parameters }: Displacement,
+  material: Material,
+) {
   const unknown = parameters.find(
-    ({ name, isAttribute }) => ofCamera.includes(name) || !(isAttribute || name === 'modelMatrix'),
+    ({ name, isAttribute }) =>
+      cameraVariables.includes(name) || !(isAttribute || name === 'modelMatrix'),
   )
   if (unknown)
     throw new Error(
-      `it moves vertices by ${unknown.name}, which ${ofCamera.includes(unknown.name) ? 'is that of the light there' : 'has no value yet'}.`,
+      `it moves vertices by ${unknown.name}, which ${cameraVariables.includes(unknown.name) ? 'belongs to the light while shadows are drawn' : 'has no value yet'}.`,
     )
   const attributes = parameters
     .filter(
       ({ name, isAttribute }) => isAttribute && !declared.has(name) && !name.startsWith('gl_'),
     )
     .map(({ name, type }) => `attribute ${type} ${name};\n`)
-  // The displacement of a displacement map is among those of the warp.
+  // The warp already includes the displacement map.
   const vertexShader = shader.vertexShader.replace('#include <displacementmap_vertex>', '')
   const woven = weave(`${attributes.join('')}${vertexShader}`, warp, {
     mayHaveTangents: false,

@@ -7,8 +7,8 @@ import type { Place } from '../../options/place.js'
 import { resolveIncludes, splitAtMain } from '../shader-source.js'
 import { WarpCode } from '../warp-code.js'
 import type { WeaveOptions } from '../weave-options.js'
+import type { Displacement } from './displacement.js'
 import { withoutComments } from './plain-source.js'
-import type { Reading } from './reading.js'
 import { declaredBy, effectsOf, localTypes, statementsOf, type Statement } from './statements.js'
 import { uniforms } from './vertex-source.js'
 
@@ -17,7 +17,7 @@ const newNormal = 'warpjetAttributeNormal'
 /** Throws a `WarpError` for a shader whose varyings cannot be separated from its position. */
 export function weaveAttribute(
   vertexShader: string,
-  { warp }: Reading,
+  { warp }: Displacement,
   options: WeaveOptions,
   place: Place,
 ): string {
@@ -103,8 +103,8 @@ function withNewNormals(
   /** Variables that both the position and the light depend on, and that are made of the normal alone. */
   const copies = new Map<string, string>()
   /** Variables that other statements make of the normal, and of the position in front of the displacement. */
-  const ofNormal = new Set<string>()
-  const ofPosition = new Set<string>()
+  const normalVariables = new Set<string>()
+  const positionVariables = new Set<string>()
   const movingPositions = new Set(['position'])
   const movingCalls = new Set(
     statements.filter((_, i) => isMoving[i]).flatMap(({ calls }) => [...calls]),
@@ -122,7 +122,7 @@ function withNewNormals(
     const { text, isBlock, isDirective, reads, writes, calls } = statement
     if (isDirective) return text
     const readsNormal =
-      reads.has('normal') || some(reads, (name) => copies.has(name) || ofNormal.has(name))
+      reads.has('normal') || some(reads, (name) => copies.has(name) || normalVariables.has(name))
     if (isMoving[i]) {
       const isPlace = some(reads, (name) => movingPositions.has(name))
       if (isPlace) for (const name of writes) movingPositions.add(name)
@@ -157,7 +157,7 @@ function withNewNormals(
       })
       return `${copy.join('')}${text}\n${rename(text)}`
     }
-    const readsPosition = some(reads, (name) => name === 'position' || ofPosition.has(name))
+    const readsPosition = some(reads, (name) => name === 'position' || positionVariables.has(name))
     if (readsNormal) {
       if (readsPosition || some(calls, (name) => movingCalls.has(name)))
         throw fail(
@@ -169,10 +169,10 @@ function withNewNormals(
           statement,
           'calls a function that reads the attribute normal; pass the normal to it as an argument',
         )
-      for (const name of writes) ofNormal.add(name)
+      for (const name of writes) normalVariables.add(name)
       if (some(writes, (name) => varyings.has(name))) hasNormals = true
     }
-    if (readsPosition) for (const name of writes) ofPosition.add(name)
+    if (readsPosition) for (const name of writes) positionVariables.add(name)
     return rename(text)
   })
   if (!hasNormals)

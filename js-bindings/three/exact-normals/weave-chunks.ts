@@ -15,7 +15,7 @@ import {
   projection,
   splitAtAnchor,
 } from '../weave.js'
-import type { Reading } from './reading.js'
+import type { Displacement } from './displacement.js'
 
 /** Tests whether three's own lines make the normal of a shader. */
 export const makesNormal = (vertexShader: string) => {
@@ -33,7 +33,7 @@ export function obstacleInChunks(vertexShader: string): string | undefined {
 
 export function weaveChunks(
   vertexShader: string,
-  { warp }: Reading,
+  { warp }: Displacement,
   options: Pick<WeaveOptions, 'mayHaveTangents' | 'hasColors'>,
   pixel?: PixelNormals,
 ): string {

@@ -122,9 +122,9 @@ function installInMaterials(prototype: Methods) {
   }
   prototype.setupPosition = function (builder) {
     const { warpjet } = builder.context as { warpjet?: ThreeWarp }
-    const ofNode = warpsOfNodes.get(this.positionNode as AnyNode)
-    const warp = warpjet ?? ofNode
-    const exact = ofNode ? undefined : exactOf(this)
+    const nodeWarp = warpsOfNodes.get(this.positionNode as AnyNode)
+    const warp = warpjet ?? nodeWarp
+    const exact = nodeWarp ? undefined : exactOf(this)
     if (!warp && !exact) return setupPosition.call(this, builder)
     const positionNode = this.positionNode as AnyNode
     const setup = () => void setupPosition.call(this, builder)
@@ -136,7 +136,7 @@ function installInMaterials(prototype: Methods) {
     else if (exact) {
       setupPlain()
       displaceExactly(exact, builder, this, positionNode)
-    } else if (ofNode) withoutPositionNode(this, () => setupWarped(warp!, builder, this, setup))
+    } else if (nodeWarp) withoutPositionNode(this, () => setupWarped(warp!, builder, this, setup))
     else setupWarped(warp!, builder, this, setup)
     // That of PointsNodeMaterial has the positionNode itself there.
     builder.context.setupPositionView = () => setupPositionView.call(this, builder)

@@ -221,8 +221,8 @@ export class PixelNormals {
 
   private tangentToView(tangent: AnyNode): AnyNode {
     if (this.warp.settings.space === 'world') return tsl.mat3(tsl.cameraViewMatrix).mul(tangent)
-    const ofInstance = this.matrix ? tsl.mat3(...this.columns).mul(tangent) : tangent
-    return tsl.modelViewMatrix.mul(tsl.vec4(ofInstance, 0)).xyz
+    const instanceTangent = this.matrix ? tsl.mat3(...this.columns).mul(tangent) : tangent
+    return tsl.modelViewMatrix.mul(tsl.vec4(instanceTangent, 0)).xyz
   }
 
   private get columns(): AnyNode[] {

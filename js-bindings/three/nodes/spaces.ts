@@ -29,7 +29,7 @@ export const local = (previous: AnyNode): Space => ({
 })
 
 /** The space of three's `positionGeometry`: what morph targets, bones and instances have done counts for nothing. */
-export const ofGeometry = (): Space => ({
+export const geometrySpace = (): Space => ({
   ...local(tsl.positionGeometry),
   position: tsl.positionGeometry,
   normal: () => tsl.normalGeometry,

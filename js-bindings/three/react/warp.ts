@@ -57,7 +57,7 @@ function WarpOf(
     const object = isAround ? group.current : group.current?.parent
     if (!object) return
     const options = { uniforms, space, normals, fadeNoise, detail, share, surfaceVariation }
-    const made = warp(object, offset as never, withoutGaps(options) as never) as WarpedObject
+    const made = warp(object, offset as never, withoutUndefined(options) as never) as WarpedObject
     warped.current = made
     return () => {
       warped.current = null
@@ -82,5 +82,5 @@ const kindOf = ([name, value]: [string, unknown]) => [
   (value as { length?: number } | null)?.length,
 ]
 
-const withoutGaps = (options: object) =>
+const withoutUndefined = (options: object) =>
   Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined))

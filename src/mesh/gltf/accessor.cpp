@@ -17,7 +17,7 @@ constexpr std::size_t maxZeros = std::size_t{1} << 22;
 
 const tinygltf::Accessor& accessorAt(const Gltf& gltf, int accessor) {
   const auto& accessors = gltf.model.accessors;
-  return accessors[checkedIndex("accessor", accessor, accessors.size())];
+  return accessors[checkIndex("accessor", accessor, accessors.size())];
 }
 
 [[noreturn]] void fail(int accessor, const std::string& what) {
@@ -56,7 +56,7 @@ Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_
 Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
   const auto& views = gltf.model.bufferViews;
-  const auto& view = views[checkedIndex("bufferView", info.bufferView, views.size())];
+  const auto& view = views[checkIndex("bufferView", info.bufferView, views.size())];
   const std::size_t stride = info.type == TINYGLTF_TYPE_SCALAR ? 0 : view.byteStride;
   return elementsIn(gltf, accessor, info.bufferView, info.byteOffset, info.count, size, stride);
 }

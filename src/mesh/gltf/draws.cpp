@@ -50,7 +50,7 @@ bool hasEqualColors(const Gltf& gltf, const std::vector<Draw>& draws) {
 // must not be mirrored.
 bool needsIndices(const Draw& draw, const std::vector<Skin>& skins) {
   const bool isMirrored =
-      draw.isSkinned() ? skins[checkedIndex("skin", draw.placed->skin, skins.size())].isMirrored
+      draw.isSkinned() ? skins[checkIndex("skin", draw.placed->skin, skins.size())].isMirrored
                        : glm::determinant(draw.placed->toWorld) < 0;
   return draw.isIndexed() || draw.kind() != Primitives::Triangles || draw.vertices % 3 != 0 ||
          isMirrored;
@@ -60,9 +60,9 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
   const std::uint64_t floats =
       6 + (layout.hasUvs ? 2 : 0) + (layout.hasColors ? 4 : 0) + (layout.hasTangents ? 4 : 0);
   // At most 2^20 draws of 2^32 vertices: no overflow.
-  std::uint64_t bytes = 0, ofTargets = 0;
+  std::uint64_t bytes = 0, targetBytes = 0;
   for (const Draw& draw : draws) {
-    ofTargets += std::uint64_t{12} * draw.vertices * draw.weights.size();
+    targetBytes += std::uint64_t{12} * draw.vertices * draw.weights.size();
     bytes += floats * draw.vertices * sizeof(float);
     if (layout.isIndexed)
       bytes += std::uint64_t{3} * trianglesOf(draw.kind(), draw.corners) * sizeof(std::uint32_t);
@@ -72,9 +72,9 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
                       groupDigits(maxMeshBytes) +
                       " are read; export it with fewer triangles or in several files.");
   // Morph targets are added to the mesh, so that many of them take time, but not memory.
-  if (ofTargets > maxMeshBytes)
+  if (targetBytes > maxMeshBytes)
     throw FileProblem("the model has more active morph targets than are supported, " +
-                      groupDigits(ofTargets) + " bytes; export it in its final shape.");
+                      groupDigits(targetBytes) + " bytes; export it in its final shape.");
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed) {
   std::vector<Draw> draws;
   std::size_t seen = 0;
   for (const Placed& place : placed) {
-    const auto& mesh = meshes[checkedIndex("mesh", place.mesh, meshes.size())];
+    const auto& mesh = meshes[checkIndex("mesh", place.mesh, meshes.size())];
     seen += mesh.primitives.size();
     if (seen > maxDraws) failTooManyDraws();
     for (const tinygltf::Primitive& primitive : mesh.primitives) {

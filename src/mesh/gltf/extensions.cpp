@@ -24,9 +24,9 @@ bool isRead(std::string_view extension) {
       "KHR_mesh_quantization",   "EXT_mesh_gpu_instancing", "KHR_node_visibility",
       "EXT_meshopt_compression", "KHR_meshopt_compression", dracoExtension,
       "KHR_animation_pointer",   "KHR_xmp_json_ld",         "KHR_xmp"};
-  constexpr std::array<std::string_view, 3> ofSurfaces{"_materials_", "_texture_", "_lights_"};
+  constexpr std::array<std::string_view, 3> surfacePrefixes{"_materials_", "_texture_", "_lights_"};
   const auto isPart = [&](std::string_view part) { return contains(extension, part); };
-  return std::any_of(ofSurfaces.begin(), ofSurfaces.end(), isPart) ||
+  return std::any_of(surfacePrefixes.begin(), surfacePrefixes.end(), isPart) ||
          std::find(names.begin(), names.end(), extension) != names.end();
 }
 
@@ -99,7 +99,7 @@ void rejectExtensions(const json& tree) {
   for (const json& entry : *required) {
     const std::string name = entry;
     if (!isRead(name))
-      throw FileProblem("the model requires the extension " + quotedText(name) +
+      throw FileProblem("the model requires the extension " + quoteText(name) +
                         ", which is not supported; export the model " + adviceFor(name) + '.');
   }
 }

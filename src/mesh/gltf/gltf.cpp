@@ -81,7 +81,7 @@ class HiddenIndices {
 
 // tinygltf reports several lines; the first one has the cause.
 [[noreturn]] void failInvalid(const std::string& error) {
-  throw FileProblem("the file is not valid glTF (" + quotedText(error.substr(0, error.find('\n'))) +
+  throw FileProblem("the file is not valid glTF (" + quoteText(error.substr(0, error.find('\n'))) +
                     "); export the model again.");
 }
 
@@ -95,15 +95,15 @@ Bytes findBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, cons
     throw FileProblem(name + " has neither a uri nor a binary chunk; export the model as .glb.");
   }
   if (isDataUri(uri)) {
-    std::optional<DataUri> data = decodedDataUri(uri);
+    std::optional<DataUri> data = decodeDataUri(uri);
     if (!data)
       throw FileProblem(name +
                         " is a data URI without valid base64; export or download the file again.");
-    return gltf.decoded.emplace_back(std::move(data->bytes));
+    return gltf.decodedUris.emplace_back(std::move(data->bytes));
   }
   if (const auto* file = fileOf(uri, files)) return *file;
   if (isFallback) return {};
-  throw FileProblem("the model needs the file " + quotedText(uri) +
+  throw FileProblem("the model needs the file " + quoteText(uri) +
                     "; pass it with the model, or export the model as .glb.");
 }
 
@@ -114,7 +114,7 @@ void Gltf::warn(const std::string& message) {
     warnings.push_back(message);
 }
 
-std::size_t checkedIndex(const char* what, int index, std::size_t count) {
+std::size_t checkIndex(const char* what, int index, std::size_t count) {
   if (index >= 0 && static_cast<std::size_t>(index) < count) return static_cast<std::size_t>(index);
   throw FileProblem("the file refers to " + std::string(what) + ' ' + std::to_string(index) +
                     ", but has only " + groupDigits(count) + " of them; export the model again.");
@@ -126,7 +126,7 @@ Gltf parseDescription(std::string_view text) {
   Gltf gltf;
   const std::string version = tree["asset"]["version"];
   if (!version.starts_with("2."))
-    throw FileProblem("this is glTF " + quotedText(version) +
+    throw FileProblem("this is glTF " + quoteText(version) +
                       ", but only version 2 is supported; export the model as glTF 2.0.");
   rejectExtensions(tree);
   warnOfMotion(gltf, tree);
@@ -161,7 +161,7 @@ void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
 
 Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int place, std::uint64_t offset,
                     std::uint64_t length) {
-  const Buffer& buffer = gltf.buffers[checkedIndex("buffer", place, gltf.buffers.size())];
+  const Buffer& buffer = gltf.buffers[checkIndex("buffer", place, gltf.buffers.size())];
   // Offset and length are below 2^32 each, but their sum may overflow a 32-bit size_t.
   if (offset + length > buffer.bytes.size())
     throw FileProblem(what + " reads up to byte " + groupDigits(offset + length) + " of buffer " +
@@ -174,7 +174,7 @@ Bytes bytesOfView(const Gltf& gltf, int bufferView) {
   const auto unpacked = gltf.unpackedViews.find(bufferView);
   if (unpacked != gltf.unpackedViews.end()) return unpacked->second;
   const auto& views = gltf.model.bufferViews;
-  const auto& view = views[checkedIndex("bufferView", bufferView, views.size())];
+  const auto& view = views[checkIndex("bufferView", bufferView, views.size())];
   return bytesOfBuffer(gltf, "bufferView " + std::to_string(bufferView), view.buffer,
                        view.byteOffset, view.byteLength);
 }

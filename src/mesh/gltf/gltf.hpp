@@ -14,7 +14,7 @@
 
 namespace warpjet {
 
-// `bytes` is a view of that length into the file, the caller's files, or decoded data.
+// `bytes` refers to `length` bytes of the file, of a file of the caller, or of a decoded data URI.
 struct Buffer {
   std::string uri;
   std::uint64_t length = 0;
@@ -38,7 +38,7 @@ struct Gltf {
   std::vector<PackedPlace> packed;
   std::map<int, std::vector<std::uint8_t>> unpackedViews;  // by bufferView
   std::uint64_t unpackedBytes = 0;
-  std::vector<std::vector<std::uint8_t>> decoded;
+  std::vector<std::vector<std::uint8_t>> decodedUris;
   std::vector<std::string> warnings;
 
   // Adds a warning once. It must not contain numbers of the file: a file could then cause any
@@ -61,8 +61,8 @@ Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int buffer, std::
 // doesn't exist.
 Bytes bytesOfView(const Gltf& gltf, int bufferView);
 
-// Maps "accessor", 3 and the number of accessors to the element's index; throws a FileProblem if it
-// is out of range.
-std::size_t checkedIndex(const char* what, int index, std::size_t count);
+// Returns the index of an element, such as an accessor; `what` is its name in messages. Throws a
+// FileProblem if the index is not below `count`.
+std::size_t checkIndex(const char* what, int index, std::size_t count);
 
 }  // namespace warpjet

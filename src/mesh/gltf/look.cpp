@@ -13,7 +13,7 @@ namespace {
 
 const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
   const auto& materials = gltf.model.materials;
-  return materials[checkedIndex("material", material, materials.size())];
+  return materials[checkIndex("material", material, materials.size())];
 }
 
 // The base color and texture of a material, from either of its two surface models.
@@ -33,7 +33,7 @@ BaseColor paintOf(const Gltf& gltf, int material) {
 int pictureOfTexture(const Gltf& gltf, int texture) {
   if (texture == noPlace) return noPlace;
   const auto& textures = gltf.model.textures;
-  return textures[checkedIndex("texture", texture, textures.size())].source;
+  return textures[checkIndex("texture", texture, textures.size())].source;
 }
 
 std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, const Files& files) {
@@ -42,7 +42,7 @@ std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, con
     return Image{{bytes.begin(), bytes.end()}, image.mimeType};
   }
   if (isDataUri(image.uri)) {
-    auto data = decodedDataUri(image.uri);
+    auto data = decodeDataUri(image.uri);
     if (!data) return std::nullopt;
     return Image{std::move(data->bytes), image.mimeType.empty() ? data->mimeType : image.mimeType};
   }
@@ -68,7 +68,7 @@ void warnOfLook(Gltf& gltf, int material) {
     gltf.warn("Base colours outside 0 to 1 are clamped.");
   if (paint.texture == noPlace) return;
   if (pictureOfTexture(gltf, paint.texture) == noPlace)
-    gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");
+    gltf.warn("A base-colour texture has no PNG or JPEG image; it is left out.");
   if (paint.isTransformed)
     gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
   if (paint.texCoord != 0)
@@ -78,14 +78,14 @@ void warnOfLook(Gltf& gltf, int material) {
 std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files) {
   if (picture == noPlace) return std::nullopt;
   const auto& images = gltf.model.images;
-  const tinygltf::Image& image = images[checkedIndex("image", picture, images.size())];
+  const tinygltf::Image& image = images[checkIndex("image", picture, images.size())];
   std::optional<Image> found = bytesOf(gltf, image, files);
   if (!found || found->bytes.empty()) {
-    gltf.warn("The picture of the base colour (image " + std::to_string(picture) + ", " +
-              quotedText(image.uri) + ") is missing or broken; it is left out.");
+    gltf.warn("The base-colour texture (image " + std::to_string(picture) + ", " +
+              quoteText(image.uri) + ") is missing or broken; it is left out.");
     return std::nullopt;
   }
-  if (found->mimeType.empty()) found->mimeType = sniffedType(found->bytes);
+  if (found->mimeType.empty()) found->mimeType = sniffType(found->bytes);
   return found;
 }
 
@@ -94,8 +94,7 @@ std::vector<std::string> picturesOf(const Gltf& gltf) {
   const auto& images = gltf.model.images;
   for (std::size_t i = 0; i < gltf.model.materials.size(); ++i) {
     const int picture = lookOf(gltf, static_cast<int>(i)).picture;
-    if (picture != noPlace)
-      uris.push_back(images[checkedIndex("image", picture, images.size())].uri);
+    if (picture != noPlace) uris.push_back(images[checkIndex("image", picture, images.size())].uri);
   }
   return uris;
 }

@@ -56,7 +56,7 @@ void tint(std::vector<float>& colors, std::size_t firstVertex, const Look& look)
 void put(const Gltf& gltf, const Draw& draw, const std::vector<Skin>& skins,
          std::size_t firstVertex, std::size_t firstIndex, Mesh& mesh) {
   if (!draw.isSkinned()) return place(mesh, firstVertex, firstIndex, draw.placed->toWorld);
-  const Skin& skin = skins[checkedIndex("skin", draw.placed->skin, skins.size())];
+  const Skin& skin = skins[checkIndex("skin", draw.placed->skin, skins.size())];
   std::vector<float> joints, weights;
   append(gltf, draw, "JOINTS_0", 4, 4, 0, joints);
   append(gltf, draw, "WEIGHTS_0", 4, 4, 0, weights);
@@ -127,7 +127,7 @@ std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, c
 }  // namespace
 
 Mesh mergeDraws(Gltf& gltf, const Files& files) {
-  const std::vector<Placed> placed = placedMeshes(gltf);
+  const std::vector<Placed> placed = placeMeshes(gltf);
   const std::vector<Draw> draws = drawsOf(gltf, placed);
   if (draws.empty())
     throw FileProblem(

@@ -49,9 +49,9 @@ void add(const Gltf& gltf, int accessor, const Movable& movable, double weight,
 
 std::vector<MorphWeight> morphWeightsOf(Gltf& gltf, const tinygltf::Primitive& primitive,
                                         const Placed& placed) {
-  const auto& ofNode = gltf.model.nodes[static_cast<std::size_t>(placed.node)].weights;
-  const auto& ofMesh = gltf.model.meshes[static_cast<std::size_t>(placed.mesh)].weights;
-  const std::vector<double>& all = ofNode.empty() ? ofMesh : ofNode;
+  const auto& nodeWeights = gltf.model.nodes[static_cast<std::size_t>(placed.node)].weights;
+  const auto& meshWeights = gltf.model.meshes[static_cast<std::size_t>(placed.mesh)].weights;
+  const std::vector<double>& all = nodeWeights.empty() ? meshWeights : nodeWeights;
   std::vector<MorphWeight> weights;
   for (std::size_t i = 0; i < std::min(all.size(), primitive.targets.size()); ++i)
     if (all[i] != 0) weights.push_back({i, all[i]});

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 const tinygltf::Accessor& accessorAt(const Gltf& gltf, int accessor) {
   const auto& accessors = gltf.model.accessors;
-  return accessors[checkedIndex("accessor", accessor, accessors.size())];
+  return accessors[checkIndex("accessor", accessor, accessors.size())];
 }
 
 template <typename Function>
@@ -27,7 +27,7 @@ void forAccessors(const tinygltf::Primitive& primitive, Function function) {
 }
 
 // The views whose bytes are needed for drawing; those of animations remain packed.
-std::set<int> neededViews(const Gltf& gltf) {
+std::set<int> findNeededViews(const Gltf& gltf) {
   std::set<int> views;
   const auto need = [&](int accessor) {
     if (accessor < 0) return;
@@ -49,7 +49,7 @@ std::set<int> neededViews(const Gltf& gltf) {
 
 std::vector<PackedPlace> placesOf(const Gltf& gltf) {
   std::vector<PackedPlace> places;
-  const std::set<int> needed = neededViews(gltf);
+  const std::set<int> needed = findNeededViews(gltf);
   for (const auto& [view, packed] : gltf.extensions.meshoptViews)
     if (needed.contains(view)) places.push_back({view, {}});
   for (const auto& [place, packed] : gltf.extensions.draco) places.push_back({-1, place});
@@ -72,9 +72,9 @@ void checkMeshopt(int view, const MeshoptView& packed) {
   };
   const std::uint64_t stride = packed.byteStride;
   if (!is(packed.mode, {"ATTRIBUTES", "TRIANGLES", "INDICES"}))
-    failPacked(what, "has the unknown mode " + quotedText(packed.mode));
+    failPacked(what, "has the unknown mode " + quoteText(packed.mode));
   if (!is(packed.filter, {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"}))
-    failPacked(what, "has the unknown filter " + quotedText(packed.filter));
+    failPacked(what, "has the unknown filter " + quoteText(packed.filter));
   const bool isVertices = packed.mode == "ATTRIBUTES";
   bool isRight = isVertices ? stride > 0 && stride % 4 == 0 && stride <= 256
                             : (stride == 2 || stride == 4) && packed.filter == "NONE";

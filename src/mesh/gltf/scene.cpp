@@ -68,7 +68,7 @@ std::vector<int> orphansOf(const tinygltf::Model& model) {
   std::vector<bool> isChild(model.nodes.size());
   for (const tinygltf::Node& node : model.nodes)
     for (const int child : node.children)
-      isChild[checkedIndex("node", child, model.nodes.size())] = true;
+      isChild[checkIndex("node", child, model.nodes.size())] = true;
   std::vector<int> orphans;
   for (std::size_t i = 0; i < model.nodes.size(); ++i)
     if (!isChild[i]) orphans.push_back(static_cast<int>(i));
@@ -78,7 +78,7 @@ std::vector<int> orphansOf(const tinygltf::Model& model) {
 std::vector<int> rootsOf(const tinygltf::Model& model) {
   if (model.scenes.empty()) return orphansOf(model);
   const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
-  return model.scenes[checkedIndex("scene", scene, model.scenes.size())].nodes;
+  return model.scenes[checkIndex("scene", scene, model.scenes.size())].nodes;
 }
 
 // Calls `function` with the index of each node below these, in the order of the file, parents
@@ -98,7 +98,7 @@ void forNodesBelow(const tinygltf::Model& model, const std::vector<int>& roots, 
   while (!open.empty()) {
     const auto [number, parent] = open.back();
     open.pop_back();
-    const std::size_t node = checkedIndex("node", number, model.nodes.size());
+    const std::size_t node = checkIndex("node", number, model.nodes.size());
     if (isVisited[node])
       throw FileProblem("node " + std::to_string(number) +
                         " is its own ancestor or has two parents; export the model again.");
@@ -115,7 +115,7 @@ void failTooManyDraws() {
                     " parts; join its parts and export it again.");
 }
 
-std::vector<Placed> placedMeshes(Gltf& gltf) {
+std::vector<Placed> placeMeshes(Gltf& gltf) {
   std::vector<Placed> placed;
   const auto place = [&](std::size_t number, const glm::dmat4& toWorld) {
     const int i = static_cast<int>(number);

@@ -26,7 +26,7 @@ Skin skinOf(const Gltf& gltf, const tinygltf::Skin& info, const std::vector<glm:
   }
   Skin skin;
   for (std::size_t i = 0; i < info.joints.size(); ++i) {
-    const std::size_t node = checkedIndex("node", info.joints[i], places.size());
+    const std::size_t node = checkIndex("node", info.joints[i], places.size());
     glm::dmat4 fromBound(1);
     if (!numbers.empty()) fromBound = glm::dmat4(glm::make_mat4(&numbers[i * 16]));
     skin.joints.push_back(places[node] * fromBound);

@@ -23,7 +23,7 @@ std::int64_t cornerNumber(const TextLine& line, std::string_view text) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size())
-    line.fail("has " + quotedText(text) + " where a face's corner belongs");
+    line.fail("has " + quoteText(text) + " where a face's corner belongs");
   return number;
 }
 
@@ -62,7 +62,7 @@ bool readCorners(TextLine& line, const ObjCounts& counts, std::vector<ObjCorner>
 std::uint32_t ObjVertices::vertexOf(const ObjCorner& corner) {
   const auto next = static_cast<std::uint32_t>(corners_.size());
   const std::uint64_t hash = mixBits(
-      mixBits(std::uint64_t{corner.position} << 32 | corner.uv, corner.normal), corner.paint);
+      mixBits(std::uint64_t{corner.position} << 32 | corner.uv, corner.normal), corner.color);
   const std::uint32_t vertex = buckets_.findOrAdd(
       hash, next, [&](std::uint32_t other) { return corners_[other] == corner; });
   if (vertex == next) corners_.push_back(corner);

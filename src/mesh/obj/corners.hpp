@@ -14,7 +14,7 @@ namespace warpjet {
 
 // Indices into the lists of positions, uvs, normals and material colors, counted from 0, or `none`.
 struct ObjCorner {
-  std::uint32_t position, uv, normal, paint = none;
+  std::uint32_t position, uv, normal, color = none;
 
   bool operator==(const ObjCorner&) const = default;
 };

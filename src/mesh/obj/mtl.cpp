@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-std::string lowered(std::string_view word) {
+std::string toLowerCase(std::string_view word) {
   std::string small(word);
   for (char& c : small)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -24,7 +24,7 @@ std::optional<std::array<float, 3>> colorOn(TextLine& line) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string_view word = line.word();
     if (word.empty() && i == 1) return std::array{color[0], color[0], color[0]};
-    const std::optional<float> number = parsedFloat(word);
+    const std::optional<float> number = parseFloat(word);
     if (!number || !std::isfinite(*number)) return std::nullopt;
     color[i] = *number;
   }
@@ -41,12 +41,12 @@ std::size_t wordsOf(std::string_view option) {
 // The file name after the options, which may contain spaces.
 std::string_view pictureNameOn(TextLine& line) {
   while (line.rest().starts_with('-')) {
-    const std::string option = lowered(line.word());
+    const std::string option = toLowerCase(line.word());
     const std::size_t words = wordsOf(option);
     for (std::size_t i = 0; i < words; ++i) {
       TextLine ahead = line;
       const std::string_view word = ahead.word();
-      if (words == 3 && !parsedFloat(word)) break;
+      if (words == 3 && !parseFloat(word)) break;
       line = ahead;
     }
   }
@@ -58,7 +58,7 @@ std::string_view pictureNameOn(TextLine& line) {
 void readMaterials(std::string_view text, const std::string& uri, ObjMaterials& materials) {
   ObjMaterial* material = nullptr;
   for (TextLines lines(text, "mtl"); std::optional<TextLine> line = lines.next();) {
-    const std::string word = lowered(line->word());
+    const std::string word = toLowerCase(line->word());
     if (word == "newmtl") {
       material = &materials[std::string(line->rest())];
       *material = {};

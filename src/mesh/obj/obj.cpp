@@ -8,8 +8,8 @@
 
 #include "mesh/files.hpp"
 #include "mesh/messages.hpp"
+#include "mesh/obj/colors.hpp"
 #include "mesh/obj/corners.hpp"
-#include "mesh/obj/paints.hpp"
 #include "mesh/obj/polygon.hpp"
 #include "mesh/obj/srgb.hpp"
 #include "mesh/surface/normals.hpp"
@@ -169,14 +169,14 @@ void checkSize(std::size_t corners) {
 }
 
 // Multiplies different material colors into the vertices; `painted` marks vertices that have one.
-void paint(Mesh& mesh, const std::vector<ObjCorner>& corners, const Paints& paints) {
-  if (!paints.hasColors()) return;
-  if (!paints.isEqual()) mesh.colors.resize(corners.size() * 4, 1.0f);
+void writeColors(Mesh& mesh, const std::vector<ObjCorner>& corners, const ObjColors& colors) {
+  if (!colors.hasColors()) return;
+  if (!colors.isUniform()) mesh.colors.resize(corners.size() * 4, 1.0f);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::uint32_t place = corners[i].paint;
-    mesh.painted.push_back(place != none);
-    if (paints.isEqual() || place == none) continue;
-    const std::array<float, 3>& color = paints.colorAt(place);
+    const std::uint32_t index = corners[i].color;
+    mesh.painted.push_back(index != none);
+    if (colors.isUniform() || index == none) continue;
+    const std::array<float, 3>& color = colors.colorAt(index);
     for (std::size_t k = 0; k < 3; ++k) mesh.colors[i * 4 + k] *= color[k];
   }
 }
@@ -185,7 +185,7 @@ void paint(Mesh& mesh, const std::vector<ObjCorner>& corners, const Paints& pain
 
 Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::string>& warnings) {
   Lists lists;
-  Paints paints(text, files);
+  ObjColors colors(text, files);
   Losses losses;
   std::vector<ObjCorner> faces;  // three corners per triangle
   std::vector<ObjCorner> face;
@@ -195,7 +195,7 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
     if (word == "v") readPosition(*line, lists);
     if (word == "vt") readUv(*line, lists);
     if (word == "vn") readNormal(*line, lists);
-    if (word == "usemtl") paints.use(line->rest());
+    if (word == "usemtl") colors.useMaterial(line->rest());
     if (word != "f") continue;
     hasAll &= readCorners(
         *line, {lists.positions.size() / 3, lists.uvs.size() / 2, lists.normals.size() / 3}, face);
@@ -203,11 +203,11 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
     hasLongFaces |= face.size() > maxCutCorners;
     mend(face, lists, losses);
     if (face.size() < 3) continue;
-    for (ObjCorner& corner : face) corner.paint = paints.current();
+    for (ObjCorner& corner : face) corner.color = colors.currentIndex();
     appendTriangles(face, lists.positions, faces);
   }
   if (faces.empty()) failEmpty(lists);
-  paints.warn(warnings);
+  colors.warn(warnings);
   if (hasFlatFaces) warnings.push_back("Faces of fewer than three corners are left out.");
   if (hasLongFaces)
     warnings.push_back("Faces of more than " + groupDigits(maxCutCorners) +
@@ -221,7 +221,7 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
   ObjVertices vertices(faces.size());
   mesh.indices.reserve(faces.size());
   for (ObjCorner& corner : faces) {
-    if (paints.isEqual()) corner.paint = paints.hasColors() ? 0 : none;
+    if (colors.isUniform()) corner.color = colors.hasColors() ? 0 : none;
     mesh.indices.push_back(vertices.vertexOf(corner));
   }
 
@@ -230,8 +230,8 @@ Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::strin
   gather(corners, &ObjCorner::position, linearColors(lists.colors, warnings), 4, mesh.colors);
   gather(corners, &ObjCorner::uv, lists.uvs, 2, mesh.uvs);
   gather(corners, &ObjCorner::normal, lists.normals, 3, mesh.normals);
-  paint(mesh, corners, paints);
-  mesh.material = paints.material(files, warnings);
+  writeColors(mesh, corners, colors);
+  mesh.material = colors.material(files, warnings);
   std::vector<bool> hasNormal;
   for (const ObjCorner& corner : corners) hasNormal.push_back(corner.normal != none);
   addMissingNormals(mesh, hasNormal);

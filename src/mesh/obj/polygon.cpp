@@ -25,7 +25,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 
 // Drops the coordinate along which the plane faces most, so that the others remain exact; the
 // result is counterclockwise.
-std::vector<glm::dvec2> flattened(const std::vector<glm::dvec3>& corners) {
+std::vector<glm::dvec2> flatten(const std::vector<glm::dvec3>& corners) {
   // Twice the area's normal by Newell's method: the normal of the mean plane if the polygon isn't
   // planar.
   glm::dvec3 normal(0);
@@ -126,7 +126,7 @@ class Remainder {
 
 Triangles trianglesOfPolygon(const std::vector<glm::dvec3>& corners) {
   if (corners.size() <= 3 || corners.size() > maxCutCorners) return fan(corners.size());
-  std::vector<glm::dvec2> flat = flattened(corners);
+  std::vector<glm::dvec2> flat = flatten(corners);
   if (isConvex(flat)) return fan(corners.size());
   return Remainder(std::move(flat)).cut();
 }

@@ -55,14 +55,14 @@ class Words {
   }
 
   void expect(std::string_view keyword) {
-    const std::string_view word = required();
+    const std::string_view word = requireWord();
     if (!isWord(word, keyword)) failAt(word, keyword);
   }
 
   glm::vec3 vector() {
     glm::vec3 v;
     for (int i = 0; i < 3; ++i) {
-      const std::string_view word = required();
+      const std::string_view word = requireWord();
       v[i] = line_->number(word);
     }
     return v;
@@ -72,11 +72,11 @@ class Words {
   void skipLine() { line_ = lines_.next(); }
 
   [[noreturn]] void failAt(std::string_view word, std::string_view keyword) const {
-    line_->fail("has " + quotedText(word) + " where " + quotedText(keyword) + " belongs");
+    line_->fail("has " + quoteText(word) + " where " + quoteText(keyword) + " belongs");
   }
 
  private:
-  std::string_view required() {
+  std::string_view requireWord() {
     const std::string_view word = next();
     if (word.empty())
       throw FileProblem("the .stl ends in the middle of a facet; export or download it again.");

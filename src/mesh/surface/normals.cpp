@@ -16,7 +16,7 @@ namespace warpjet {
 namespace {
 
 // The number of each vertex's position.
-std::vector<std::uint32_t> weldedVertices(const std::vector<float>& positions) {
+std::vector<std::uint32_t> weldVertices(const std::vector<float>& positions) {
   Welder welder;
   std::vector<std::uint32_t> welded;
   for (std::size_t i = 0; i < positions.size(); i += 3)
@@ -37,17 +37,18 @@ double angleBetween(const glm::dvec3& u, const glm::dvec3& v) {
 class Normals {
  public:
   explicit Normals(const Mesh& mesh)
-      : places_(weldedVertices(mesh.positions)),
-        sheets_(findSheets(mesh, places_)),
+      : positionIds_(weldVertices(mesh.positions)),
+        sheets_(findSheets(mesh, positionIds_)),
         sums_(mesh.vertexCount(), glm::dvec3(0)),
         sumsOfSheets_(sheets_.count, glm::dvec3(0)),
-        ofVertices_(sheets_.isOnBothSides.size(), none) {
+        sheetOfVertex_(sheets_.isOnBothSides.size(), none) {
     for (std::size_t i = 0; i < mesh.triangleCount(); ++i) addTriangle(mesh, i);
   }
 
   void write(std::vector<float>& normals, std::size_t vertex) const {
-    const bool isOfSheet = !ofVertices_.empty() && ofVertices_[vertex] != none;
-    const glm::dvec3& sum = isOfSheet ? sumsOfSheets_[ofVertices_[vertex]] : sums_[places_[vertex]];
+    const bool isOfSheet = !sheetOfVertex_.empty() && sheetOfVertex_[vertex] != none;
+    const glm::dvec3& sum =
+        isOfSheet ? sumsOfSheets_[sheetOfVertex_[vertex]] : sums_[positionIds_[vertex]];
     const double length = glm::length(sum);
     for (int i = 0; i < 3; ++i)
       normals[vertex * 3 + i] = length > 0 ? static_cast<float>(sum[i] / length) : 0;
@@ -57,16 +58,16 @@ class Normals {
   // the existing vertices.
   void part(Mesh& mesh, const std::vector<bool>& hasNormal) {
     Pairs copies;
-    for (std::size_t i = 0; i < sheets_.ofCorners.size() && !mesh.indices.empty(); ++i) {
-      const std::uint32_t vertex = mesh.indices[i], sheet = sheets_.ofCorners[i];
+    for (std::size_t i = 0; i < sheets_.sheetOfCorner.size() && !mesh.indices.empty(); ++i) {
+      const std::uint32_t vertex = mesh.indices[i], sheet = sheets_.sheetOfCorner[i];
       if (sheet == none || hasNormal[vertex] || !sheets_.isOnBothSides[vertex] ||
-          sheet == ofVertices_[vertex])
+          sheet == sheetOfVertex_[vertex])
         continue;
       const auto next = static_cast<std::uint32_t>(mesh.vertexCount());
       mesh.indices[i] = copies.findOrAdd(vertex, sheet, next);
       if (mesh.indices[i] != next) continue;
       appendBlend(mesh, mesh, {{vertex, vertex, vertex}, {1, 0, 0}});
-      ofVertices_.push_back(sheet);
+      sheetOfVertex_.push_back(sheet);
     }
   }
 
@@ -79,18 +80,18 @@ class Normals {
     const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t sheet =
-          sheets_.ofCorners.empty() ? none : sheets_.ofCorners[3 * triangle + i];
-      if (sheet != none && ofVertices_[corners[i]] == none) ofVertices_[corners[i]] = sheet;
+          sheets_.sheetOfCorner.empty() ? none : sheets_.sheetOfCorner[3 * triangle + i];
+      if (sheet != none && sheetOfVertex_[corners[i]] == none) sheetOfVertex_[corners[i]] = sheet;
       if (normal == glm::dvec3(0)) continue;
       const double angle = angleBetween(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
-      (sheet == none ? sums_[places_[corners[i]]] : sumsOfSheets_[sheet]) += angle * normal;
+      (sheet == none ? sums_[positionIds_[corners[i]]] : sumsOfSheets_[sheet]) += angle * normal;
     }
   }
 
-  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> positionIds_;
   Sheets sheets_;
   std::vector<glm::dvec3> sums_, sumsOfSheets_;
-  std::vector<std::uint32_t> ofVertices_;  // the sheet of each vertex, if any
+  std::vector<std::uint32_t> sheetOfVertex_;  // the sheet of each vertex, if any
 };
 
 }  // namespace

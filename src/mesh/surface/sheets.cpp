@@ -14,7 +14,7 @@ namespace {
 using Ids = std::vector<std::uint32_t>;
 using Three = std::array<std::uint32_t, 3>;
 
-// Union-find: numbers that are equal for joined vertices.
+// Union-find: `find` returns the same number for joined vertices.
 class Groups {
  public:
   explicit Groups(std::size_t size) : parents_(size) {
@@ -35,31 +35,32 @@ class Groups {
 // An edge between two positions, with the third corners of its triangles.
 struct SheetEdge {
   std::uint32_t oneCorner, otherCorner = none;
-  bool isOfTwo = true;
-  bool isFull = false;  // two-sided triangles have both third corners
-  // A corner at each end, on the side that passes `oneCorner` forwards and on the other one.
+  bool hasTwoCorners = true;  // no triangle has another third corner
+  bool isFull = false;        // two-sided triangles already gave both third corners
+  // The first corner at each end, for each side of the surface. Side 1 is the one on which the
+  // triangle of `oneCorner` traverses the edge forwards.
   std::array<std::array<std::uint32_t, 2>, 2> ends{{{none, none}, {none, none}}};
 };
 
-class Search {
+class SheetFinder {
  public:
-  Search(const Mesh& mesh, const Ids& places) : mesh_(mesh), places_(places) {}
+  SheetFinder(const Mesh& mesh, const Ids& positionIds) : mesh_(mesh), positionIds_(positionIds) {}
 
   Sheets run() {
     findTwoSided();
     if (twoSided_.empty()) return {};
-    findOthersThere();
-    for (const std::uint32_t i : twoSided_) forEachEdge(i, meet);
+    findOneSidedNeighbors();
+    for (const std::uint32_t i : twoSided_) forEachEdge(i, addCorner);
     for (SheetEdge& edge : edges_) edge.isFull = edge.otherCorner != none;
-    for (const std::uint32_t i : others_) forEachEdge(i, meet);
+    for (const std::uint32_t i : oneSided_) forEachEdge(i, addCorner);
 
     Groups groups(3 * mesh_.triangleCount());
     joinAtVertices(groups);
-    for (const auto* triangles : {&twoSided_, &others_}) {
+    for (const auto* triangles : {&twoSided_, &oneSided_}) {
       for (const std::uint32_t i : *triangles)
         forEachEdge(i, [&](const Use& use) { joinAlong(use, groups); });
     }
-    return numberValues(groups);
+    return numberSheets(groups);
   }
 
  private:
@@ -70,9 +71,9 @@ class Search {
     std::array<std::uint32_t, 2> ends;  // corners, in the order of the edge
   };
 
-  Three placesOf(std::uint32_t triangle) const {
+  Three positionIdsOf(std::uint32_t triangle) const {
     Three corners = mesh_.corners(triangle);
-    for (std::uint32_t& corner : corners) corner = places_[corner];
+    for (std::uint32_t& corner : corners) corner = positionIds_[corner];
     return corners;
   }
 
@@ -80,47 +81,48 @@ class Search {
 
   void findTwoSided() {
     Pairs pairs, triples;
-    std::vector<std::array<bool, 2>> isThere;  // by three positions, in each orientation
+    std::vector<std::array<bool, 2>> orientations;  // by triple of positions: which ones occur
     std::vector<std::pair<std::uint32_t, bool>> triangles;
     for (std::uint32_t i = 0; i < mesh_.triangleCount(); ++i) {
-      Three p = placesOf(i);
+      Three p = positionIdsOf(i);
       std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
       const bool isLeft = p[1] < p[2];
       const std::uint32_t pair = pairs.findOrAdd(p[0], std::min(p[1], p[2]), i);
-      const auto next = static_cast<std::uint32_t>(isThere.size());
+      const auto next = static_cast<std::uint32_t>(orientations.size());
       const std::uint32_t triple = triples.findOrAdd(pair, std::max(p[1], p[2]), next);
-      if (triple == next) isThere.emplace_back();
-      isThere[triple][isLeft] = true;
+      if (triple == next) orientations.emplace_back();
+      orientations[triple][isLeft] = true;
       triangles.emplace_back(triple, isLeft);
     }
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-      const std::array<bool, 2>& senses = isThere[triangles[i].first];
-      if (senses[0] && senses[1] && hasArea(placesOf(i))) twoSided_.push_back(i);
+      const auto& [right, left] = orientations[triangles[i].first];
+      if (right && left && hasArea(positionIdsOf(i))) twoSided_.push_back(i);
     }
     if (!twoSided_.empty()) findOnBothSides(triangles);
   }
 
-  // `triangles` have the number of their three positions, and their orientation.
+  // `triangles` are pairs: the index of the triple of positions, and the orientation.
   void findOnBothSides(const std::vector<std::pair<std::uint32_t, bool>>& triangles) {
     isOnBothSides_.resize(mesh_.vertexCount());
     Pairs uses;
-    std::vector<bool> senses;  // the orientation in which a vertex was used first
+    std::vector<bool> firstOrientations;  // by use of a vertex in a triple of positions
     for (const std::uint32_t i : twoSided_) {
       const auto& [triple, isLeft] = triangles[i];
       for (const std::uint32_t vertex : mesh_.corners(i)) {
-        const auto next = static_cast<std::uint32_t>(senses.size());
+        const auto next = static_cast<std::uint32_t>(firstOrientations.size());
         const std::uint32_t use = uses.findOrAdd(triple, vertex, next);
-        if (use == next) senses.push_back(isLeft);
-        if (senses[use] != isLeft) isOnBothSides_[vertex] = true;
+        if (use == next) firstOrientations.push_back(isLeft);
+        if (firstOrientations[use] != isLeft) isOnBothSides_[vertex] = true;
       }
     }
   }
 
-  // One-sided triangles adjacent to the others: they continue one of the sides.
-  void findOthersThere() {
-    isThere_.resize(mesh_.vertexCount());
+  // Finds one-sided triangles that share a position with two-sided ones: they continue one of the
+  // sides.
+  void findOneSidedNeighbors() {
+    isTwoSidedPosition_.resize(mesh_.vertexCount());
     for (const std::uint32_t i : twoSided_) {
-      for (const std::uint32_t place : placesOf(i)) isThere_[place] = true;
+      for (const std::uint32_t id : positionIdsOf(i)) isTwoSidedPosition_[id] = true;
     }
     auto next = twoSided_.begin();
     for (std::uint32_t i = 0; i < mesh_.triangleCount(); ++i) {
@@ -128,14 +130,16 @@ class Search {
         ++next;
         continue;
       }
-      const Three p = placesOf(i);
-      if (hasArea(p) && (isThere_[p[0]] || isThere_[p[1]] || isThere_[p[2]])) others_.push_back(i);
+      const Three p = positionIdsOf(i);
+      if (hasArea(p) &&
+          (isTwoSidedPosition_[p[0]] || isTwoSidedPosition_[p[1]] || isTwoSidedPosition_[p[2]]))
+        oneSided_.push_back(i);
     }
   }
 
   template <class Visitor>
   void forEachEdge(std::uint32_t triangle, Visitor visit) {
-    const Three p = placesOf(triangle);
+    const Three p = positionIdsOf(triangle);
     for (std::uint32_t i = 0; i < 3; ++i) {
       std::uint32_t a = i, b = (i + 1) % 3;
       const bool isForwards = p[a] < p[b];
@@ -148,17 +152,17 @@ class Search {
     }
   }
 
-  static void meet(const Use& use) {
+  static void addCorner(const Use& use) {
     SheetEdge& edge = use.edge;
     if (use.corner == edge.oneCorner || edge.isFull) return;
     if (edge.otherCorner == none) edge.otherCorner = use.corner;
-    edge.isOfTwo = edge.isOfTwo && use.corner == edge.otherCorner;
+    edge.hasTwoCorners = edge.hasTwoCorners && use.corner == edge.otherCorner;
   }
 
-  // Corners that share a vertex are meant to be joined.
+  // Joins corners that share a vertex, as the mesh itself does.
   void joinAtVertices(Groups& groups) const {
     Ids first(mesh_.vertexCount(), none);
-    for (const auto* triangles : {&twoSided_, &others_}) {
+    for (const auto* triangles : {&twoSided_, &oneSided_}) {
       for (const std::uint32_t i : *triangles) {
         const Three vertices = mesh_.corners(i);
         for (std::uint32_t k = 0; k < 3; ++k) {
@@ -170,11 +174,11 @@ class Search {
     }
   }
 
-  // Neighbors on one side traverse their edge in opposite directions.
+  // Joins neighbors on the same side, which traverse their edge in opposite directions.
   static void joinAlong(const Use& use, Groups& groups) {
     const SheetEdge& edge = use.edge;
     const bool isOne = use.corner == edge.oneCorner;
-    if (!edge.isOfTwo || !(isOne || use.corner == edge.otherCorner)) return;
+    if (!edge.hasTwoCorners || !(isOne || use.corner == edge.otherCorner)) return;
     auto& ends = use.edge.ends[use.isForwards == isOne];
     for (int i = 0; i < 2; ++i) {
       if (ends[i] == none) ends[i] = use.ends[i];
@@ -182,17 +186,17 @@ class Search {
     }
   }
 
-  Sheets numberValues(Groups& groups) {
+  Sheets numberSheets(Groups& groups) {
     Sheets sheets{Ids(3 * mesh_.triangleCount(), none), 0, std::move(isOnBothSides_)};
-    Ids ofGroups(sheets.ofCorners.size(), none);
-    for (const auto* triangles : {&twoSided_, &others_}) {
+    Ids sheetOfGroup(sheets.sheetOfCorner.size(), none);
+    for (const auto* triangles : {&twoSided_, &oneSided_}) {
       for (const std::uint32_t i : *triangles) {
-        const Three p = placesOf(i);
+        const Three p = positionIdsOf(i);
         for (std::uint32_t k = 0; k < 3; ++k) {
-          if (!isThere_[p[k]]) continue;
-          std::uint32_t& number = ofGroups[groups.find(3 * i + k)];
+          if (!isTwoSidedPosition_[p[k]]) continue;
+          std::uint32_t& number = sheetOfGroup[groups.find(3 * i + k)];
           if (number == none) number = sheets.count++;
-          sheets.ofCorners[3 * i + k] = number;
+          sheets.sheetOfCorner[3 * i + k] = number;
         }
       }
     }
@@ -200,9 +204,9 @@ class Search {
   }
 
   const Mesh& mesh_;
-  const Ids& places_;
-  Ids twoSided_, others_;      // triangles
-  std::vector<bool> isThere_;  // by position: true if it has a two-sided triangle
+  const Ids& positionIds_;
+  Ids twoSided_, oneSided_;               // triangles
+  std::vector<bool> isTwoSidedPosition_;  // true if a two-sided triangle uses the position
   std::vector<bool> isOnBothSides_;
   Pairs numbers_;
   std::vector<SheetEdge> edges_;
@@ -210,8 +214,8 @@ class Search {
 
 }  // namespace
 
-Sheets findSheets(const Mesh& mesh, const std::vector<std::uint32_t>& places) {
-  return Search(mesh, places).run();
+Sheets findSheets(const Mesh& mesh, const std::vector<std::uint32_t>& positionIds) {
+  return SheetFinder(mesh, positionIds).run();
 }
 
 }  // namespace warpjet

@@ -89,18 +89,18 @@ struct Mean {
 class Estimate {
  public:
   explicit Estimate(Mesh& mesh) : mesh_(mesh) {
-    places_ = numberValues(mesh.positions, 3, largest(mesh.positions) * positionGrain);
-    smooth_ = pairIds(places_, numberValues(mesh.normals, 3, normalGrain));
-    ofNormals_.resize(mesh.vertexCount());
+    positionIds_ = numberValues(mesh.positions, 3, largest(mesh.positions) * positionGrain);
+    smooth_ = pairIds(positionIds_, numberValues(mesh.normals, 3, normalGrain));
+    normalMeans_.resize(mesh.vertexCount());
     if (mesh.uvs.empty()) return;
     seamless_ = pairIds(smooth_, numberValues(mesh.uvs, 2, uvGrain));
-    ofUvs_.resize(mesh.vertexCount());
+    uvMeans_.resize(mesh.vertexCount());
   }
 
   void run() {
     for (std::size_t i = 0; i < mesh_.triangleCount(); ++i) addTriangle(mesh_.corners(i));
-    write(ofNormals_, smooth_, &mesh_.gradients[0]);
-    write(ofUvs_, seamless_, &mesh_.gradients[3]);
+    write(normalMeans_, smooth_, &mesh_.gradients[0]);
+    write(uvMeans_, seamless_, &mesh_.gradients[3]);
   }
 
  private:
@@ -109,7 +109,9 @@ class Estimate {
 
   void addTriangle(const Corners& corners) {
     // Degenerate triangles, which spheres have at their poles.
-    const auto isSide = [&](int i, int j) { return places_[corners[i]] != places_[corners[j]]; };
+    const auto isSide = [&](int i, int j) {
+      return positionIds_[corners[i]] != positionIds_[corners[j]];
+    };
     if (!(isSide(0, 1) && isSide(1, 2) && isSide(2, 0))) return;
     Three p, normals, sides;
     for (int i = 0; i < 3; ++i) {
@@ -131,8 +133,8 @@ class Estimate {
           area / (glm::length(sides[(i + 1) % 3]) * glm::length(sides[(i + 2) % 3]));
       const glm::dvec3 normal = glm::normalize(normals[i]);
       const Turn turn(glm::dot(facing, normal) < 0 ? -facing : facing, normal);
-      addNormals(ofNormals_[smooth_[corners[i]]], facing, normals, rises, turn, weight);
-      if (!mesh_.uvs.empty()) addUvs(ofUvs_[seamless_[corners[i]]], corners, rises, turn, weight);
+      addNormals(normalMeans_[smooth_[corners[i]]], facing, normals, rises, turn, weight);
+      if (!mesh_.uvs.empty()) addUvs(uvMeans_[seamless_[corners[i]]], corners, rises, turn, weight);
     }
   }
 
@@ -165,9 +167,9 @@ class Estimate {
   }
 
   Mesh& mesh_;
-  Ids places_, smooth_, seamless_;  // by vertex: groups of vertices that share values
-  std::vector<Mean<3>> ofNormals_;
-  std::vector<Mean<2>> ofUvs_;
+  Ids positionIds_, smooth_, seamless_;  // by vertex: groups of vertices that share values
+  std::vector<Mean<3>> normalMeans_;
+  std::vector<Mean<2>> uvMeans_;
 };
 
 }  // namespace

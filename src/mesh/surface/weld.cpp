@@ -6,7 +6,7 @@ namespace warpjet {
 
 namespace {
 
-// Compares bits, so that NaN equals itself; the sum turns -0 into 0.
+// The bits of a number, in which NaN equals itself. Adding 0 turns -0 into 0.
 std::uint32_t bits(float x) { return __builtin_bit_cast(std::uint32_t, x + 0.0f); }
 
 std::size_t hash(const Position& p) {
@@ -24,17 +24,17 @@ bool areEqual(const Position& a, const Position& b) {
 
 }  // namespace
 
-std::size_t Welder::placeOf(const Position& position) const {
+std::size_t Welder::findSlot(const Position& position) const {
   const std::size_t mask = table_.size() - 1;
-  std::size_t place = hash(position) & mask;
-  while (table_[place] != 0 && !areEqual(positions_[table_[place] - 1], position))
-    place = (place + 1) & mask;
-  return place;
+  std::size_t slot = hash(position) & mask;
+  while (table_[slot] != 0 && !areEqual(positions_[table_[slot] - 1], position))
+    slot = (slot + 1) & mask;
+  return slot;
 }
 
 std::uint32_t Welder::weld(const Position& position) {
   if (2 * positions_.size() >= table_.size()) grow();
-  std::uint32_t& entry = table_[placeOf(position)];
+  std::uint32_t& entry = table_[findSlot(position)];
   if (entry == 0) {
     positions_.push_back(position);
     entry = static_cast<std::uint32_t>(positions_.size());
@@ -44,7 +44,7 @@ std::uint32_t Welder::weld(const Position& position) {
 
 void Welder::grow() {
   table_.assign(table_.empty() ? 1024 : 2 * table_.size(), 0);
-  for (std::uint32_t i = 0; i < positions_.size(); ++i) table_[placeOf(positions_[i])] = i + 1;
+  for (std::uint32_t i = 0; i < positions_.size(); ++i) table_[findSlot(positions_[i])] = i + 1;
 }
 
 }  // namespace warpjet

@@ -20,7 +20,7 @@ class Welder {
   const Position& position(std::uint32_t number) const { return positions_[number]; }
 
  private:
-  std::size_t placeOf(const Position& position) const;
+  std::size_t findSlot(const Position& position) const;
   void grow();
 
   std::vector<Position> positions_;

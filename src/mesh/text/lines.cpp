@@ -59,16 +59,16 @@ std::string TextLine::problem(const std::string& what) const {
 void TextLine::fail(const std::string& what) const { throw FileProblem(problem(what)); }
 
 float TextLine::number(std::string_view text) {
-  const std::optional<float> number = parsedFloat(text);
+  const std::optional<float> number = parseFloat(text);
   if (number && std::isfinite(*number)) return *number;
   if (!number && !isPrintedNonNumber(text))
-    fail("has " + quotedText(text) + " where a number belongs");
+    fail("has " + quoteText(text) + " where a number belongs");
   if (nonNumber_.empty()) nonNumber_ = text;
   return std::numeric_limits<float>::quiet_NaN();
 }
 
 std::string TextLine::problemOfNumber() const {
-  const std::string text = quotedText(nonNumber_);
+  const std::string text = quoteText(nonNumber_);
   return problem(isPrintedNonNumber(nonNumber_)
                      ? "has " + text + " where a number belongs"
                      : "has the number " + text + ", which is too large");

@@ -12,7 +12,7 @@ namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+char toLowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 double timesPowerOfTen(std::uint64_t digits, int exponent) {
   // Powers that a double represents exactly, so that there is only one rounding; enough for nearly
@@ -30,7 +30,7 @@ double timesPowerOfTen(std::uint64_t digits, int exponent) {
 
 }  // namespace
 
-std::optional<float> parsedFloat(std::string_view text) {
+std::optional<float> parseFloat(std::string_view text) {
   std::size_t i = 0;
   const bool isNegative = text.starts_with('-');
   if (isNegative || text.starts_with('+')) ++i;
@@ -75,7 +75,7 @@ bool isPrintedNonNumber(std::string_view text) {
     const std::string_view rest = text.substr(std::min(name.size(), text.size()));
     if (std::equal(name.begin(), name.end(), text.begin(),
                    text.end() - static_cast<std::ptrdiff_t>(rest.size()),
-                   [](char a, char b) { return a == lowered(b); }) &&
+                   [](char a, char b) { return a == toLowerCase(b); }) &&
         (rest.empty() || rest.starts_with('(')))
       return true;
   }

@@ -62,7 +62,7 @@ class Condition {
  public:
   Condition(const Token& word, std::vector<Token> tokens, const Macros& macros, Problems& problems)
       : tokens_(std::move(tokens)), macros_(macros), problems_(problems), what_("#") {
-    end_.place = tokens_.empty() ? word.place : tokens_.back().place;
+    end_.location = tokens_.empty() ? word.location : tokens_.back().location;
     what_ += word.text;
   }
 
@@ -75,7 +75,7 @@ class Condition {
   std::int32_t next() { return binary(1); }
   bool isAtEnd() const { return at_ >= tokens_.size(); }
   std::int32_t fail(std::string message) {
-    problems_.add(peek().place, std::move(message));
+    problems_.add(peek().location, std::move(message));
     at_ = tokens_.size();
     return 0;
   }
@@ -137,16 +137,16 @@ class Condition {
     }
     if (token.kind == Kind::Name && skipped_) return ++at_, 0;
     if (token.kind == Kind::Name && what_ == "#line")
-      return fail("expected a line number after #line, got " + quoted(token.text));
+      return fail("expected a line number after #line, got " + quote(token.text));
     if (token.kind == Kind::Name) return fail(unknown(token.text));
-    return fail(at_ < tokens_.size() ? quoted(token.text) + " is not allowed in " + what_
+    return fail(at_ < tokens_.size() ? quote(token.text) + " is not allowed in " + what_
                                      : "the condition of this " + what_ + " is incomplete");
   }
 
   std::string unknown(std::string_view name) const {
     Nearest nearest(name);
     macros_.each([&](std::string_view other) { nearest.offer(other); });
-    return "no #define gives " + quoted(name) + " a value; define it, or write defined(" +
+    return "no #define gives " + quote(name) + " a value; define it, or write defined(" +
            std::string(name) + ")" + nearest.question();
   }
 
@@ -176,11 +176,11 @@ bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros&
     const std::size_t name = i + (hasParenthesis ? 2 : 1), last = name + (hasParenthesis ? 1 : 0);
     if (last >= tokens.size() || tokens[name].kind != Kind::Name ||
         (hasParenthesis && !tokens[last].is(")"))) {
-      problems.add(tokens[i].place, "defined needs a name");
+      problems.add(tokens[i].location, "defined needs a name");
       return false;
     }
     answered.push_back(
-        {Kind::Int, false, true, macros.has(tokens[name].text) ? "1" : "0", tokens[i].place});
+        {Kind::Int, false, true, macros.has(tokens[name].text) ? "1" : "0", tokens[i].location});
     i = last;
   }
   std::vector<Token> expanded;
@@ -192,10 +192,10 @@ LineNumbers evaluateLine(const Token& word, std::span<const Token> tokens, Macro
                          Problems& problems) {
   std::vector<Token> expanded;
   macros.expand(tokens, expanded);
-  if (expanded.empty()) problems.add(word.place, "expected a line number after #line");
+  if (expanded.empty()) problems.add(word.location, "expected a line number after #line");
   for (const Token& token : expanded)
     if (token.kind == Kind::Int && intValue(token, problems) >= 0x7fffffff)
-      problems.add(token.place, "this line number is too large");
+      problems.add(token.location, "this line number is too large");
   Condition reader(word, std::move(expanded), macros, problems);
   LineNumbers numbers;
   if (!problems.any()) numbers.line = reader.next();

@@ -9,7 +9,7 @@ namespace warpjet::source::glsl {
 Parsed parse(std::string_view text) {
   Parsed made{std::make_unique<const Lines>(text), {}, {}};
   const Lines& lines = *made.text;
-  Preprocessed read =
+  PreprocessedSource read =
       preprocess(readTokens(lines.joined, made.problems, lines.joins), made.problems);
   if (!made.problems.any()) made.tree = Parser(std::move(read), made.problems).parse();
   return made;

@@ -76,7 +76,7 @@ bool isKeyword(std::string_view name, int version) {
 }
 
 std::string nameProblem(std::string_view name, int version) {
-  const std::string start = quoted(name) + " cannot be a name: ";
+  const std::string start = quote(name) + " cannot be a name: ";
   if (isReserved(name, version)) return start + "GLSL reserves this word; use another name";
   if (isKeyword(name, version)) return start + "it is a keyword";
   for (const std::string_view of : {"gl_", "webgl_", "_webgl_"})

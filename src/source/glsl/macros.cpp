@@ -25,15 +25,15 @@ void Macros::define(std::string_view name, int value) {
 
 void Macros::define(const Token& word, std::span<const Token> rest) {
   if (rest.empty() || rest[0].kind != Kind::Name)
-    return problems_.add(word.place, "#define needs a name");
+    return problems_.add(word.location, "#define needs a name");
   const Token& name = rest[0];
   const auto known = macros_.find(name.text);
   const bool isKnown = known != macros_.end();
   if (name.text.starts_with("GL_") || name.is("defined") || name.is("__LINE__") ||
       (isKnown && known->second.isOfLanguage))
-    return problems_.add(name.place, quoted(name.text) + " cannot be defined: it is predefined");
+    return problems_.add(name.location, quote(name.text) + " cannot be defined: it is predefined");
   Macro macro;
-  macro.line = name.place.shown;
+  macro.line = name.location.shown;
   std::size_t at = 1;
   if (at < rest.size() && rest[at].is("(") && !rest[at].followsSpace) {
     macro.hasParameters = true;
@@ -41,27 +41,28 @@ void Macros::define(const Token& word, std::span<const Token> rest) {
     const auto isEnd = [&] { return at < rest.size() && rest[at].is(")"); };
     while (!isEnd()) {
       if (at >= rest.size() || rest[at].kind != Kind::Name)
-        return problems_.add(name.place,
-                             "the parameters of " + quoted(name.text) + " must be names in ( )");
+        return problems_.add(name.location,
+                             "the parameters of " + quote(name.text) + " must be names in ( )");
       const std::string_view parameter = rest[at++].text;
       if (std::find(macro.parameters.begin(), macro.parameters.end(), parameter) !=
           macro.parameters.end())
-        return problems_.add(rest[at - 1].place, quoted(parameter) + " is already a parameter of " +
-                                                     quoted(name.text) + "; give it another name");
+        return problems_.add(rest[at - 1].location,
+                             quote(parameter) + " is already a parameter of " + quote(name.text) +
+                                 "; give it another name");
       macro.parameters.push_back(parameter);
       if (at < rest.size() && rest[at].is(",")) {
         ++at;
       } else if (!isEnd()) {
-        return problems_.add(name.place, "the parameters of " + quoted(name.text) +
-                                             " need a comma between them and a ) at the end");
+        return problems_.add(name.location, "the parameters of " + quote(name.text) +
+                                                " need a comma between them and a ) at the end");
       }
     }
     ++at;
   }
   macro.body.assign(rest.begin() + static_cast<std::ptrdiff_t>(at), rest.end());
   if (isKnown && !isSame(macro, known->second))
-    return problems_.add(name.place,
-                         quoted(name.text) + " was defined with another value in line " +
+    return problems_.add(name.location,
+                         quote(name.text) + " was defined with another value in line " +
                              std::to_string(known->second.line) + "; write #undef " +
                              std::string(name.text) + " before this line, or use another name");
   macros_[name.text] = std::move(macro);
@@ -81,14 +82,14 @@ bool Macros::isSame(const Macro& a, const Macro& b) {
 
 void Macros::undefine(const Token& word, std::span<const Token> rest) {
   if (rest.empty() || rest[0].kind != Kind::Name)
-    return problems_.add(word.place, "#undef needs a name");
+    return problems_.add(word.location, "#undef needs a name");
   const std::string_view name = rest[0].text;
   const auto known = macros_.find(name);
   if (name == "__LINE__" || (known != macros_.end() && known->second.isOfLanguage))
-    return problems_.add(rest[0].place, quoted(name) + " cannot be undefined: it is predefined");
+    return problems_.add(rest[0].location, quote(name) + " cannot be undefined: it is predefined");
   if (rest.size() > 1)
-    return problems_.add(rest[1].place, "#undef takes one name; remove " + quoted(rest[1].text) +
-                                            " and everything after it");
+    return problems_.add(rest[1].location, "#undef takes one name; remove " + quote(rest[1].text) +
+                                               " and everything after it");
   macros_.erase(name);
 }
 
@@ -99,13 +100,13 @@ void Macros::expand(std::span<const Token> tokens, std::vector<Token>& result) {
 
 Token Macros::number(std::uint32_t value, const Token& like) {
   made_.push_back(std::to_string(value));
-  return {Kind::Int, like.startsLine, like.followsSpace, made_.back(), like.place};
+  return {Kind::Int, like.startsLine, like.followsSpace, made_.back(), like.location};
 }
 
 void Macros::expand(Stream& stream, std::vector<Token>& result, const Within& within) {
   for (; stream.at < stream.tokens.size() && !problems_.any(); ++stream.at) {
     const Token& token = stream.tokens[stream.at];
-    if (result.size() > maxTokens) return problems_.add(token.place, tooLong);
+    if (result.size() > maxTokens) return problems_.add(token.location, tooLong);
     if (token.is("__LINE__")) {
       result.push_back(number(lineOf(token), token));
       continue;
@@ -132,11 +133,11 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
   const bool isCalled = next < stream.tokens.size() && stream.tokens[next].is("(");
   if (macro.hasParameters && !isCalled) return false;
   if (within.size() >= maxMacroDepth) {
-    problems_.add(token.place, "macros are nested more than 100 deep here");
+    problems_.add(token.location, "macros are nested more than 100 deep here");
     return false;
   }
   if (nested_ >= maxCallDepth) {
-    problems_.add(token.place, "calls of macros are nested more than 1,000 deep here");
+    problems_.add(token.location, "calls of macros are nested more than 1,000 deep here");
     return false;
   }
   std::vector<std::vector<Token>> arguments;
@@ -145,8 +146,9 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
   if (macro.hasParameters) {
     ++stream.at;
     if (!readArguments(rest, macro.parameters.size(), arguments)) {
-      problems_.add(token.place, "the macro " + quoted(token.text) + " takes " +
-                                     std::to_string(macro.parameters.size()) + " arguments in ( )");
+      problems_.add(token.location, "the macro " + quote(token.text) + " takes " +
+                                        std::to_string(macro.parameters.size()) +
+                                        " arguments in ( )");
       return false;
     }
     line = lineOf(rest->tokens[rest->at]);
@@ -158,7 +160,7 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
   for (const std::vector<Token>& argument : arguments) argumentCount += argument.size();
   argumentTokens_ += argumentCount;
   ++nested_;
-  if (argumentTokens_ > maxTokens) problems_.add(token.place, tooLong);
+  if (argumentTokens_ > maxTokens) problems_.add(token.location, tooLong);
   substitute(macro, token, line, arguments, result, {within.begin(), within.begin() + depth},
              *rest);
   --nested_;
@@ -208,10 +210,10 @@ void Macros::substitute(const Macro& macro, const Token& name, std::uint32_t lin
       body.insert(body.end(), argument.begin(), argument.end());
     } else {
       body.push_back(token);
-      body.back().place = name.place;
+      body.back().location = name.location;
       body.back().callLine = line;
     }
-    if (body.size() > maxTokens) return problems_.add(name.place, tooLong);
+    if (body.size() > maxTokens) return problems_.add(name.location, tooLong);
   }
   within.push_back(name.text);
   Stream stream{body, within.size(), &rest};

@@ -66,7 +66,7 @@ class Macros {
                   Within within, Stream& rest);
   // A call over several lines has the number of its last line.
   static std::uint32_t lineOf(const Token& token) {
-    return token.callLine ? token.callLine : token.place.shown;
+    return token.callLine ? token.callLine : token.location.shown;
   }
   Token number(std::uint32_t value, const Token& like);
   static bool isSame(const Macro& a, const Macro& b);

@@ -12,11 +12,11 @@ bool Parser::startsBlock() const {
 
 void Parser::uniformBlock(const Qualifiers& given) {
   const Token name = peek();
-  requireVersion("a block of uniforms", name.place);
+  requireVersion("a block of uniforms", name.location);
   if (given.word(Role::Storage) != "uniform")
-    fail(name.place, "only uniforms have blocks; write uniform before " + quoted(name.text));
+    fail(name.location, "only uniforms have blocks; write uniform before " + quote(name.text));
   allowOnly(given, {Role::Layout, Role::Storage}, "a block of uniforms");
-  if (given.hasLocation) fail(name.place, "a block of uniforms has no location; remove it");
+  if (given.hasLocation) fail(name.location, "a block of uniforms has no location; remove it");
   if (!checkFree(name)) return;
   take();
   scope_.add(name.text, {Meaning::Kind::Block});
@@ -38,7 +38,7 @@ void Parser::uniformBlock(const Qualifiers& given) {
   type.base = Base::Struct;
   type.structure = tree_.types.add(members);
   if (peek().is("[")) type = arrayOf(type);
-  if (type.length == 0) fail(instance.place, "an array of blocks needs a length");
+  if (type.length == 0) fail(instance.location, "an array of blocks needs a length");
   expect(";", "a block of uniforms");
   if (!problems_.any()) declareUniform(instance, type);
 }
@@ -54,19 +54,19 @@ Structure Parser::blockMembers(std::string_view name) {
     const Qualifiers given = qualifiers();
     allowOnly(given, {Role::Layout, Role::Storage, Role::Precision}, "a member of a block");
     if (given.isWhole)
-      fail(peek().place,
+      fail(peek().location,
            "std140, shared and packed are for whole blocks; write them before uniform");
     const std::string_view storage = given.word(Role::Storage);
     if (!storage.empty() && storage != "uniform")
-      fail(peek().place, "a member of a block is a uniform; remove " + quoted(storage));
+      fail(peek().location, "a member of a block is a uniform; remove " + quote(storage));
     fields(given, made);
   }
-  const Location end = peek().place;
+  const Location end = peek().location;
   expect("}", "the members of a block");
   if (made.fields.empty()) fail(end, "a block must have a member");
   for (const Field& each : made.fields)
     if (tree_.types.hasSampler(each.type))
-      fail(end, "a block holds numbers; declare the image " + quoted(each.name) + " outside of it");
+      fail(end, "a block holds numbers; declare the image " + quote(each.name) + " outside of it");
   return made;
 }
 

@@ -65,8 +65,8 @@ void Parser::findStage() {
     if (!isOfVertex && !isOfFragment) continue;
     const Stage stage = isOfVertex ? Stage::Vertex : Stage::Fragment;
     if (decides && stage != stage_)
-      return fail(token.place,
-                  quoted(token.text) + " and " + quoted(decides->text) +
+      return fail(token.location,
+                  quote(token.text) + " and " + quote(decides->text) +
                       " cannot be used in one shader: one is of vertex shaders, the other "
                       "of fragment shaders");
     stage_ = stage;
@@ -86,7 +86,7 @@ void Parser::declareBuiltIns() {
     const int value = text_.version == 300 || !is100(name) ? in300 : in100;
     const VariableId variable = declareBuiltIn(name, intType, Variable::Kind::Constant);
     const ExpressionId start = add(Expression{
-        .kind = Code::Constant, .type = intType, .value = 1.0 * value, .place = end_.place});
+        .kind = Code::Constant, .type = intType, .value = 1.0 * value, .location = end_.location});
     tree_.variables[variable].start = start;
     declareGlobally(variable, start);
   }
@@ -110,7 +110,7 @@ void Parser::declareGlobally(VariableId variable, ExpressionId start) {
   tree_.globals.push_back(add(Statement{.kind = Statement::Kind::Declare,
                                         .index = variable,
                                         .expression = start,
-                                        .place = tree_.variables[variable].place}));
+                                        .location = tree_.variables[variable].location}));
 }
 
 VariableId Parser::declareBuiltIn(std::string_view name, Type type, Variable::Kind kind) {

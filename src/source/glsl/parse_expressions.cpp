@@ -14,7 +14,7 @@ constexpr int maxTreeDepth = 300;
 }  // namespace
 
 ExpressionId Parser::add(Expression made) {
-  if (problems_.any()) return failExpression(made.place, "");
+  if (problems_.any()) return failExpression(made.location, "");
   int depth = 0;
   for (std::size_t i = 0; i < made.operands.size(); ++i) {
     const int of = tree_.expressions[made.operands[i]].depth;
@@ -22,37 +22,39 @@ ExpressionId Parser::add(Expression made) {
     depth = std::max(depth, made.kind == Code::Binary && i == 0 ? of : of + 1);
   }
   if (depth > maxTreeDepth)
-    return failExpression(made.place, "this expression is nested too deep; split it");
+    return failExpression(made.location, "this expression is nested too deep; split it");
   made.depth = static_cast<std::uint16_t>(depth);
   tree_.expressions.push_back(std::move(made));
   return static_cast<ExpressionId>(tree_.expressions.size() - 1);
 }
 
 // A placeholder for an expression that couldn't be parsed.
-ExpressionId Parser::failExpression(Location place, std::string message) {
-  fail(place, std::move(message));
+ExpressionId Parser::failExpression(Location location, std::string message) {
+  fail(location, std::move(message));
   tree_.expressions.push_back(
-      Expression{.kind = Code::Constant, .type = floatType, .place = place});
+      Expression{.kind = Code::Constant, .type = floatType, .location = location});
   return static_cast<ExpressionId>(tree_.expressions.size() - 1);
 }
 
 ExpressionId Parser::expression() {
   ExpressionId left = assignment();
   while (peek().is(",")) {
-    const Location place = take().place;
+    const Location location = take().location;
     const ExpressionId right = assignment();
     for (const ExpressionId each : {left, right})
       if (text_.version == 300 && (typeOf(each) == voidType || tree_.types.hasArray(typeOf(each))))
-        fail(place, tree_.types.withArticle(typeOf(each)) +
-                        " is not allowed in a comma expression; write two statements");
-    left = add(Expression{
-        .kind = Code::Sequence, .type = typeOf(right), .place = place, .operands = {left, right}});
+        fail(location, tree_.types.withArticle(typeOf(each)) +
+                           " is not allowed in a comma expression; write two statements");
+    left = add(Expression{.kind = Code::Sequence,
+                          .type = typeOf(right),
+                          .location = location,
+                          .operands = {left, right}});
   }
   return left;
 }
 
 ExpressionId Parser::assignment() {
-  if (!goDeeper()) return failExpression(peek().place, "");
+  if (!goDeeper()) return failExpression(peek().location, "");
   ++depth_;
   const ExpressionId made = [&] {
     const ExpressionId left = choice();
@@ -64,25 +66,26 @@ ExpressionId Parser::assignment() {
     const OperatorRow* row = isPlain ? nullptr : findOperator(text.substr(0, text.size() - 1));
     if (!isPlain && (!row || row->level == 7 || row->level == 8 || findOperator(text))) return left;
     take();
-    const ExpressionId place = makeAssignable(left, token.place, text);
-    if (row) requireVersion(textOf(row->op), token.place);
+    const ExpressionId location = makeAssignable(left, token.location, text);
+    if (row) requireVersion(textOf(row->op), token.location);
     const ExpressionId right = assignment();
     if (problems_.any()) return left;
-    const Type wanted = typeOf(place), got = typeOf(right);
-    if (tree_.types.hasArray(wanted)) requireVersion("an assignment of arrays", token.place);
+    const Type wanted = typeOf(location), got = typeOf(right);
+    if (tree_.types.hasArray(wanted)) requireVersion("an assignment of arrays", token.location);
     if (tree_.types.hasSampler(wanted))
-      return failExpression(token.place, "an image cannot be assigned; read it here by texture()");
+      return failExpression(token.location,
+                            "an image cannot be assigned; read it here by texture()");
     if (isPlain ? wanted != got : typeOfBinary(row->op, wanted, got, tree_.types) != wanted)
-      return failExpression(token.place, "" + tree_.types.withArticle(got) +
-                                             " cannot be assigned by " + std::string(text) +
-                                             " to " + tree_.types.withArticle(wanted) +
-                                             "; GLSL has no implicit conversions");
+      return failExpression(token.location, "" + tree_.types.withArticle(got) +
+                                                " cannot be assigned by " + std::string(text) +
+                                                " to " + tree_.types.withArticle(wanted) +
+                                                "; GLSL has no implicit conversions");
     return add(Expression{.kind = Code::Assign,
                           .op = row ? row->op : Operator{},
                           .isCombined = !isPlain,
                           .type = wanted,
-                          .place = token.place,
-                          .operands = {place, right}});
+                          .location = token.location,
+                          .operands = {location, right}});
   }();
   --depth_;
   return made;
@@ -91,25 +94,28 @@ ExpressionId Parser::assignment() {
 ExpressionId Parser::choice() {
   const ExpressionId test = binary(1);
   if (!peek().is("?")) return test;
-  const Location place = take().place;
+  const Location location = take().location;
   const ExpressionId yes = expression();
   expect(":", "the first value of ? :");
   const ExpressionId no = assignment();
   if (problems_.any()) return test;
   if (!typeOf(test).isBool())
-    return failExpression(place,
+    return failExpression(location,
                           "expected a bool before ?, got " + tree_.types.withArticle(typeOf(test)));
   if (typeOf(yes) != typeOf(no) || (typeOf(yes) == voidType && text_.version == 300))
-    return failExpression(place, "expected two values of the same type in ? :, got " +
-                                     tree_.types.withArticle(typeOf(yes)) + " and " +
-                                     tree_.types.withArticle(typeOf(no)));
+    return failExpression(location, "expected two values of the same type in ? :, got " +
+                                        tree_.types.withArticle(typeOf(yes)) + " and " +
+                                        tree_.types.withArticle(typeOf(no)));
   if (tree_.types.hasSampler(typeOf(yes)))
     return failExpression(
-        place, "an image cannot be chosen by ? :; choose between the results of texture()");
+        location, "an image cannot be chosen by ? :; choose between the results of texture()");
   if (text_.version && (typeOf(yes).isArray() || typeOf(yes).base == Base::Struct))
-    return failExpression(place, "browsers do not support ? : of arrays or structures; write if");
-  return add(Expression{
-      .kind = Code::Choose, .type = typeOf(yes), .place = place, .operands = {test, yes, no}});
+    return failExpression(location,
+                          "browsers do not support ? : of arrays or structures; write if");
+  return add(Expression{.kind = Code::Choose,
+                        .type = typeOf(yes),
+                        .location = location,
+                        .operands = {test, yes, no}});
 }
 
 ExpressionId Parser::binary(int level) {
@@ -117,41 +123,44 @@ ExpressionId Parser::binary(int level) {
   for (;;) {
     const OperatorRow* row = peek().kind == Kind::Symbol ? findOperator(peek().text) : nullptr;
     if (!row || row->level < level) return left;
-    const Location place = take().place;
-    requireVersion(textOf(row->op), place);
+    const Location location = take().location;
+    requireVersion(textOf(row->op), location);
     const ExpressionId right = binary(row->level + 1);
     if (problems_.any()) return left;
-    left = makeBinary(row->op, left, right, place);
+    left = makeBinary(row->op, left, right, location);
   }
 }
 
 ExpressionId Parser::makeBinary(Operator op, ExpressionId left, ExpressionId right,
-                                Location place) {
+                                Location location) {
   const Type a = typeOf(left), b = typeOf(right);
   const auto type = typeOfBinary(op, a, b, tree_.types);
   if (!type) {
     const bool mixes = a.isNumeric() && b.isNumeric() && a.base != b.base && a.base != Base::Bool &&
                        b.base != Base::Bool;
     return failExpression(
-        place,
-        quoted(textOf(op)) + " does not take " + tree_.types.withArticle(a) + " and " +
+        location,
+        quote(textOf(op)) + " does not take " + tree_.types.withArticle(a) + " and " +
             tree_.types.withArticle(b) +
             (mixes ? "; GLSL has no implicit conversions: write 1.0 for 1, or float(x)" : ""));
   }
-  if (tree_.types.hasArray(a)) requireVersion("a comparison of arrays", place);
-  return add(Expression{
-      .kind = Code::Binary, .op = op, .type = *type, .place = place, .operands = {left, right}});
+  if (tree_.types.hasArray(a)) requireVersion("a comparison of arrays", location);
+  return add(Expression{.kind = Code::Binary,
+                        .op = op,
+                        .type = *type,
+                        .location = location,
+                        .operands = {left, right}});
 }
 
 ExpressionId Parser::unary() {
-  if (!goDeeper()) return failExpression(peek().place, "");
+  if (!goDeeper()) return failExpression(peek().location, "");
   ++depth_;
   const ExpressionId made = [&] {
     const Token token = peek();
     if (token.kind != Kind::Symbol) return postfix();
     if (token.is("++") || token.is("--")) {
       take();
-      return increment(unary(), token.is("++") ? Operator::Add : Operator::Subtract, token.place,
+      return increment(unary(), token.is("++") ? Operator::Add : Operator::Subtract, token.location,
                        false);
     }
     Code kind;
@@ -163,7 +172,7 @@ ExpressionId Parser::unary() {
       kind = Code::Not;
     } else if (token.is("~")) {
       kind = Code::Complement;
-      requireVersion(token.text, token.place);
+      requireVersion(token.text, token.location);
     } else {
       return postfix();
     }
@@ -175,16 +184,18 @@ ExpressionId Parser::unary() {
                       : kind == Code::Complement ? type.isInteger()
                                                  : type.isNumeric() && type.base != Base::Bool;
     if (!fits)
-      return failExpression(token.place,
-                            quoted(token.text) + " does not take " + tree_.types.withArticle(type));
-    return add(Expression{.kind = kind, .type = type, .place = token.place, .operands = {operand}});
+      return failExpression(token.location,
+                            quote(token.text) + " does not take " + tree_.types.withArticle(type));
+    return add(
+        Expression{.kind = kind, .type = type, .location = token.location, .operands = {operand}});
   }();
   --depth_;
   return made;
 }
 
 // Checks that the operand can be assigned; `what` is the assigning operator.
-ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::string_view what) {
+ExpressionId Parser::makeAssignable(ExpressionId operand, Location location,
+                                    std::string_view what) {
   if (problems_.any()) return operand;
   const Expression* root = &tree_.expressions[operand];
   while (root->kind != Code::Variable && !root->operands.empty() && root->isAssignable)
@@ -192,18 +203,19 @@ ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::s
   if (root->kind == Code::Variable) {
     const Variable& variable = tree_.variables[root->index];
     if (variable.kind == Variable::Kind::Constant)
-      return failExpression(place, quoted(variable.name) + " is a constant and cannot be changed");
+      return failExpression(location,
+                            quote(variable.name) + " is a constant and cannot be changed");
     if (variable.kind == Variable::Kind::Uniform || variable.kind == Variable::Kind::Attribute ||
         variable.kind == Variable::Kind::Fragment)
-      return failExpression(place,
-                            quoted(variable.name) + " is given by the host and cannot be changed");
+      return failExpression(location,
+                            quote(variable.name) + " is given by the host and cannot be changed");
     if (std::find(counters_.begin(), counters_.end(), root->index) != counters_.end())
-      requireVersion("changing a loop's counter in its body", place);
+      requireVersion("changing a loop's counter in its body", location);
   }
   const Expression& node = tree_.expressions[operand];
   if (!node.isAssignable || root->kind != Code::Variable)
-    return failExpression(place, "expected a variable before " + std::string(what) +
-                                     ", got a value that cannot be changed");
+    return failExpression(location, "expected a variable before " + std::string(what) +
+                                        ", got a value that cannot be changed");
   // A component that occurs twice would have two values.
   for (const Expression* part = &node; part->kind == Code::Swizzle;
        part = &tree_.expressions[part->operands[0]]) {
@@ -211,25 +223,27 @@ ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::s
     for (int i = 0; i < part->type.components(); ++i) {
       const unsigned bit = 1u << (part->index >> (2 * i) & 3);
       if (seen & bit)
-        return failExpression(place, "a component occurs twice in the target of the assignment");
+        return failExpression(location, "a component occurs twice in the target of the assignment");
       seen |= bit;
     }
   }
   return operand;
 }
 
-ExpressionId Parser::increment(ExpressionId operand, Operator op, Location place, bool isPostfix) {
+ExpressionId Parser::increment(ExpressionId operand, Operator op, Location location,
+                               bool isPostfix) {
   if (problems_.any()) return operand;
   const std::string_view text = op == Operator::Add ? "++" : "--";
-  const ExpressionId changed = makeAssignable(operand, place, text);
+  const ExpressionId changed = makeAssignable(operand, location, text);
   const Type type = typeOf(changed);
   if (!problems_.any() && (!type.isNumeric() || type.base == Base::Bool))
-    return failExpression(place, quoted(text) + " does not take " + tree_.types.withArticle(type));
+    return failExpression(location,
+                          quote(text) + " does not take " + tree_.types.withArticle(type));
   return add(Expression{.kind = Code::Increment,
                         .op = op,
                         .type = type,
                         .index = isPostfix,
-                        .place = place,
+                        .location = location,
                         .operands = {changed}});
 }
 

@@ -23,7 +23,7 @@ std::string differenceOf(const Function& before, const Function& now) {
   for (std::size_t i = 0; i < now.parameters.size(); ++i) {
     const std::string_view was = wordOf(before.parameters[i]), is = wordOf(now.parameters[i]);
     if (was != is)
-      return "parameter " + std::to_string(i + 1) + " of " + quoted(now.name) + " was declared " +
+      return "parameter " + std::to_string(i + 1) + " of " + quote(now.name) + " was declared " +
              std::string(was) + " before, and is " + std::string(is) +
              " here; make both declarations equal";
   }
@@ -37,25 +37,27 @@ void Parser::function(const Qualifiers& given, Type result, const Token& name) {
   checkPrecision(given, result);
   if (problems_.any()) return;
   if (!scope_.isGlobal())
-    return fail(name.place, "a function cannot be declared inside another one");
+    return fail(name.location, "a function cannot be declared inside another one");
   const Meaning known = scope_.find(name.text);
   if (known.kind != Meaning::Kind::Function && !checkFree(name)) return;
   if (isBuiltIn(builtIns, name.text) && versionProblem(text_.version, name.text).empty())
-    requireVersion("a function with the name of a built-in one", name.place);
-  if (result.length == 0) return fail(name.place, "an array returned by a function needs a length");
-  if (tree_.types.hasArray(result)) requireVersion("an array returned by a function", name.place);
+    requireVersion("a function with the name of a built-in one", name.location);
+  if (result.length == 0)
+    return fail(name.location, "an array returned by a function needs a length");
+  if (tree_.types.hasArray(result))
+    requireVersion("an array returned by a function", name.location);
   if (tree_.types.hasSampler(result))
-    return fail(name.place, "a function cannot return an image; return the result of texture()");
+    return fail(name.location, "a function cannot return an image; return the result of texture()");
   if (tree_.types.size(result) > maxValueSize)
-    return fail(name.place, "the result of " + quoted(name.text) + " is too large");
+    return fail(name.location, "the result of " + quote(name.text) + " is too large");
   take();
   scope_.open();
-  Function made{name.text, result, parameters(), name.place};
+  Function made{name.text, result, parameters(), name.location};
   expect(")", "the parameters of a function");
   if (made.name == "main" && (result != voidType || !made.parameters.empty()))
-    fail(name.place, "main has no parameters and returns nothing: write void main()");
+    fail(name.location, "main has no parameters and returns nothing: write void main()");
   if (redefines(made))
-    fail(name.place, quoted(name.text) + " is a built-in function; give yours another name");
+    fail(name.location, quote(name.text) + " is a built-in function; give yours another name");
   if (!problems_.any()) {
     const FunctionId number = declareFunction(made);
     if (!problems_.any() && !accept(";")) {
@@ -63,8 +65,9 @@ void Parser::function(const Qualifiers& given, Type result, const Token& name) {
       hasReturn_ = false;
       const StatementId body = block();
       if (result != voidType && !hasReturn_)
-        fail(name.place, "expected " + quoted(name.text) + " to return " +
-                             tree_.types.withArticle(result) + ", but it has no return statement");
+        fail(name.location, "expected " + quote(name.text) + " to return " +
+                                tree_.types.withArticle(result) +
+                                ", but it has no return statement");
       if (number != nothing && !problems_.any()) tree_.functions[number].body = body;
       current_ = nothing;
     }
@@ -81,12 +84,13 @@ std::vector<Parameter> Parser::parameters() {
   }
   do {
     const Qualifiers given = qualifiers();
-    const Location place = peek().place;
+    const Location location = peek().location;
     const std::string_view storage = given.word(Role::Storage);
     allowOnly(given, {Role::Const, Role::Storage, Role::Precision}, "a parameter");
     if (!storage.empty() && storage != "in" && storage != "out" && storage != "inout")
-      fail(place, quoted(storage) + " is not allowed before a parameter; remove it");
-    if (peek().is("struct")) fail(place, "a structure cannot be declared here; declare it above");
+      fail(location, quote(storage) + " is not allowed before a parameter; remove it");
+    if (peek().is("struct"))
+      fail(location, "a structure cannot be declared here; declare it above");
     const auto direction = storage == "out"     ? Parameter::Direction::Out
                            : storage == "inout" ? Parameter::Direction::InOut
                                                 : Parameter::Direction::In;
@@ -101,16 +105,16 @@ std::vector<Parameter> Parser::parameters() {
     if (peek().is("[")) each = arrayOf(each);
     if (problems_.any()) break;
     if (each.base == Base::Void || each.length == 0) {
-      fail(place, "a parameter cannot be " + tree_.types.name(each));
+      fail(location, "a parameter cannot be " + tree_.types.name(each));
       break;
     }
     if (!name.text.empty() && !checkFree(name)) break;
     if (tree_.types.hasSampler(each) && direction != Parameter::Direction::In) {
-      fail(place, "an image can only be read; remove out or inout");
+      fail(location, "an image can only be read; remove out or inout");
       break;
     }
     if (given.isConst() && direction != Parameter::Direction::In) {
-      fail(place, "a parameter cannot be both const and " + std::string(storage));
+      fail(location, "a parameter cannot be both const and " + std::string(storage));
       break;
     }
     const VariableId variable = addVariable(
@@ -141,14 +145,14 @@ FunctionId Parser::declareFunction(const Function& made) {
     Function& other = tree_.functions[i];
     if (!isSame(other)) continue;
     if (other.type != made.type) {
-      fail(made.place, quoted(made.name) + " was declared before with another result, " +
-                           tree_.types.withArticle(other.type));
+      fail(made.location, quote(made.name) + " was declared before with another result, " +
+                              tree_.types.withArticle(other.type));
     } else if (std::string why = differenceOf(other, made); !why.empty()) {
-      fail(made.place, std::move(why));
+      fail(made.location, std::move(why));
     } else if (!isDefinition && other.body == nothing && text_.version == 100) {
-      fail(made.place, quoted(made.name) + " is already declared; remove this line");
+      fail(made.location, quote(made.name) + " is already declared; remove this line");
     } else if (isDefinition && other.body != nothing) {
-      fail(made.place, quoted(made.name) + " already has a body for these parameters");
+      fail(made.location, quote(made.name) + " already has a body for these parameters");
     } else if (isDefinition) {
       other = made;
     }
@@ -172,13 +176,13 @@ FunctionId Parser::declareFunction(const Function& made) {
 void Parser::rejectMissing() {
   for (const FunctionCall& call : calls_)
     if (const Function& function = tree_.functions[call.to]; function.body == nothing)
-      return fail(call.place, quoted(function.name) + " is declared, but has no body");
+      return fail(call.location, quote(function.name) + " is declared, but has no body");
 }
 
 void Parser::rejectRecursion() {
   if (const auto call = findRecursion(tree_.functions.size(), calls_))
-    fail(call->place, quoted(tree_.functions[call->to].name) +
-                          " calls itself, which shaders do not support; write a loop");
+    fail(call->location, quote(tree_.functions[call->to].name) +
+                             " calls itself, which shaders do not support; write a loop");
 }
 
 }  // namespace warpjet::source::glsl

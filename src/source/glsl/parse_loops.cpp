@@ -13,51 +13,51 @@ ExpressionId Parser::declaredCondition(StatementId& declared) {
   const Token name = peek();
   if (!checkFree(name)) return nothing;
   take();
-  if (!accept("=")) fail(peek().place, "expected a value for " + quoted(name.text));
+  if (!accept("=")) fail(peek().location, "expected a value for " + quote(name.text));
   const ExpressionId value = assignment();
   if (problems_.any()) return nothing;
   if (base != boolType || typeOf(value) != boolType) {
-    fail(name.place, "expected a bool as condition, got " + quoted(name.text) + ", " +
-                         tree_.types.withArticle(base != boolType ? base : typeOf(value)));
+    fail(name.location, "expected a bool as condition, got " + quote(name.text) + ", " +
+                            tree_.types.withArticle(base != boolType ? base : typeOf(value)));
     return nothing;
   }
   if (given.isConst()) checkStart(Variable::Kind::Constant, value, name);
   const VariableId variable =
       addVariable(name, base, given.isConst() ? Variable::Kind::Constant : Variable::Kind::Local);
-  declared =
-      add(Statement{.kind = Statement::Kind::Declare, .index = variable, .place = name.place});
+  declared = add(
+      Statement{.kind = Statement::Kind::Declare, .index = variable, .location = name.location});
   const ExpressionId target = add(Expression{.kind = Code::Variable,
                                              .isAssignable = true,
                                              .type = base,
                                              .index = variable,
-                                             .place = name.place});
+                                             .location = name.location});
   return add(Expression{
-      .kind = Code::Assign, .type = base, .place = name.place, .operands = {target, value}});
+      .kind = Code::Assign, .type = base, .location = name.location, .operands = {target, value}});
 }
 
 ExpressionId Parser::condition(std::string_view after) {
   expect("(", after);
   if (startsType() && !peek(1).is("(")) {
-    fail(peek().place, "declare this variable before the " + std::string(after));
+    fail(peek().location, "declare this variable before the " + std::string(after));
     return nothing;
   }
-  const Location place = peek().place;
+  const Location location = peek().location;
   const ExpressionId value = expression();
   expect(")", "a condition");
   if (!problems_.any() && !typeOf(value).isBool())
-    fail(place, "expected a bool as the condition of this " + std::string(after) + ", got " +
-                    tree_.types.withArticle(typeOf(value)));
+    fail(location, "expected a bool as the condition of this " + std::string(after) + ", got " +
+                       tree_.types.withArticle(typeOf(value)));
   return value;
 }
 
 StatementId Parser::forStatement() {
-  const Location place = take().place;
+  const Location location = take().location;
   scope_.open();
   expect("(", "for");
   const StatementId start = simpleStatement();
   ExpressionId test = nothing;
   StatementId step = nothing, declared = nothing;
-  const Location testPlace = peek().place;
+  const Location testPlace = peek().location;
   if (startsDeclaration()) {
     test = declaredCondition(declared);
   } else if (!peek().is(";")) {
@@ -68,22 +68,22 @@ StatementId Parser::forStatement() {
   }
   expect(";", "the condition of a for");
   if (!peek().is(")")) {
-    const Location stepPlace = peek().place;
+    const Location stepPlace = peek().location;
     step = add(Statement{
-        .kind = Statement::Kind::Evaluate, .expression = expression(), .place = stepPlace});
+        .kind = Statement::Kind::Evaluate, .expression = expression(), .location = stepPlace});
   }
   expect(")", "the head of a for");
   const std::size_t outer = counters_.size();
-  if (!problems_.any()) requireCounting(start, test, step, place);
+  if (!problems_.any()) requireCounting(start, test, step, location);
   ++loops_;
   const StatementId body = statement(false);
   --loops_;
   counters_.resize(outer);
   scope_.close();
-  const StatementId first = declared == nothing ? start : makeBlock(place, {start, declared});
+  const StatementId first = declared == nothing ? start : makeBlock(location, {start, declared});
   return add(Statement{.kind = Statement::Kind::Loop,
                        .expression = test,
-                       .place = place,
+                       .location = location,
                        .children = {first, step, body}});
 }
 
@@ -97,7 +97,7 @@ bool Parser::startsDeclaration(std::size_t ahead) const {
 // The loops that GLSL ES 1.00 allows, appendix A.4: one number counts from a constant to a constant
 // by a constant, and the body doesn't change it.
 void Parser::requireCounting(StatementId start, ExpressionId test, StatementId step,
-                             Location place) {
+                             Location location) {
   if (text_.version != 100) return;
   const auto counter = [&]() -> VariableId {
     const Statement& declared = tree_.statements[start];
@@ -126,13 +126,14 @@ void Parser::requireCounting(StatementId start, ExpressionId test, StatementId s
            isCounter(node.operands[0]) && constants_.isConstant(node.operands[1]);
   };
   if (counter == nothing || !isCompared() || !isStepped())
-    return requireVersion("a for whose counter does not start, end and step by constants", place);
+    return requireVersion("a for whose counter does not start, end and step by constants",
+                          location);
   counters_.push_back(counter);
 }
 
 StatementId Parser::whileStatement() {
-  requireVersion("while", peek().place);
-  const Location place = take().place;
+  requireVersion("while", peek().location);
+  const Location location = take().location;
   scope_.open();
   StatementId declared = nothing;
   ExpressionId test = nothing;
@@ -150,26 +151,26 @@ StatementId Parser::whileStatement() {
   scope_.close();
   return add(Statement{.kind = Statement::Kind::Loop,
                        .expression = test,
-                       .place = place,
+                       .location = location,
                        .children = {declared, nothing, body}});
 }
 
 StatementId Parser::doStatement() {
-  requireVersion("do", peek().place);
-  const Location place = take().place;
+  requireVersion("do", peek().location);
+  const Location location = take().location;
   scope_.open();
   ++loops_;
   const StatementId body = statement(false);
   --loops_;
   scope_.close();
   if (!accept("while"))
-    fail(peek().place, "expected while after the body of do, " + describeNext());
+    fail(peek().location, "expected while after the body of do, " + describeNext());
   const ExpressionId test = condition("while");
   expect(";", "do … while ( )");
   return add(Statement{.kind = Statement::Kind::Loop,
                        .isLate = true,
                        .expression = test,
-                       .place = place,
+                       .location = location,
                        .children = {nothing, nothing, body}});
 }
 

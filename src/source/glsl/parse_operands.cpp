@@ -24,8 +24,8 @@ ExpressionId Parser::postfix() {
       operand = element(operand);
     } else if (token.is("++") || token.is("--")) {
       take();
-      operand = increment(operand, token.is("++") ? Operator::Add : Operator::Subtract, token.place,
-                          true);
+      operand = increment(operand, token.is("++") ? Operator::Add : Operator::Subtract,
+                          token.location, true);
     } else {
       return operand;
     }
@@ -33,10 +33,10 @@ ExpressionId Parser::postfix() {
 }
 
 ExpressionId Parser::member(ExpressionId operand) {
-  const Location place = take().place;
+  const Location location = take().location;
   const Token name = peek();
   if (name.kind != Kind::Name) {
-    return failExpression(name.place,
+    return failExpression(name.location,
                           "expected a component or field after the point, " + describeNext());
   }
   take();
@@ -46,65 +46,65 @@ ExpressionId Parser::member(ExpressionId operand) {
   if (type.isArray() && name.is("length")) {
     expect("(", "length");
     expect(")", "length(");
-    requireVersion(".length()", place);
+    requireVersion(".length()", location);
     return add(Expression{.kind = Code::Constant,
                           .type = intType,
                           .value = static_cast<double>(type.length),
-                          .place = place});
+                          .location = location});
   }
   if (type.isStruct()) {
     const Field* field = tree_.types.structure(type).find(name.text);
     if (!field)
       return failExpression(
-          name.place, "" + tree_.types.withArticle(type) + " has no field " + quoted(name.text));
+          name.location, "" + tree_.types.withArticle(type) + " has no field " + quote(name.text));
     return add(Expression{.kind = Code::Part,
                           .isAssignable = isAssignable,
                           .type = field->type,
                           .index = field->offset,
-                          .place = place,
+                          .location = location,
                           .operands = {operand}});
   }
   const auto packed = type.isVector() ? readSwizzle(name.text, type.rows) : std::nullopt;
   if (!packed)
-    return failExpression(
-        name.place, "" + tree_.types.withArticle(type) + " has no component " + quoted(name.text));
+    return failExpression(name.location, "" + tree_.types.withArticle(type) + " has no component " +
+                                             quote(name.text));
   return add(Expression{.kind = Code::Swizzle,
                         .isAssignable = isAssignable,
                         .type = vectorType(type.base, static_cast<int>(name.text.size())),
                         .index = *packed,
-                        .place = place,
+                        .location = location,
                         .operands = {operand}});
 }
 
 ExpressionId Parser::element(ExpressionId operand) {
-  const Location place = take().place;
+  const Location location = take().location;
   const ExpressionId index = expression();
   expect("]", "an index");
   if (problems_.any()) return operand;
   const Type type = typeOf(operand);
   if (!type.isArray() && !type.isVector() && !type.isMatrix())
-    return failExpression(place, "" + tree_.types.withArticle(type) + " has no elements");
+    return failExpression(location, "" + tree_.types.withArticle(type) + " has no elements");
   if (!typeOf(index).isInteger() || !typeOf(index).isScalar())
-    return failExpression(
-        place, "expected an int or uint as index, got " + tree_.types.withArticle(typeOf(index)));
+    return failExpression(location, "expected an int or uint as index, got " +
+                                        tree_.types.withArticle(typeOf(index)));
   const auto isCounter = [&](VariableId each) {
     return std::find(counters_.begin(), counters_.end(), each) != counters_.end();
   };
   if (!constants_.isConstant(index, isCounter) && !isUniform(operand))
-    requireVersion("an index that is not constant", place);
+    requireVersion("an index that is not constant", location);
   if (tree_.types.isBlock(type) && !constants_.isConstant(index))
-    return failExpression(place, "the index of a block of uniforms must be a constant");
+    return failExpression(location, "the index of a block of uniforms must be a constant");
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
   if (const auto known = constants_.integer(index); known && (*known < 0 || *known >= count))
-    return failExpression(place, "expected an index from 0 to " + std::to_string(count - 1) +
-                                     ", got " + std::to_string(*known));
+    return failExpression(location, "expected an index from 0 to " + std::to_string(count - 1) +
+                                        ", got " + std::to_string(*known));
   const Type element = type.isArray()    ? type.element()
                        : type.isMatrix() ? vectorType(type.base, type.rows)
                                          : scalarOf(type.base);
   return add(Expression{.kind = Code::Element,
                         .isAssignable = tree_.expressions[operand].isAssignable,
                         .type = element,
-                        .place = place,
+                        .location = location,
                         .operands = {operand, index}});
 }
 
@@ -129,19 +129,19 @@ ExpressionId Parser::primary() {
   if (token.kind == Kind::Int || token.kind == Kind::Uint || token.kind == Kind::Float)
     return number();
   if (token.kind == Kind::Name) return named();
-  return failExpression(token.place, "expected a value, " + describeNext());
+  return failExpression(token.location, "expected a value, " + describeNext());
 }
 
 ExpressionId Parser::number() {
   const Token token = take();
-  Expression made{.kind = Code::Constant, .place = token.place};
+  Expression made{.kind = Code::Constant, .location = token.location};
   if (token.kind == Kind::Float) {
     made.type = floatType;
     made.value = floatValue(token);
     if (token.text.back() == 'f' || token.text.back() == 'F')
-      requireVersion("a number with an f", token.place);
+      requireVersion("a number with an f", token.location);
   } else {
-    if (token.kind == Kind::Uint) requireVersion("a whole number with a u", token.place);
+    if (token.kind == Kind::Uint) requireVersion("a whole number with a u", token.location);
     const std::uint32_t bits = intValue(token, problems_);
     made.type = token.kind == Kind::Int ? intType : uintType;
     made.value =
@@ -157,12 +157,12 @@ ExpressionId Parser::named() {
     return add(Expression{.kind = Code::Constant,
                           .type = boolType,
                           .value = name.is("true") ? 1.0 : 0.0,
-                          .place = name.place});
+                          .location = name.location});
   }
   if (startsType()) {
-    if (peek(1).is("[")) requireVersion("an array made in one expression", name.place);
+    if (peek(1).is("[")) requireVersion("an array made in one expression", name.location);
     const Type made = type();
-    return construct(made, name.place);
+    return construct(made, name.location);
   }
   if (peek(1).is("(")) {
     take();
@@ -173,18 +173,19 @@ ExpressionId Parser::named() {
     const bool isFunction =
         meaning.kind == Meaning::Kind::Function || isBuiltIn(builtIns, name.text);
     if (isFunction)
-      return failExpression(name.place, quoted(name.text) + " is a function; call it with ( )");
+      return failExpression(name.location, quote(name.text) + " is a function; call it with ( )");
     Nearest nearest(name.text);
     scope_.each(Meaning::Kind::Variable, [&](std::string_view other) { nearest.offer(other); });
-    return failExpression(name.place, quoted(name.text) + " is not declared" + nearest.question());
+    return failExpression(name.location,
+                          quote(name.text) + " is not declared" + nearest.question());
   }
   take();
-  if (name.text.starts_with("gl_")) requireVersion(name.text, name.place);
+  if (name.text.starts_with("gl_")) requireVersion(name.text, name.location);
   return add(Expression{.kind = Code::Variable,
                         .isAssignable = true,
                         .type = tree_.variables[meaning.index].type,
                         .index = meaning.index,
-                        .place = name.place});
+                        .location = name.location});
 }
 
 // Parses from the parenthesis to its counterpart.
@@ -204,71 +205,74 @@ std::vector<ExpressionId> Parser::arguments() {
   return all;
 }
 
-ExpressionId Parser::construct(Type type, Location place) {
+ExpressionId Parser::construct(Type type, Location location) {
   if (!problems_.any() && !peek().is("("))
-    return failExpression(place, "expected a value, got a type");
+    return failExpression(location, "expected a value, got a type");
   std::vector<ExpressionId> operands = arguments();
-  if (problems_.any()) return failExpression(place, "");
+  if (problems_.any()) return failExpression(location, "");
   std::vector<Type> types;
   for (const ExpressionId operand : operands) types.push_back(typeOf(operand));
   if (type.length == 0) type.length = static_cast<std::int32_t>(operands.size());
   std::string why = constructorProblem(type, types, tree_.types);
-  if (!why.empty()) return failExpression(place, std::move(why));
-  return add(Expression{
-      .kind = Code::Construct, .type = type, .place = place, .operands = std::move(operands)});
+  if (!why.empty()) return failExpression(location, std::move(why));
+  return add(Expression{.kind = Code::Construct,
+                        .type = type,
+                        .location = location,
+                        .operands = std::move(operands)});
 }
 
 ExpressionId Parser::call(const Token& name) {
   const Meaning meaning = scope_.find(name.text);
   std::vector<ExpressionId> operands = arguments();
-  if (problems_.any()) return failExpression(name.place, "");
+  if (problems_.any()) return failExpression(name.location, "");
   std::vector<Type> types;
   for (const ExpressionId operand : operands) types.push_back(typeOf(operand));
   if (meaning.kind == Meaning::Kind::Function) {
     const ExpressionId made = callFunction(name, operands, types);
-    if (problems_.any()) return failExpression(name.place, "");
+    if (problems_.any()) return failExpression(name.location, "");
     if (made != nothing) return made;
   }
   if (meaning.kind == Meaning::Kind::Variable)
-    return failExpression(name.place, quoted(name.text) + " is a variable and cannot be called");
+    return failExpression(name.location, quote(name.text) + " is a variable and cannot be called");
   const auto found = findBuiltIn(builtIns, name.text, types);
   if (!found) {
     if (meaning.kind == Meaning::Kind::None && !isBuiltIn(builtIns, name.text)) {
       Nearest nearest(name.text);
       for (const BuiltIn& row : builtIns) nearest.offer(row.name);
       scope_.each(Meaning::Kind::Function, [&](std::string_view other) { nearest.offer(other); });
-      return failExpression(name.place,
-                            "there is no function " + quoted(name.text) + nearest.question());
+      return failExpression(name.location,
+                            "there is no function " + quote(name.text) + nearest.question());
     }
-    return failExpression(name.place, quoted(name.text) + " cannot be called with (" +
-                                          typesOf(types) + "); GLSL has no implicit conversions");
+    return failExpression(name.location, quote(name.text) + " cannot be called with (" +
+                                             typesOf(types) +
+                                             "); GLSL has no implicit conversions");
   }
   const BuiltIn& row = builtIns[found->row];
-  requireVersion(name.text, name.place);
-  requireVersion(builtInFeature(row), name.place);
-  if (hasOffset(row)) checkOffset(row, operands.back(), name.place);
+  requireVersion(name.text, name.location);
+  requireVersion(builtInFeature(row), name.location);
+  if (hasOffset(row)) checkOffset(row, operands.back(), name.location);
   for (std::size_t i = 0; i < operands.size(); ++i)
-    if (isOut(row, i)) makeAssignable(operands[i], name.place, "this call");
+    if (isOut(row, i)) makeAssignable(operands[i], name.location, "this call");
   if (row.way == Way::Unsupported)
     return failExpression(
-        name.place,
-        quoted(name.text) + " cannot be used in a warp, which needs exact derivatives per vertex");
+        name.location,
+        quote(name.text) + " cannot be used in a warp, which needs exact derivatives per vertex");
   return add(Expression{.kind = Code::BuiltIn,
                         .type = found->result,
                         .index = found->row,
-                        .place = name.place,
+                        .location = name.location,
                         .operands = std::move(operands)});
 }
 
 // An offset in texels must be constant: GLSL ES 3.00, section 8.8.
-void Parser::checkOffset(const BuiltIn& row, ExpressionId offset, Location place) {
+void Parser::checkOffset(const BuiltIn& row, ExpressionId offset, Location location) {
   if (problems_.any()) return;
   const auto numbers = constants_.integers(offset);
   const bool fits = !numbers.empty() && std::all_of(numbers.begin(), numbers.end(),
                                                     [](int n) { return n >= -8 && n <= 7; });
   if (!fits)
-    fail(place, "the offset of " + std::string(row.name) +
-                    " must be a constant with whole numbers from -8 to 7");
+    fail(location, "the offset of " + std::string(row.name) +
+                       " must be a constant with whole numbers from -8 to 7");
 }
 
 // A call of a function of the source; `nothing` if no overload matches, in case a built-in one
@@ -284,18 +288,19 @@ ExpressionId Parser::callFunction(const Token& name, std::vector<ExpressionId> o
     if (wanted != types) continue;
     for (std::size_t k = 0; k < operands.size(); ++k)
       if (function.parameters[k].direction != Parameter::Direction::In)
-        makeAssignable(operands[k], name.place, "this call");
-    if (current_ != nothing) calls_.push_back({current_, i, name.place});
+        makeAssignable(operands[k], name.location, "this call");
+    if (current_ != nothing) calls_.push_back({current_, i, name.location});
     if (problems_.any()) return nothing;
     return add(Expression{.kind = Code::Call,
                           .type = function.type,
                           .index = i,
-                          .place = name.place,
+                          .location = name.location,
                           .operands = std::move(operands)});
   }
   if (!findBuiltIn(builtIns, name.text, types))
-    return failExpression(name.place, quoted(name.text) + " expected " + known + ", got (" +
-                                          typesOf(types) + "); GLSL has no implicit conversions");
+    return failExpression(name.location, quote(name.text) + " expected " + known + ", got (" +
+                                             typesOf(types) +
+                                             "); GLSL has no implicit conversions");
   return nothing;
 }
 

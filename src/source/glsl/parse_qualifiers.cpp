@@ -46,13 +46,13 @@ Qualifiers Parser::qualifiers() {
     const auto row = std::find_if(qualifierRows.begin(), qualifierRows.end(),
                                   [&](const QualifierRow& each) { return token.is(each.word); });
     if (row == qualifierRows.end() || isDeclared(token)) return found;
-    requireVersion(token.text, token.place);
+    requireVersion(token.text, token.location);
     if (scope_.isGlobal() && token.is("in"))
-      requireVersion("in before a global variable", token.place);
+      requireVersion("in before a global variable", token.location);
     if (scope_.isGlobal() && token.is("out"))
-      requireVersion("out before a global variable", token.place);
+      requireVersion("out before a global variable", token.location);
     for (const Qualifiers::Word& before : found.words) checkOrder(before, token, row->role);
-    found.words.push_back({token.text, row->role, token.place});
+    found.words.push_back({token.text, row->role, token.location});
     take();
     if (row->role == Role::Layout) layout(found);
   }
@@ -60,14 +60,15 @@ Qualifiers Parser::qualifiers() {
 
 void Parser::checkOrder(const Qualifiers::Word& before, const Token& token, Role role) {
   if (before.text == token.text)
-    return fail(token.place, quoted(token.text) + " occurs twice; remove one");
+    return fail(token.location, quote(token.text) + " occurs twice; remove one");
   if (before.role == role)
-    return fail(token.place, quoted(before.text) + " and " + quoted(token.text) +
-                                 " cannot be combined; remove one");
+    return fail(token.location, quote(before.text) + " and " + quote(token.text) +
+                                    " cannot be combined; remove one");
   if (before.role > role)
-    fail(token.place, quoted(token.text) + " must come before " + quoted(before.text) +
-                          ": the order is invariant, flat or smooth, layout, const, centroid, in "
-                          "or out or uniform, highp");
+    fail(token.location,
+         quote(token.text) + " must come before " + quote(before.text) +
+             ": the order is invariant, flat or smooth, layout, const, centroid, in "
+             "or out or uniform, highp");
 }
 
 // Parses `(location = 0)`, or the memory layout of a uniform block.
@@ -84,16 +85,17 @@ void Parser::layout(Qualifiers& found) {
       const Token number = peek();
       const bool isNumber = number.kind == Kind::Int || number.kind == Kind::Uint;
       if (!isNumber || intValue(number, problems_) >= maxLocations)
-        return fail(number.place, "expected a whole number below " + std::to_string(maxLocations) +
-                                      " as location, " + this->describeNext());
+        return fail(number.location, "expected a whole number below " +
+                                         std::to_string(maxLocations) + " as location, " +
+                                         this->describeNext());
       take();
     } else if (isForBlocks) {
       found.isForBlocks = true;
       found.isWhole = found.isWhole || !word.ends_with("_major");
     } else {
-      fail(name.place, "there is no layout " + quoted(word) +
-                           "; the layouts are location, std140, shared, packed, row_major and "
-                           "column_major");
+      fail(name.location, "there is no layout " + quote(word) +
+                              "; the layouts are location, std140, shared, packed, row_major and "
+                              "column_major");
     }
   } while (accept(","));
   expect(")", "layout");
@@ -104,8 +106,8 @@ void Parser::allowOnly(const Qualifiers& given, std::initializer_list<Role> role
                        std::string_view where) {
   for (const Qualifiers::Word& each : given.words)
     if (std::find(roles.begin(), roles.end(), each.role) == roles.end())
-      return fail(each.place, quoted(each.text) + " is not allowed before " + std::string(where) +
-                                  "; remove it");
+      return fail(each.location, quote(each.text) + " is not allowed before " + std::string(where) +
+                                     "; remove it");
 }
 
 void Parser::checkPrecision(const Qualifiers& given, Type type) {
@@ -113,21 +115,21 @@ void Parser::checkPrecision(const Qualifiers& given, Type type) {
       type.base == Base::Bool || type.base == Base::Void || type.base == Base::Struct;
   for (const Qualifiers::Word& each : given.words)
     if (each.role == Role::Precision && hasNone)
-      fail(each.place,
-           tree_.types.withArticle(type) + " has no precision; remove " + quoted(each.text));
+      fail(each.location,
+           tree_.types.withArticle(type) + " has no precision; remove " + quote(each.text));
 }
 
-void Parser::checkGlobal(const Qualifiers& given, Type type, Location place) {
+void Parser::checkGlobal(const Qualifiers& given, Type type, Location location) {
   const std::string_view storage = given.word(Role::Storage);
   const bool isOut = storage == "out" || storage == "varying";
   const bool isIn = storage == "in" || storage == "attribute";
   const auto reject = [&](Role role, const std::string& why) {
     for (const Qualifiers::Word& each : given.words)
-      if (each.role == role) fail(each.place, quoted(each.text) + " " + why);
+      if (each.role == role) fail(each.location, quote(each.text) + " " + why);
   };
   if (storage == "inout") reject(Role::Storage, "is for parameters; write in or out");
   if (given.isConst() && !storage.empty())
-    reject(Role::Const, "and " + quoted(storage) + " cannot be combined; remove one");
+    reject(Role::Const, "and " + quote(storage) + " cannot be combined; remove one");
   if (!isOut)
     reject(Role::Invariant, "is for outputs of a vertex shader, out or varying; remove it");
   if (!isOut && !isIn) {
@@ -146,8 +148,8 @@ void Parser::checkGlobal(const Qualifiers& given, Type type, Location place) {
   checkPrecision(given, type);
   const auto rejectType = [&](bool isWrong, const std::string& why) {
     if (isWrong)
-      fail(place, quoted(storage) + " is not allowed before " + tree_.types.withArticle(type) +
-                      "; " + why);
+      fail(location,
+           quote(storage) + " is not allowed before " + tree_.types.withArticle(type) + "; " + why);
   };
   const bool isFloats = type.base == Base::Float;
   if (storage == "attribute") rejectType(!isFloats || type.isArray(), "use floats");
@@ -178,13 +180,13 @@ Parser::GlobalKind Parser::kindOf(const Qualifiers& given) {
 void Parser::precision() {
   take();
   if (!accept("highp") && !accept("mediump") && !accept("lowp"))
-    fail(peek().place, "expected a precision such as highp, " + describeNext());
+    fail(peek().location, "expected a precision such as highp, " + describeNext());
   const Token word = peek();
   // All image types have a precision, even those that can't be read here.
   const bool isImage = word.kind == Kind::Name && word.text.find("sampler") != word.text.npos &&
                        !isReserved(word.text, text_.version);
   if (!isImage && !word.is("float") && !word.is("int"))
-    fail(word.place,
+    fail(word.location,
          "expected float, int or an image type such as sampler2D after the precision, " +
              describeNext());
   take();
@@ -197,7 +199,7 @@ void Parser::invariant() {
   const Token name = peek();
   const Meaning meaning = scope_.find(name.text);
   if (meaning.kind != Meaning::Kind::Variable || !tree_.variables[meaning.index].isOutput)
-    fail(name.place,
+    fail(name.location,
          "expected gl_Position, or a variable declared above as out or varying, after "
          "invariant, " +
              describeNext());

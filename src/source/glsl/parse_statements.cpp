@@ -11,25 +11,25 @@ StatementId Parser::add(Statement statement) {
   return static_cast<StatementId>(tree_.statements.size() - 1);
 }
 
-StatementId Parser::makeBlock(Location place, std::vector<StatementId> children) {
-  return add(
-      Statement{.kind = Statement::Kind::Block, .place = place, .children = std::move(children)});
+StatementId Parser::makeBlock(Location location, std::vector<StatementId> children) {
+  return add(Statement{
+      .kind = Statement::Kind::Block, .location = location, .children = std::move(children)});
 }
 
 // Parses from the brace to its counterpart. The caller opens its scope.
 StatementId Parser::block() {
-  const Location place = peek().place;
+  const Location location = peek().location;
   if (!expect("{", "the head of this function")) return nothing;
   std::vector<StatementId> children;
   while (!peek().is("}")) {
     if (peek().kind == Kind::End) {
-      fail(place, "this { has no }");
+      fail(location, "this { has no }");
       return nothing;
     }
     children.push_back(statement());
   }
   take();
-  return makeBlock(place, std::move(children));
+  return makeBlock(location, std::move(children));
 }
 
 StatementId Parser::statement(bool opensScope) {
@@ -51,7 +51,7 @@ StatementId Parser::statement(bool opensScope) {
     if (token.is("return")) return returnStatement();
     if (token.is("break") || token.is("continue") || token.is("discard")) return jump();
     if ((token.is("case") && !isDeclared(token)) || token.is("default")) {
-      fail(token.place, quoted(token.text) + " is outside of a switch");
+      fail(token.location, quote(token.text) + " is outside of a switch");
       return nothing;
     }
     return simpleStatement();
@@ -63,10 +63,10 @@ StatementId Parser::statement(bool opensScope) {
 // Parses a declaration or an expression, up to its semicolon.
 StatementId Parser::simpleStatement() {
   const Token& token = peek();
-  if (accept(";")) return makeBlock(token.place, {});
+  if (accept(";")) return makeBlock(token.location, {});
   if (token.is("precision")) {
     precision();
-    return makeBlock(token.place, {});
+    return makeBlock(token.location, {});
   }
   const Qualifiers given = qualifiers();
   // `vec3(…)` and `float[](…)` start an expression.
@@ -76,20 +76,20 @@ StatementId Parser::simpleStatement() {
   if (given.any() || (startsType() && !isValue)) {
     const Type base = type();
     if (problems_.any()) return nothing;
-    if (!given.any() && accept(";")) return makeBlock(token.place, {});
-    if (base == voidType) fail(token.place, "a variable cannot be void");
+    if (!given.any() && accept(";")) return makeBlock(token.location, {});
+    if (base == voidType) fail(token.location, "a variable cannot be void");
     return problems_.any() ? nothing : declarations(given, base);
   }
   const ExpressionId value = expression();
   if (tree_.types.isBlock(typeOf(value)))
-    fail(token.place, "a block of uniforms has no value; read one of its members");
+    fail(token.location, "a block of uniforms has no value; read one of its members");
   expect(";", "an expression");
-  return add(
-      Statement{.kind = Statement::Kind::Evaluate, .expression = value, .place = token.place});
+  return add(Statement{
+      .kind = Statement::Kind::Evaluate, .expression = value, .location = token.location});
 }
 
 StatementId Parser::ifStatement() {
-  const Location place = take().place;
+  const Location location = take().location;
   const ExpressionId test = condition("if");
   const auto branch = [&] {
     scope_.open();
@@ -101,19 +101,19 @@ StatementId Parser::ifStatement() {
   if (accept("else")) children.push_back(branch());
   return add(Statement{.kind = Statement::Kind::If,
                        .expression = test,
-                       .place = place,
+                       .location = location,
                        .children = std::move(children)});
 }
 
 StatementId Parser::switchStatement() {
-  requireVersion("switch", peek().place);
-  const Location place = take().place;
+  requireVersion("switch", peek().location);
+  const Location location = take().location;
   expect("(", "switch");
   const ExpressionId value = expression();
   expect(")", "the value of a switch");
   if (!problems_.any() && !(typeOf(value).isInteger() && typeOf(value).isScalar()))
-    fail(place, "expected an int or uint as the value of this switch, got " +
-                    tree_.types.withArticle(typeOf(value)));
+    fail(location, "expected an int or uint as the value of this switch, got " +
+                       tree_.types.withArticle(typeOf(value)));
   expect("{", "switch ( )");
   scope_.open();
   ++switches_;
@@ -128,80 +128,82 @@ StatementId Parser::switchStatement() {
       if (token.is("case")) {
         label = expression();
         if (problems_.any()) break;
-        label = caseLabel(label, typeOf(value), labels, token.place);
+        label = caseLabel(label, typeOf(value), labels, token.location);
       } else if (std::exchange(hasDefault, true)) {
-        fail(token.place, "this switch already has a default");
+        fail(token.location, "this switch already has a default");
       }
       expect(":", "a case");
-      children.push_back(
-          add(Statement{.kind = Statement::Kind::Case, .expression = label, .place = token.place}));
+      children.push_back(add(Statement{
+          .kind = Statement::Kind::Case, .expression = label, .location = token.location}));
     } else if (children.empty()) {
-      fail(token.place, "expected a case before this, " + describeNext());
+      fail(token.location, "expected a case before this, " + describeNext());
     } else {
       children.push_back(statement());
     }
   }
   if (!problems_.any() && !children.empty() &&
       tree_.statements[children.back()].kind == Statement::Kind::Case)
-    fail(tree_.statements[children.back()].place,
+    fail(tree_.statements[children.back()].location,
          "there is no statement after this label; write break; there");
   expect("}", "the cases of a switch");
   --switches_;
   scope_.close();
   return add(Statement{.kind = Statement::Kind::Switch,
                        .expression = value,
-                       .place = place,
+                       .location = location,
                        .children = std::move(children)});
 }
 
 // The label's constant, which replaces the expression.
 ExpressionId Parser::caseLabel(ExpressionId label, Type wanted, std::set<std::int32_t>& labels,
-                               Location place) {
+                               Location location) {
   const auto known = constants_.integer(label);
   if (typeOf(label) != wanted || !known)
-    return failExpression(place, "expected a constant " + tree_.types.name(wanted) + " after case");
+    return failExpression(location,
+                          "expected a constant " + tree_.types.name(wanted) + " after case");
   const double number =
       wanted == intType ? *known : static_cast<double>(static_cast<std::uint32_t>(*known));
   if (!labels.insert(*known).second) {
     std::string text = std::to_string(static_cast<std::int64_t>(number));
-    return failExpression(place, "this switch already has a case " + text + "; remove one");
+    return failExpression(location, "this switch already has a case " + text + "; remove one");
   }
-  return add(Expression{.kind = Code::Constant, .type = wanted, .value = number, .place = place});
+  return add(
+      Expression{.kind = Code::Constant, .type = wanted, .value = number, .location = location});
 }
 
 StatementId Parser::returnStatement() {
   hasReturn_ = true;
-  const Location place = take().place;
+  const Location location = take().location;
   const Type wanted = current_ == nothing ? voidType : tree_.functions[current_].type;
   ExpressionId value = nothing;
   if (!peek().is(";")) {
     value = expression();
     if (problems_.any()) return nothing;
     if (wanted == voidType) {
-      fail(place, "this function is void and returns nothing; write return;");
+      fail(location, "this function is void and returns nothing; write return;");
     } else if (typeOf(value) != wanted) {
-      fail(place, "expected this function to return " + tree_.types.withArticle(wanted) + ", got " +
-                      tree_.types.withArticle(typeOf(value)));
+      fail(location, "expected this function to return " + tree_.types.withArticle(wanted) +
+                         ", got " + tree_.types.withArticle(typeOf(value)));
     }
   } else if (wanted != voidType) {
-    fail(place,
+    fail(location,
          "expected this function to return " + tree_.types.withArticle(wanted) + ", got nothing");
   }
   expect(";", "return");
-  return add(Statement{.kind = Statement::Kind::Return, .expression = value, .place = place});
+  return add(Statement{.kind = Statement::Kind::Return, .expression = value, .location = location});
 }
 
 StatementId Parser::jump() {
   const Token token = take();
   if (token.is("discard")) {
-    fail(token.place, "discard is for fragments; a warp moves vertices and discards none");
+    fail(token.location, "discard is for fragments; a warp moves vertices and discards none");
   } else if (token.is("break") ? !loops_ && !switches_ : !loops_) {
-    fail(token.place, quoted(token.text) + " is outside of a loop");
+    fail(token.location, quote(token.text) + " is outside of a loop");
   }
   expect(";", token.text);
   return add(
       Statement{.kind = token.is("break") ? Statement::Kind::Break : Statement::Kind::Continue,
-                .place = token.place});
+                .location = token.location});
 }
 
 }  // namespace warpjet::source::glsl

@@ -13,7 +13,7 @@ constexpr std::int32_t maxArrayLength = 4096;
 
 }  // namespace
 
-Parser::Parser(Preprocessed text, Problems& problems)
+Parser::Parser(PreprocessedSource text, Problems& problems)
     : text_(std::move(text)), problems_(problems), end_(text_.tokens.back()) {
   tree_.builtIns = builtIns;
   tree_.made = std::move(text_.made);
@@ -36,24 +36,24 @@ bool Parser::accept(std::string_view text) {
 }
 
 std::string Parser::describeNext() const {
-  return peek().kind == Kind::End ? "got the end of the source" : "got " + quoted(peek().text);
+  return peek().kind == Kind::End ? "got the end of the source" : "got " + quote(peek().text);
 }
 
 bool Parser::expect(std::string_view text, std::string_view after) {
   if (accept(text)) return true;
-  fail(peek().place,
+  fail(peek().location,
        "expected " + std::string(text) + " after " + std::string(after) + ", " + describeNext());
   return false;
 }
 
-void Parser::requireVersion(std::string_view what, Location place) {
+void Parser::requireVersion(std::string_view what, Location location) {
   std::string problem = versionProblem(text_.version, what);
-  if (!problem.empty()) fail(place, std::move(problem));
+  if (!problem.empty()) fail(location, std::move(problem));
 }
 
 std::string_view Parser::takeName(std::string_view what) {
   if (peek().kind != Kind::Name || isKeyword(peek().text, text_.version)) {
-    fail(peek().place, "expected a name for " + std::string(what) + ", " + describeNext());
+    fail(peek().location, "expected a name for " + std::string(what) + ", " + describeNext());
     return {};
   }
   return take().text;
@@ -61,7 +61,7 @@ std::string_view Parser::takeName(std::string_view what) {
 
 bool Parser::goDeeper() {
   if (depth_ < maxDepth) return true;
-  fail(peek().place, "this is nested more than " + std::to_string(maxDepth) + " deep");
+  fail(peek().location, "this is nested more than " + std::to_string(maxDepth) + " deep");
   return false;
 }
 
@@ -83,7 +83,7 @@ void Parser::global() {
   const Qualifiers given = qualifiers();
   if (given.word(QualifierRole::Storage) == "uniform" && given.isForBlocks && accept(";")) return;
   if (given.any() && startsBlock()) return uniformBlock(given);
-  const Location place = peek().place;
+  const Location location = peek().location;
   const Type base = type();
   if (problems_.any()) return;
   if (accept(";")) return checkPrecision(given, base);
@@ -93,7 +93,7 @@ void Parser::global() {
     function(given, base, name);
     return;
   }
-  if (base == voidType) return fail(place, "a variable cannot be void");
+  if (base == voidType) return fail(location, "a variable cannot be void");
   tree_.globals.push_back(declarations(given, base));
 }
 
@@ -116,43 +116,43 @@ Type Parser::type() {
     found.base = Base::Struct;
     found.structure = static_cast<std::uint16_t>(scope_.find(word.text).index);
   } else if (const NamedType* row = findType(word.text); row && word.kind == Kind::Name) {
-    requireVersion(word.text, word.place);
+    requireVersion(word.text, word.location);
     found = row->type;
   } else {
     const bool isOther = word.kind == Kind::Name && word.text.find("sampler") != word.text.npos;
-    fail(word.place, isOther ? quoted(word.text) + " cannot be read in a warp; only sampler2D can"
-                             : "expected a type, " + this->describeNext());
+    fail(word.location, isOther ? quote(word.text) + " cannot be read in a warp; only sampler2D can"
+                                : "expected a type, " + this->describeNext());
     return voidType;
   }
   take();
   if (!peek().is("[")) return found;
-  const Location place = peek().place;
+  const Location location = peek().location;
   const Type array = arrayOf(found);
   // The result type of a function has no other place for the length.
-  if (!peek(1).is("(")) requireVersion("the length of an array before its name", place);
+  if (!peek(1).is("(")) requireVersion("the length of an array before its name", location);
   return array;
 }
 
 Type Parser::arrayOf(Type element) {
-  const Location place = take().place;
-  if (element.isArray()) fail(place, "GLSL has no arrays of arrays");
+  const Location location = take().location;
+  if (element.isArray()) fail(location, "GLSL has no arrays of arrays");
   Type array = element;
   array.length = 0;
   if (peek().is("]")) {
-    requireVersion("an array without a length", place);
+    requireVersion("an array without a length", location);
   } else {
     const ExpressionId size = expression();
     if (problems_.any()) return element;
     const auto length = constants_.integer(size);
     if (!length || *length < 1 || *length > maxArrayLength) {
-      fail(place, "the length of an array must be a constant whole number from 1 to " +
-                      std::to_string(maxArrayLength));
+      fail(location, "the length of an array must be a constant whole number from 1 to " +
+                         std::to_string(maxArrayLength));
       return element;
     }
     array.length = *length;
   }
   expect("]", "the length of an array");
-  if (peek().is("[")) fail(peek().place, "GLSL has no arrays of arrays");
+  if (peek().is("[")) fail(peek().location, "GLSL has no arrays of arrays");
   return array;
 }
 
@@ -169,7 +169,7 @@ Type Parser::structure() {
     allowOnly(given, {QualifierRole::Precision}, "a field of a structure");
     fields(given, made);
   }
-  const Location end = peek().place;
+  const Location end = peek().location;
   expect("}", "the fields of a structure");
   if (made.fields.empty()) fail(end, "a structure must have a field");
   if (problems_.any()) return voidType;
@@ -183,36 +183,36 @@ Type Parser::structure() {
 // Parses `float x, y[2];` up to its semicolon.
 void Parser::fields(const Qualifiers& given, Structure& made) {
   if (peek().is("struct"))
-    return fail(peek().place, "a structure cannot be declared inside another; declare it above");
+    return fail(peek().location, "a structure cannot be declared inside another; declare it above");
   const Type base = type();
   checkPrecision(given, base);
   do {
     const Token name = peek();
     std::string why = name.kind == Kind::Name ? nameProblem(name.text, text_.version) : "";
-    if (!why.empty()) fail(name.place, std::move(why));
+    if (!why.empty()) fail(name.location, std::move(why));
     const std::string_view field = takeName("a field");
-    if (base.isArray() && peek().is("[")) fail(peek().place, "GLSL has no arrays of arrays");
+    if (base.isArray() && peek().is("[")) fail(peek().location, "GLSL has no arrays of arrays");
     const Type each = peek().is("[") ? arrayOf(base) : base;
     if (each == voidType || each.length == 0)
-      fail(name.place, "a field cannot be " + tree_.types.name(each));
+      fail(name.location, "a field cannot be " + tree_.types.name(each));
     if (made.find(field))
-      fail(name.place, quoted(field) + (made.isBlock ? " is already a member of this block"
-                                                     : " is already a field of this structure"));
+      fail(name.location, quote(field) + (made.isBlock ? " is already a member of this block"
+                                                       : " is already a field of this structure"));
     if (problems_.any()) return;
     made.add({field, each, made.size});
     made.size += tree_.types.size(each);
-    if (made.size > maxValueSize) fail(name.place, "this structure is too large");
+    if (made.size > maxValueSize) fail(name.location, "this structure is too large");
   } while (accept(","));
   expect(";", "a field");
 }
 
 bool Parser::checkFree(const Token& name) {
   if (name.kind != Kind::Name) {
-    fail(name.place, "expected a name, " + describeNext());
+    fail(name.location, "expected a name, " + describeNext());
   } else if (std::string why = nameProblem(name.text, text_.version); !why.empty()) {
-    fail(name.place, std::move(why));
+    fail(name.location, std::move(why));
   } else if (!scope_.isFree(name.text)) {
-    fail(name.place, quoted(name.text) + " is already declared here");
+    fail(name.location, quote(name.text) + " is already declared here");
   }
   return !problems_.any();
 }
@@ -220,16 +220,16 @@ bool Parser::checkFree(const Token& name) {
 VariableId Parser::addVariable(const Token& name, Type type, Variable::Kind kind) {
   const int size = tree_.types.size(type);
   if (size > maxValueSize) {
-    fail(name.place, quoted(name.text) + " is too large");
+    fail(name.location, quote(name.text) + " is too large");
   } else if ((totalSize_ += size) > maxHeld) {
-    fail(name.place, "the variables of this source are too large in total");
+    fail(name.location, "the variables of this source are too large in total");
   } else if (kind == Variable::Kind::Uniform || kind == Variable::Kind::Attribute) {
     // Numbers count as 1, so that the total is limited even if every input is a float.
     if ((inputSize_ += type.isNumeric() ? 1 : size) > maxValueSize)
-      fail(name.place, "this source has too many inputs: more than 65,536 uniforms");
+      fail(name.location, "this source has too many inputs: more than 65,536 uniforms");
   }
   const auto index = static_cast<VariableId>(tree_.variables.size());
-  tree_.variables.push_back({name.text, type, name.place, kind});
+  tree_.variables.push_back({name.text, type, name.location, kind});
   scope_.add(name.text, {Meaning::Kind::Variable, index});
   return index;
 }

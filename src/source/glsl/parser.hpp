@@ -20,7 +20,7 @@ namespace warpjet::source::glsl {
 
 class Parser {
  public:
-  Parser(Preprocessed text, Problems& problems);
+  Parser(PreprocessedSource text, Problems& problems);
 
   Tree parse();
 
@@ -42,9 +42,9 @@ class Parser {
   const Token& take();
   bool accept(std::string_view text);
   bool expect(std::string_view text, std::string_view after);
-  void fail(Location place, std::string message) { problems_.add(place, std::move(message)); }
+  void fail(Location location, std::string message) { problems_.add(location, std::move(message)); }
   // Fails if the version of the source lacks the feature.
-  void requireVersion(std::string_view what, Location place);
+  void requireVersion(std::string_view what, Location location);
   std::string describeNext() const;
   std::string_view takeName(std::string_view what);
   bool goDeeper();
@@ -66,7 +66,7 @@ class Parser {
   void allowOnly(const Qualifiers& given, std::initializer_list<QualifierRole> roles,
                  std::string_view where);
   void checkPrecision(const Qualifiers& given, Type type);
-  void checkGlobal(const Qualifiers& given, Type type, Location place);
+  void checkGlobal(const Qualifiers& given, Type type, Location location);
   static GlobalKind kindOf(const Qualifiers& given);
   void precision();
   void invariant();
@@ -98,11 +98,11 @@ class Parser {
   StatementId ifStatement();
   StatementId switchStatement();
   ExpressionId caseLabel(ExpressionId label, Type wanted, std::set<std::int32_t>& labels,
-                         Location place);
+                         Location location);
   StatementId returnStatement();
   StatementId jump();
   StatementId add(Statement statement);
-  StatementId makeBlock(Location place, std::vector<StatementId> children);
+  StatementId makeBlock(Location location, std::vector<StatementId> children);
 
   // parse_declarations.cpp
   StatementId declarations(const Qualifiers& given, Type base);
@@ -113,7 +113,7 @@ class Parser {
   StatementId forStatement();
   StatementId whileStatement();
   StatementId doStatement();
-  void requireCounting(StatementId start, ExpressionId test, StatementId step, Location place);
+  void requireCounting(StatementId start, ExpressionId test, StatementId step, Location location);
   ExpressionId condition(std::string_view after);
   ExpressionId declaredCondition(StatementId& declared);
   bool startsDeclaration(std::size_t ahead = 0) const;
@@ -124,10 +124,10 @@ class Parser {
   ExpressionId choice();
   ExpressionId binary(int level);
   ExpressionId unary();
-  ExpressionId makeBinary(Operator op, ExpressionId left, ExpressionId right, Location place);
-  ExpressionId makeAssignable(ExpressionId operand, Location place, std::string_view what);
-  ExpressionId increment(ExpressionId operand, Operator op, Location place, bool isPostfix);
-  ExpressionId failExpression(Location place, std::string message);
+  ExpressionId makeBinary(Operator op, ExpressionId left, ExpressionId right, Location location);
+  ExpressionId makeAssignable(ExpressionId operand, Location location, std::string_view what);
+  ExpressionId increment(ExpressionId operand, Operator op, Location location, bool isPostfix);
+  ExpressionId failExpression(Location location, std::string message);
   ExpressionId add(Expression expression);
 
   // parse_operands.cpp
@@ -135,13 +135,13 @@ class Parser {
   ExpressionId primary();
   ExpressionId number();
   ExpressionId named();
-  ExpressionId construct(Type type, Location place);
+  ExpressionId construct(Type type, Location location);
   ExpressionId call(const Token& name);
   ExpressionId member(ExpressionId operand);
   ExpressionId element(ExpressionId operand);
   bool isUniform(ExpressionId operand) const;
   std::vector<ExpressionId> arguments();
-  void checkOffset(const BuiltIn& row, ExpressionId offset, Location place);
+  void checkOffset(const BuiltIn& row, ExpressionId offset, Location location);
   ExpressionId callFunction(const Token& name, std::vector<ExpressionId> operands,
                             const std::vector<Type>& types);
   std::string typesOf(const std::vector<Type>& types) const;
@@ -149,7 +149,7 @@ class Parser {
     return expression == nothing ? floatType : tree_.expressions[expression].type;
   }
 
-  Preprocessed text_;
+  PreprocessedSource text_;
   Problems& problems_;
   Tree tree_;
   Constants constants_{tree_, text_.version};

@@ -25,7 +25,7 @@ class Preprocessor {
     macros_.define("__VERSION__", 100);
   }
 
-  Preprocessed run() {
+  PreprocessedSource run() {
     std::size_t at = 0;
     while (at < tokens_.size() && tokens_[at].kind != Kind::End && !problems_.any()) {
       std::size_t end = at + 1;
@@ -43,11 +43,11 @@ class Preprocessor {
       }
       at = end;
     }
-    if (!blocks_.empty()) problems_.add(blocks_.back().place, "this #if has no #endif");
+    if (!blocks_.empty()) problems_.add(blocks_.back().location, "this #if has no #endif");
     Token end = tokens_.back();
-    end.place.shown = static_cast<std::uint32_t>(end.place.line + lineShift_);
+    end.location.shown = static_cast<std::uint32_t>(end.location.line + lineShift_);
     for (const Token& token : result_.tokens)
-      if (token.kind == Kind::Other) problems_.add(token.place, problemOf(token));
+      if (token.kind == Kind::Other) problems_.add(token.location, problemOf(token));
     result_.tokens.push_back(end);
     return std::move(result_);
   }
@@ -55,7 +55,7 @@ class Preprocessor {
  private:
   // An #if with its branches, until its #endif.
   struct Block {
-    Location place;
+    Location location;
     bool isLive, wasLive, isOuterLive, hasElse = false;
   };
 
@@ -63,7 +63,7 @@ class Preprocessor {
 
   void shift(std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i)
-      tokens_[i].place.shown = static_cast<std::uint32_t>(tokens_[i].place.line + lineShift_);
+      tokens_[i].location.shown = static_cast<std::uint32_t>(tokens_[i].location.line + lineShift_);
   }
 
   void directive(Line line) {
@@ -81,23 +81,23 @@ class Preprocessor {
     if (word.is("error")) {
       std::string text;
       for (const Token& token : rest) (text += text.empty() ? "" : " ") += token.text;
-      return problems_.add(word.place, "#error" + (text.empty() ? "" : ": " + text));
+      return problems_.add(word.location, "#error" + (text.empty() ? "" : ": " + text));
     }
     if (word.is("extension")) return extension(word, rest);
     if (word.is("pragma")) return pragma(rest);
     if (word.is("include"))
-      return problems_.add(word.place,
+      return problems_.add(word.location,
                            "GLSL has no #include; replace it with the source in the file");
-    problems_.add(word.place, word.kind == Kind::Other
-                                  ? problemOf(word)
-                                  : "there is no directive #" + std::string(word.text));
+    problems_.add(word.location, word.kind == Kind::Other
+                                     ? problemOf(word)
+                                     : "there is no directive #" + std::string(word.text));
   }
 
   void rejectExtra(const Token& word, Line rest, std::size_t count) {
     if (rest.size() > count)
-      problems_.add(rest[count].place, "unexpected " + quoted(rest[count].text) + " after #" +
-                                           std::string(word.text) +
-                                           "; put it into a comment, or on a line of its own");
+      problems_.add(rest[count].location, "unexpected " + quote(rest[count].text) + " after #" +
+                                              std::string(word.text) +
+                                              "; put it into a comment, or on a line of its own");
   }
 
   void open(const Token& word, Line rest) {
@@ -107,18 +107,18 @@ class Preprocessor {
       if (word.is("if")) {
         holds = isTrue(word, rest);
       } else if (rest.empty() || rest[0].kind != Kind::Name) {
-        problems_.add(word.place, "#" + std::string(word.text) + " needs a name");
+        problems_.add(word.location, "#" + std::string(word.text) + " needs a name");
       } else {
         holds = macros_.has(rest[0].text) == word.is("ifdef");
         rejectExtra(word, rest, 1);
       }
     }
-    blocks_.push_back({word.place, isOuterLive && holds, holds, isOuterLive});
+    blocks_.push_back({word.location, isOuterLive && holds, holds, isOuterLive});
   }
 
   void resume(const Token& word, Line rest) {
     if (blocks_.empty())
-      return problems_.add(word.place, "#" + std::string(word.text) + " has no #if before it");
+      return problems_.add(word.location, "#" + std::string(word.text) + " has no #if before it");
     Block& block = blocks_.back();
     if (word.is("endif")) {
       rejectExtra(word, rest, 0);
@@ -127,7 +127,7 @@ class Preprocessor {
     if (!block.isOuterLive) return;
     if (word.is("else")) rejectExtra(word, rest, 0);
     if (block.hasElse)
-      return problems_.add(word.place, "#" + std::string(word.text) + " comes after #else");
+      return problems_.add(word.location, "#" + std::string(word.text) + " comes after #else");
     block.hasElse = word.is("else");
     const bool mayHold = !block.wasLive;
     block.isLive = mayHold && (block.hasElse || isTrue(word, rest));
@@ -139,12 +139,13 @@ class Preprocessor {
   }
 
   void version(const Token& word, Line rest, bool isFirst) {
-    if (!isFirst) return problems_.add(word.place, "#version must come before everything else");
+    if (!isFirst) return problems_.add(word.location, "#version must come before everything else");
     const bool isNumber = !rest.empty() && rest[0].kind == Kind::Int;
     const std::uint32_t number = isNumber ? intValue(rest[0], problems_) : 0;
     const bool isWhole = number == 300 ? rest.size() == 2 && rest[1].is("es") : rest.size() == 1;
     if ((number != 100 && number != 300) || !isWhole)
-      return problems_.add(word.place, "write #version 300 es or #version 100; WebGL has no other");
+      return problems_.add(word.location,
+                           "write #version 300 es or #version 100; WebGL has no other");
     result_.version = static_cast<int>(number);
     macros_.define("__VERSION__", result_.version);
   }
@@ -152,7 +153,7 @@ class Preprocessor {
   void renumber(const Token& word, Line rest) {
     const LineNumbers numbers = evaluateLine(word, rest, macros_, problems_);
     // A directive may span several lines.
-    const std::uint32_t last = rest.empty() ? word.place.line : rest.back().place.line;
+    const std::uint32_t last = rest.empty() ? word.location.line : rest.back().location.line;
     lineShift_ = static_cast<std::int64_t>(numbers.line) - last - 1;
     if (numbers.file) macros_.define("__FILE__", *numbers.file);
   }
@@ -161,24 +162,25 @@ class Preprocessor {
   void extension(const Token& word, Line rest) {
     const bool isName = !rest.empty() && rest[0].kind == Kind::Name;
     if (!isName || rest.size() < 3 || !rest[1].is(":") || rest.size() > 3)
-      return problems_.add(word.place,
+      return problems_.add(word.location,
                            "write it as #extension NAME : enable; instead of enable, "
                            "require, warn or disable are allowed");
     const Token &name = rest[0], &behavior = rest[2];
     const bool requires_ = behavior.is("require"), enables = requires_ || behavior.is("enable");
     if (!enables && !behavior.is("warn") && !behavior.is("disable"))
-      return problems_.add(behavior.place, quoted(behavior.text) +
-                                               " is not a behavior of an extension; write enable, "
-                                               "require, warn or disable");
+      return problems_.add(behavior.location,
+                           quote(behavior.text) +
+                               " is not a behavior of an extension; write enable, "
+                               "require, warn or disable");
     if (name.is("all") && enables)
-      return problems_.add(behavior.place,
+      return problems_.add(behavior.location,
                            "all extensions can only be disabled or warned of; name one to " +
                                std::string(behavior.text) + " it");
     if (requires_ && !isExtension(name.text))
-      return problems_.add(name.place, "WebGL has no extension " + quoted(name.text) +
-                                           "; write enable to go on without it");
+      return problems_.add(name.location, "WebGL has no extension " + quote(name.text) +
+                                              "; write enable to go on without it");
     if (result_.version == 300 && !result_.tokens.empty())
-      problems_.add(word.place,
+      problems_.add(word.location,
                     "#extension must come before everything but other directives in "
                     "#version 300 es; move it up");
   }
@@ -193,12 +195,13 @@ class Preprocessor {
   void pragma(Line rest) {
     const bool isSwitch = rest.size() == 1 && (rest[0].is("optimize") || rest[0].is("debug"));
     if (isSwitch)
-      problems_.add(rest[0].place, "write #pragma " + std::string(rest[0].text) + "(on) or (off)");
+      problems_.add(rest[0].location,
+                    "write #pragma " + std::string(rest[0].text) + "(on) or (off)");
   }
 
   std::vector<Token> tokens_;
   Problems& problems_;
-  Preprocessed result_;
+  PreprocessedSource result_;
   Macros macros_;
   std::vector<Block> blocks_;
   std::int64_t lineShift_ = 0;
@@ -206,7 +209,7 @@ class Preprocessor {
 
 }  // namespace
 
-Preprocessed preprocess(std::vector<Token> tokens, Problems& problems) {
+PreprocessedSource preprocess(std::vector<Token> tokens, Problems& problems) {
   return Preprocessor(std::move(tokens), problems).run();
 }
 

@@ -10,7 +10,7 @@
 
 namespace warpjet::source::glsl {
 
-struct Preprocessed {
+struct PreprocessedSource {
   std::vector<Token> tokens;
   // 100 or 300; 0 without #version.
   int version = 0;
@@ -18,6 +18,6 @@ struct Preprocessed {
   std::deque<std::string> made;
 };
 
-Preprocessed preprocess(std::vector<Token> tokens, Problems& problems);
+PreprocessedSource preprocess(std::vector<Token> tokens, Problems& problems);
 
 }  // namespace warpjet::source::glsl

@@ -23,7 +23,7 @@ struct Qualifiers {
   struct Word {
     std::string_view text;
     QualifierRole role;
-    Location place;
+    Location location;
   };
 
   std::vector<Word> words{};

@@ -29,7 +29,7 @@ std::string noCharacter(std::string_view character) {
   if (character == "\"")
     return "GLSL has no strings; replace an #include with the source in the file";
   const std::string what = "shaders do not allow this character";
-  return character[0] == '\0' ? what + " (number 0)" : what + ": " + quoted(character);
+  return character[0] == '\0' ? what + " (number 0)" : what + ": " + quote(character);
 }
 
 class Reader {
@@ -45,7 +45,7 @@ class Reader {
       tokens.push_back(next());
       startsLine_ = followsSpace_ = false;
     }
-    tokens.push_back({Token::Kind::End, true, true, {}, place()});
+    tokens.push_back({Token::Kind::End, true, true, {}, location()});
     return tokens;
   }
 
@@ -54,7 +54,7 @@ class Reader {
     return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';
   }
 
-  Location place() {
+  Location location() {
     findLine();
     return {line_, static_cast<std::uint32_t>(at_ - lineStart_ + 1), line_};
   }
@@ -93,7 +93,7 @@ class Reader {
   }
 
   void skipComment() {
-    const Location start = place();
+    const Location start = location();
     const auto end = source_.find("*/", at_ + 2);
     if (end == source_.npos) {
       problems_.add(start, "this comment never ends; close it by */");
@@ -110,7 +110,7 @@ class Reader {
   }
 
   Token token(Token::Kind kind, std::size_t size) {
-    const Token found{kind, startsLine_, followsSpace_, source_.substr(at_, size), place()};
+    const Token found{kind, startsLine_, followsSpace_, source_.substr(at_, size), location()};
     at_ += size;
     return found;
   }
@@ -182,7 +182,7 @@ std::vector<Token> readTokens(std::string_view source, Problems& problems,
 
 std::string problemOf(const Token& other) {
   if (isDigit(other.text[0]) || other.text[0] == '.')
-    return quoted(other.text) + " is not a number; letters cannot follow digits";
+    return quote(other.text) + " is not a number; letters cannot follow digits";
   return noCharacter(other.text);
 }
 
@@ -204,7 +204,8 @@ std::uint32_t intValue(const Token& token, Problems& problems) {
     isFine = isFine && digit < base && value <= 0xFFFFFFFF;
     if (!isFine) break;
   }
-  if (!isFine) problems.add(token.place, quoted(token.text) + " is not a whole number of 32 bits");
+  if (!isFine)
+    problems.add(token.location, quote(token.text) + " is not a whole number of 32 bits");
   return static_cast<std::uint32_t>(value);
 }
 

@@ -17,7 +17,7 @@ struct Token {
   Kind kind = Kind::End;
   bool startsLine = false, followsSpace = false;
   std::string_view text;
-  Location place;
+  Location location;
   // True if it names a macro that occurred within its own expansion, so it is never expanded.
   bool isPlain = false;
   // The line where the macro call ends that this token was expanded from; 0 if there is none.

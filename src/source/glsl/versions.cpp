@@ -24,8 +24,8 @@ constexpr std::string_view
 
 constexpr Row rows[]{
     // declarations
-    {"attribute", 100, "write in"},
-    {"varying", 100, "write out"},
+    {"attribute", 100, "write \"in\""},
+    {"varying", 100, "write \"out\""},
     {"in before a global variable", 300, "write attribute"},
     {"out before a global variable", 300, "write varying"},
     {"layout", 300, "leave it out"},
@@ -143,10 +143,10 @@ std::string versionProblem(int version, std::string_view what) {
   for (const Row& row : rows) {
     if (row.what != what || row.version == version) continue;
     const bool isWord = what.find(' ') == what.npos;
-    const std::string subject = isWord ? quoted(what) : std::string(what);
+    const std::string subject = isWord ? quote(what) : std::string(what);
     const std::string advice = row.advice.empty() ? "" : std::string(row.advice) + ", or ";
     return version == 100 ? subject + " is not in GLSL ES 1.00, the language of #version 100; " +
-                                advice + "begin the text with #version 300 es"
+                                advice + "begin the source with #version 300 es"
                           : subject + " is not in GLSL ES 3.00, the language of #version 300 es; " +
                                 std::string(row.advice);
   }

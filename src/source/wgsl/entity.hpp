@@ -57,7 +57,7 @@ class Scopes {
 // A declaration outside of functions, which may be used above itself.
 struct Global {
   std::string_view name;
-  Location place;
+  Location location;
   // The positions of its first attribute and of its keyword.
   std::size_t start = 0, keyword = 0;
   enum class State : std::uint8_t { New, Open, Done } state = State::New;

@@ -54,7 +54,7 @@ bool isKeyword(std::string_view name) {
 }
 
 std::string nameProblem(std::string_view name) {
-  const std::string start = quoted(name) + " cannot be a name: ";
+  const std::string start = quote(name) + " cannot be a name: ";
   if (isKeyword(name)) return start + "it is a keyword";
   if (std::find(reserved.begin(), reserved.end(), name) != reserved.end())
     return start + "WGSL reserves this word; use another name";

@@ -17,12 +17,12 @@ constexpr double maxFloat = 3.4028235677973366e38;
 ExpressionId Parser::add(Expression made) {
   int depth = 0;
   for (std::size_t i = 0; i < made.operands.size(); ++i) {
-    if (made.operands[i] == nothing) made.operands[i] = failOperand(made.place, "").id;
+    if (made.operands[i] == nothing) made.operands[i] = failOperand(made.location, "").id;
     const int of = tree_.expressions[made.operands[i]].depth;
     // Left operands of a chain are followed without recursion.
     depth = std::max(depth, made.kind == Code::Binary && i == 0 ? of : of + 1);
   }
-  if (depth > maxTreeDepth) fail(made.place, "this expression is nested too deep; split it");
+  if (depth > maxTreeDepth) fail(made.location, "this expression is nested too deep; split it");
   made.depth = static_cast<std::uint16_t>(depth);
   tree_.expressions.push_back(std::move(made));
   return static_cast<ExpressionId>(tree_.expressions.size() - 1);
@@ -34,24 +34,24 @@ Operand Parser::make(Expression made) {
 }
 
 // A placeholder for an expression that couldn't be parsed.
-Operand Parser::failOperand(Location place, std::string message) {
-  fail(place, std::move(message));
+Operand Parser::failOperand(Location location, std::string message) {
+  fail(location, std::move(message));
   tree_.expressions.push_back(
-      Expression{.kind = Code::Constant, .type = floatType, .place = place});
+      Expression{.kind = Code::Constant, .type = floatType, .location = location});
   return {.id = static_cast<ExpressionId>(tree_.expressions.size() - 1), .type = floatType};
 }
 
-Operand Parser::unsupported(Location place, Type type, std::string reason) {
+Operand Parser::unsupported(Location location, Type type, std::string reason) {
   tree_.reasons.push_back(std::move(reason));
   return make({.kind = Code::Unsupported,
                .type = type,
                .index = static_cast<std::int32_t>(tree_.reasons.size() - 1),
-               .place = place});
+               .location = location});
 }
 
 // A variable that a warp can't read.
-Operand Parser::unsupportedMemory(Type type, Location place, std::string reason) {
-  Operand made = unsupported(place, type, std::move(reason));
+Operand Parser::unsupportedMemory(Type type, Location location, std::string reason) {
+  Operand made = unsupported(location, type, std::move(reason));
   made.kind = Operand::Kind::Reference;
   made.isWritable = true;
   tree_.expressions[made.id].isAssignable = true;
@@ -60,9 +60,9 @@ Operand Parser::unsupportedMemory(Type type, Location place, std::string reason)
 
 // Declares the uniform with the host's name of this operand. Only those that are read become
 // inputs, since the uniforms of a shader are often one large structure.
-Operand Parser::hostVariable(const Operand& operand, Location place) {
+Operand Parser::hostVariable(const Operand& operand, Location location) {
   if (operand.type.length == 0 || tree_.types.size(operand.type) == 0)
-    return unsupported(place, operand.type,
+    return unsupported(location, operand.type,
                        "the length of " + operand.host +
                            " is known only when the shader runs; read its elements by constant "
                            "indices");
@@ -71,28 +71,28 @@ Operand Parser::hostVariable(const Operand& operand, Location place) {
     return make({.kind = Code::HostElement,
                  .type = operand.type,
                  .index = static_cast<std::int32_t>(tree_.made.size() - 1),
-                 .place = place,
+                 .location = location,
                  .operands = operand.hostIndices});
   }
   const auto known = hostVariables_.find(operand.host);
   if (known == hostVariables_.end()) {
     tree_.made.push_back(operand.host);
     const VariableId variable =
-        addVariable(tree_.made.back(), operand.type, Variable::Kind::Uniform, place);
+        addVariable(tree_.made.back(), operand.type, Variable::Kind::Uniform, location);
     hostVariables_.emplace(operand.host, variable);
     declareGlobally(variable, nothing);
   }
   return make({.kind = Code::Variable,
                .type = operand.type,
                .index = hostVariables_.at(operand.host),
-               .place = place});
+               .location = location});
 }
 
 // The value of a reference; other operands remain as they are.
-Operand Parser::load(Operand operand, Location place) {
-  if (problems_.any()) return failOperand(place, "");
+Operand Parser::load(Operand operand, Location location) {
+  if (problems_.any()) return failOperand(location, "");
   if (operand.isPointer()) return operand;
-  if (operand.id == nothing && !operand.host.empty()) return hostVariable(operand, place);
+  if (operand.id == nothing && !operand.host.empty()) return hostVariable(operand, location);
   operand.kind = Operand::Kind::Value;
   operand.isWritable = false;
   operand.host.clear();
@@ -101,9 +101,9 @@ Operand Parser::load(Operand operand, Location place) {
 }
 
 // An abstract value in the type that it has if nothing determines another one: i32 or f32.
-Operand Parser::concrete(const Operand& operand, Location place) {
-  if (!operand.isAbstract()) return load(operand, place);
-  return {.id = convert(operand, operand.type, place), .type = operand.type};
+Operand Parser::concrete(const Operand& operand, Location location) {
+  if (!operand.isAbstract()) return load(operand, location);
+  return {.id = convert(operand, operand.type, location), .type = operand.type};
 }
 
 bool Parser::canConvert(const Operand& operand, Type type) const {
@@ -117,9 +117,9 @@ bool Parser::canConvert(const Operand& operand, Type type) const {
 }
 
 // A node of that type for an operand that can be converted to it.
-ExpressionId Parser::convert(const Operand& operand, Type type, Location place) {
-  if (problems_.any()) return failOperand(place, "").id;
-  if (!operand.isAbstract()) return load(operand, place).id;
+ExpressionId Parser::convert(const Operand& operand, Type type, Location location) {
+  if (problems_.any()) return failOperand(location, "").id;
+  if (!operand.isAbstract()) return load(operand, location).id;
   for (const double number : operand.known) {
     const bool fits = type.base == Base::Float  ? std::abs(number) <= maxFloat
                       : type.base == Base::Uint ? number >= 0 && number <= 4294967295.0
@@ -127,50 +127,52 @@ ExpressionId Parser::convert(const Operand& operand, Type type, Location place) 
     if (fits) continue;
     std::string text = std::to_string(number);
     if (operand.type.base == Base::Int) text = std::to_string(static_cast<std::int64_t>(number));
-    return failOperand(place, text + " is not a value of " + nameOf(scalarOf(type.base))).id;
+    return failOperand(location, text + " is not a value of " + nameOf(scalarOf(type.base))).id;
   }
-  return constantOf(type, operand.known.data(), place);
+  return constantOf(type, operand.known.data(), location);
 }
 
 // The numbers of a scalar, vector, matrix or array of them.
-ExpressionId Parser::constantOf(Type type, const double* numbers, Location place) {
+ExpressionId Parser::constantOf(Type type, const double* numbers, Location location) {
   if (type.isScalar())
-    return add({.kind = Code::Constant, .type = type, .value = *numbers, .place = place});
+    return add({.kind = Code::Constant, .type = type, .value = *numbers, .location = location});
   const Type part = type.isArray()    ? type.element()
                     : type.isMatrix() ? vectorType(type.base, type.rows)
                                       : scalarOf(type.base);
   std::vector<ExpressionId> parts;
   const int count = tree_.types.size(type) / tree_.types.size(part);
   for (int i = 0; i < count; ++i)
-    parts.push_back(constantOf(part, numbers + i * tree_.types.size(part), place));
-  return add({.kind = Code::Construct, .type = type, .place = place, .operands = std::move(parts)});
+    parts.push_back(constantOf(part, numbers + i * tree_.types.size(part), location));
+  return add(
+      {.kind = Code::Construct, .type = type, .location = location, .operands = std::move(parts)});
 }
 
 // The zero value of a type; equal parts are one node.
-Operand Parser::zero(Type type, Location place) {
-  if (problems_.any()) return failOperand(place, "");
+Operand Parser::zero(Type type, Location location) {
+  if (problems_.any()) return failOperand(location, "");
   if (type == voidType || type.base == Base::Sampler || type.length == 0)
-    return failOperand(place, "there is no value of " + describe(type));
-  if (type.isScalar()) return make({.kind = Code::Constant, .type = type, .place = place});
+    return failOperand(location, "there is no value of " + describe(type));
+  if (type.isScalar()) return make({.kind = Code::Constant, .type = type, .location = location});
   std::vector<ExpressionId> parts;
   if (type.isArray()) {
-    parts.assign(static_cast<std::size_t>(type.length), zero(type.element(), place).id);
+    parts.assign(static_cast<std::size_t>(type.length), zero(type.element(), location).id);
   } else if (type.isStruct()) {
     const std::vector<Field> fields = tree_.types.structure(type).fields;
-    for (const Field& field : fields) parts.push_back(zero(field.type, place).id);
+    for (const Field& field : fields) parts.push_back(zero(field.type, location).id);
   } else {
-    parts.assign(static_cast<std::size_t>(type.components()), zero(scalarOf(type.base), place).id);
+    parts.assign(static_cast<std::size_t>(type.components()),
+                 zero(scalarOf(type.base), location).id);
   }
   return make(
-      {.kind = Code::Construct, .type = type, .place = place, .operands = std::move(parts)});
+      {.kind = Code::Construct, .type = type, .location = location, .operands = std::move(parts)});
 }
 
 // Checks a computed abstract value.
-Operand Parser::abstractOf(Type type, std::vector<double> numbers, Location place) {
+Operand Parser::abstractOf(Type type, std::vector<double> numbers, Location location) {
   for (double& number : numbers) {
-    if (!std::isfinite(number)) return failOperand(place, "this value is not a finite number");
+    if (!std::isfinite(number)) return failOperand(location, "this value is not a finite number");
     if (type.base == Base::Int && std::abs(number) > 9.2e18)
-      return failOperand(place, "this whole number is too large");
+      return failOperand(location, "this whole number is too large");
     // No -0 among whole numbers.
     if (type.base == Base::Int) number += 0.0;
   }

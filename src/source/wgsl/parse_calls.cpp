@@ -22,13 +22,13 @@ std::string Parser::typesOf(const Operands& operands) const {
 Operand Parser::call(const Token& name) {
   const Entity known = resolve(name.text);
   Operands operands = arguments();
-  if (problems_.any()) return failOperand(name.place, "");
+  if (problems_.any()) return failOperand(name.location, "");
   if (known.kind == Entity::Kind::Function) return callFunction(name, known.index, operands);
   if (known.kind != Entity::Kind::None)
-    return failOperand(name.place, quoted(name.text) + " cannot be called");
+    return failOperand(name.location, quote(name.text) + " cannot be called");
   if (name.text.starts_with("texture")) return callTexture(name, std::move(operands));
   if (name.is("modf") || name.is("frexp"))
-    if (operands.size() == 1) return withStructure(name, asFloats(operands[0], name.place));
+    if (operands.size() == 1) return withStructure(name, asFloats(operands[0], name.location));
   if (isBuiltIn(tree_.builtIns, name.text)) return callBuiltIn(name, std::move(operands));
   return callOther(name, operands);
 }
@@ -49,23 +49,23 @@ Operand Parser::callFunction(const Token& name, FunctionId index, const Operands
     std::string expected;
     for (const Entity& each : wanted)
       expected += (expected.empty() ? "" : ", ") + nameOf(each.value);
-    return failOperand(name.place, quoted(name.text) + " expected (" + expected + "), got (" +
-                                       typesOf(operands) + ")");
+    return failOperand(name.location, quote(name.text) + " expected (" + expected + "), got (" +
+                                          typesOf(operands) + ")");
   }
   std::vector<ExpressionId> given;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Operand operand = operands[i];
     if (operand.isPointer()) operand.kind = Operand::Kind::Reference;
-    given.push_back(convert(operand, function.parameters[i].type, name.place));
+    given.push_back(convert(operand, function.parameters[i].type, name.location));
   }
   if (current_ == nothing)
-    return failOperand(name.place,
-                       quoted(name.text) + " cannot be called here, where a constant is expected");
-  calls_.push_back({current_, index, name.place});
+    return failOperand(name.location,
+                       quote(name.text) + " cannot be called here, where a constant is expected");
+  calls_.push_back({current_, index, name.location});
   return make({.kind = Code::Call,
                .type = tree_.functions[index].type,
                .index = index,
-               .place = name.place,
+               .location = name.location,
                .operands = std::move(given)});
 }
 
@@ -97,13 +97,13 @@ std::optional<Found> Parser::matchBuiltIn(std::string_view name, const Operands&
 
 // A result of abstract operands stays abstract if its function works component by component.
 Operand Parser::foldBuiltIn(const BuiltIn& row, const Operands& operands, Type type,
-                            Location place) {
+                            Location location) {
   const bool areAbstract = std::all_of(operands.begin(), operands.end(),
                                        [](const Operand& each) { return each.isAbstract(); });
   if (!areAbstract || type.base == Base::Uint || type.base == Base::Bool) return {};
   if (auto numbers = foldAbstract(row, operands, type))
-    return abstractOf(type, std::move(*numbers), place);
-  if (row.way == Way::Each) return failOperand(place, noValue);
+    return abstractOf(type, std::move(*numbers), location);
+  if (row.way == Way::Each) return failOperand(location, noValue);
   return {};
 }
 
@@ -111,32 +111,33 @@ Operand Parser::callBuiltIn(const Token& name, Operands operands) {
   std::vector<Type> types;
   const auto found = matchBuiltIn(name.text, operands, types);
   if (!found)
-    return failOperand(name.place, quoted(name.text) + " cannot be called with (" +
-                                       typesOf(operands) + "); WGSL has no implicit conversions");
+    return failOperand(name.location, quote(name.text) + " cannot be called with (" +
+                                          typesOf(operands) +
+                                          "); WGSL has no implicit conversions");
   const BuiltIn& row = tree_.builtIns[static_cast<std::size_t>(found->row)];
   if (row.way == Way::Unsupported)
     return unsupported(
-        name.place, found->result,
-        quoted(name.text) + " cannot be used in a warp, which needs exact derivatives per vertex");
-  checkLimits(row, operands, name.place);
-  if (Operand folded = foldBuiltIn(row, operands, found->result, name.place);
+        name.location, found->result,
+        quote(name.text) + " cannot be used in a warp, which needs exact derivatives per vertex");
+  checkLimits(row, operands, name.location);
+  if (Operand folded = foldBuiltIn(row, operands, found->result, name.location);
       folded.isAbstract() || folded.id != nothing)
     return folded;
   std::vector<ExpressionId> given;
   for (std::size_t i = 0; i < operands.size(); ++i)
-    given.push_back(convert(operands[i], types[i], name.place));
+    given.push_back(convert(operands[i], types[i], name.location));
   Operand made = make({.kind = Code::BuiltIn,
                        .type = found->result,
                        .index = found->row,
-                       .place = name.place,
+                       .location = name.location,
                        .operands = std::move(given)});
   if (!problems_.any() && constants_.isConstant(made.id) && constants_.numbers(made.id).empty())
-    return failOperand(name.place, noValue);
+    return failOperand(name.location, noValue);
   return made;
 }
 
 // The constant limits of clamp and smoothstep must be in order.
-void Parser::checkLimits(const BuiltIn& row, const Operands& operands, Location place) {
+void Parser::checkLimits(const BuiltIn& row, const Operands& operands, Location location) {
   const bool isClamp = row.name == "clamp";
   if (problems_.any() || (!isClamp && row.name != "smoothstep")) return;
   const auto numbersOf = [&](const Operand& operand) {
@@ -146,15 +147,15 @@ void Parser::checkLimits(const BuiltIn& row, const Operands& operands, Location 
              high = numbersOf(operands[isClamp ? 2 : 1]);
   for (std::size_t i = 0; i < low.size() && i < high.size(); ++i)
     if (isClamp ? low[i] > high[i] : low[i] == high[i])
-      fail(place, "expected a lower limit below the upper one in " + std::string(row.name));
+      fail(location, "expected a lower limit below the upper one in " + std::string(row.name));
 }
 
 // An operand of a function that only floats have.
-Operand Parser::asFloats(const Operand& operand, Location place) {
+Operand Parser::asFloats(const Operand& operand, Location location) {
   Type wanted = operand.type;
   wanted.base = Base::Float;
-  if (!operand.isAbstract() || !canConvert(operand, wanted)) return load(operand, place);
-  return {.id = convert(operand, wanted, place), .type = wanted};
+  if (!operand.isAbstract() || !canConvert(operand, wanted)) return load(operand, location);
+  return {.id = convert(operand, wanted, location), .type = wanted};
 }
 
 }  // namespace warpjet::source::wgsl

@@ -19,30 +19,30 @@ Parser::Operands Parser::arguments() {
 }
 
 // Parses a type and its arguments; `vec3(…)` and `array(…)` get their type from the arguments.
-Operand Parser::construct(Location place) {
+Operand Parser::construct(Location location) {
   const Token word = peek();
   const bool isInferred = isGenerator(word.text) && !isDeclared(word.text) && !peek(1).is("<");
   if (isInferred) {
     take();
-    if (!peek().is("(")) return failOperand(place, "expected a value, got a type");
+    if (!peek().is("(")) return failOperand(location, "expected a value, got a type");
     Operands operands = arguments();
-    if (problems_.any()) return failOperand(place, "");
+    if (problems_.any()) return failOperand(location, "");
     for (const Operand& each : operands)
       if (each.isPointer())
-        return failOperand(place, "expected numbers and vectors for " + std::string(word.text) +
-                                      ", got a pointer");
-    if (word.is("array")) return inferredArray(std::move(operands), place);
+        return failOperand(location, "expected numbers and vectors for " + std::string(word.text) +
+                                         ", got a pointer");
+    if (word.is("array")) return inferredArray(std::move(operands), location);
     const bool isVector = word.text[0] == 'v';
     const int columns = isVector ? 1 : word.text[3] - '0';
     return inferred(word, columns, word.text[isVector ? 3 : 5] - '0', std::move(operands));
   }
   const Type made = type();
-  if (problems_.any()) return failOperand(place, "");
-  if (!peek().is("(")) return failOperand(place, "expected a value, got a type");
+  if (problems_.any()) return failOperand(location, "");
+  if (!peek().is("(")) return failOperand(location, "expected a value, got a type");
   Operands operands = arguments();
-  if (problems_.any()) return failOperand(place, "");
-  if (operands.empty()) return zero(made, place);
-  return constructType(made, std::move(operands), place);
+  if (problems_.any()) return failOperand(location, "");
+  if (operands.empty()) return zero(made, location);
+  return constructType(made, std::move(operands), location);
 }
 
 // The type of numbers that all operands have or can get; nullopt if there is none.
@@ -66,15 +66,16 @@ std::optional<Type> Parser::commonType(const Operands& operands) const {
 Operand Parser::inferred(const Token& word, int columns, int rows, Operands operands) {
   const std::string name(word.text);
   if (operands.empty()) {
-    if (columns > 1) return failOperand(word.place, "write " + name + "f() for a zero matrix");
+    if (columns > 1) return failOperand(word.location, "write " + name + "f() for a zero matrix");
     return abstractOf(vectorType(Base::Int, rows),
-                      std::vector<double>(static_cast<std::size_t>(rows)), word.place);
+                      std::vector<double>(static_cast<std::size_t>(rows)), word.location);
   }
   // A vector of other numbers is converted only if the type has a name.
   const auto common = commonType(operands);
   if (!common)
-    return failOperand(word.place, "expected numbers of one type for " + name + ", got (" +
-                                       typesOf(operands) + "); WGSL has no implicit conversions");
+    return failOperand(word.location, "expected numbers of one type for " + name + ", got (" +
+                                          typesOf(operands) +
+                                          "); WGSL has no implicit conversions");
   bool areAbstract = columns == 1;
   int count = 0;
   for (const Operand& each : operands) {
@@ -83,17 +84,17 @@ Operand Parser::inferred(const Token& word, int columns, int rows, Operands oper
   }
   const Type type = columns > 1 ? matrixType(columns, rows) : vectorType(common->base, rows);
   if (!areAbstract || (count != rows && !(operands.size() == 1 && count == 1)))
-    return constructType(type, std::move(operands), word.place);
+    return constructType(type, std::move(operands), word.location);
   std::vector<double> numbers;
   for (const Operand& each : operands)
     numbers.insert(numbers.end(), each.known.begin(), each.known.end());
   numbers.resize(static_cast<std::size_t>(rows), numbers[0]);
-  return abstractOf(type, std::move(numbers), word.place);
+  return abstractOf(type, std::move(numbers), word.location);
 }
 
-Operand Parser::inferredArray(Operands operands, Location place) {
+Operand Parser::inferredArray(Operands operands, Location location) {
   if (operands.empty())
-    return failOperand(place, "an empty array needs its type: write array<f32, 4>()");
+    return failOperand(location, "an empty array needs its type: write array<f32, 4>()");
   bool areAbstract = true;
   for (const Operand& each : operands)
     areAbstract = areAbstract && each.isAbstract() && !each.type.isArray();
@@ -108,26 +109,27 @@ Operand Parser::inferredArray(Operands operands, Location place) {
     for (const Operand& each : operands) {
       if (each.type.rows != element.rows)
         return failOperand(
-            place, "the elements of an array have one type, got (" + typesOf(operands) + ")");
+            location, "the elements of an array have one type, got (" + typesOf(operands) + ")");
       numbers.insert(numbers.end(), each.known.begin(), each.known.end());
     }
-    return abstractOf(arrayOf(element, length), std::move(numbers), place);
+    return abstractOf(arrayOf(element, length), std::move(numbers), location);
   }
-  return constructType(arrayOf(element, length), std::move(operands), place);
+  return constructType(arrayOf(element, length), std::move(operands), location);
 }
 
-Operand Parser::constructScalar(Type type, const Operand& operand, Location place) {
+Operand Parser::constructScalar(Type type, const Operand& operand, Location location) {
   if (!operand.type.isScalar())
-    return failOperand(place,
+    return failOperand(location,
                        "a " + nameOf(type) + " cannot be constructed from " + describe(operand));
   if (!operand.isAbstract())
-    return make({.kind = Code::Construct, .type = type, .place = place, .operands = {operand.id}});
+    return make(
+        {.kind = Code::Construct, .type = type, .location = location, .operands = {operand.id}});
   Operand given = operand;
   if (type == boolType)
     return make({.kind = Code::Constant,
                  .type = type,
                  .value = operand.known[0] == 0 ? 0.0 : 1.0,
-                 .place = place});
+                 .location = location});
   if (type.isInteger() && operand.type.base == Base::Float) {
     given.type.base = Base::Int;
     // A float beyond the range becomes the nearest value.
@@ -135,31 +137,33 @@ Operand Parser::constructScalar(Type type, const Operand& operand, Location plac
     const double most = type == intType ? 2147483647.0 : 4294967295.0;
     given.known[0] = std::trunc(std::clamp(operand.known[0], least, most));
   }
-  return {.id = convert(given, type, place), .type = type};
+  return {.id = convert(given, type, location), .type = type};
 }
 
-Operand Parser::constructType(Type type, Operands operands, Location place) {
+Operand Parser::constructType(Type type, Operands operands, Location location) {
   const std::string name = nameOf(type);
   std::vector<ExpressionId> parts;
   const auto wantsEach = [&](std::size_t wanted, const auto& typeAt, const char* what) -> Operand {
     if (operands.size() != wanted)
-      return failOperand(place, "expected " + std::to_string(wanted) + " " + what +
-                                    (wanted == 1 ? "" : "s") + " for " + name + ", got " +
-                                    std::to_string(operands.size()));
+      return failOperand(location, "expected " + std::to_string(wanted) + " " + what +
+                                       (wanted == 1 ? "" : "s") + " for " + name + ", got " +
+                                       std::to_string(operands.size()));
     for (std::size_t i = 0; i < wanted; ++i) {
       if (!canConvert(operands[i], typeAt(i)))
-        return failOperand(place, "expected " + describe(typeAt(i)) + " as " + what + ' ' +
-                                      std::to_string(i + 1) + " of " + name + ", got " +
-                                      describe(operands[i]));
-      parts.push_back(convert(operands[i], typeAt(i), place));
+        return failOperand(location, "expected " + describe(typeAt(i)) + " as " + what + ' ' +
+                                         std::to_string(i + 1) + " of " + name + ", got " +
+                                         describe(operands[i]));
+      parts.push_back(convert(operands[i], typeAt(i), location));
     }
-    return make(
-        {.kind = Code::Construct, .type = type, .place = place, .operands = std::move(parts)});
+    return make({.kind = Code::Construct,
+                 .type = type,
+                 .location = location,
+                 .operands = std::move(parts)});
   };
   if (type.isArray()) {
     if (type.length == 0)
-      return failOperand(place, "this array needs a length: write " + nameOf(type.element()) +
-                                    ", " + std::to_string(operands.size()) + " in its < >");
+      return failOperand(location, "this array needs a length: write " + nameOf(type.element()) +
+                                       ", " + std::to_string(operands.size()) + " in its < >");
     Type element = type.element();
     if (element.isStruct() && tree_.types.structure(element).name.empty())
       element = tree_.types.structure(element).fields[0].type;
@@ -173,39 +177,41 @@ Operand Parser::constructType(Type type, Operands operands, Location place) {
   }
   for (const Operand& each : operands)
     if (!each.type.isNumeric() || each.isPointer())
-      return failOperand(place,
+      return failOperand(location,
                          "expected numbers and vectors for " + name + ", got " + describe(each));
   if (type.isScalar()) {
     if (operands.size() > 1)
       return failOperand(
-          place, "expected one value for " + name + ", got " + std::to_string(operands.size()));
-    return constructScalar(type, operands[0], place);
+          location, "expected one value for " + name + ", got " + std::to_string(operands.size()));
+    return constructScalar(type, operands[0], location);
   }
   const Operand& first = operands[0];
   const bool isAlone = operands.size() == 1;
   // Converts a vector or matrix of the same size.
   if (isAlone && !first.isAbstract() && first.type.layout() == type.layout())
-    return make({.kind = Code::Construct, .type = type, .place = place, .operands = {first.id}});
+    return make(
+        {.kind = Code::Construct, .type = type, .location = location, .operands = {first.id}});
   int given = 0;
   bool areColumns = true;
   for (const Operand& each : operands) {
     Type part = each.type;
     part.base = type.base;
     if (each.type.isMatrix() || !canConvert(each, part))
-      return failOperand(place, "expected components of type " + nameOf(scalarOf(type.base)) +
-                                    " for " + name + ", got " + describe(each));
+      return failOperand(location, "expected components of type " + nameOf(scalarOf(type.base)) +
+                                       " for " + name + ", got " + describe(each));
     areColumns = areColumns && each.type.rows == type.rows;
     given += each.type.components();
-    parts.push_back(convert(each, part, place));
+    parts.push_back(convert(each, part, location));
   }
   const bool isSplat = isAlone && first.type.isScalar() && type.isVector();
   const bool mixes = type.isMatrix() && !areColumns && given != static_cast<int>(operands.size());
   if (given != type.components() && !isSplat)
-    return failOperand(place, "expected " + std::to_string(type.components()) + " components for " +
-                                  name + ", got " + std::to_string(given));
-  if (mixes) return failOperand(place, name + " is constructed from its columns, or from numbers");
+    return failOperand(location, "expected " + std::to_string(type.components()) +
+                                     " components for " + name + ", got " + std::to_string(given));
+  if (mixes)
+    return failOperand(location, name + " is constructed from its columns, or from numbers");
   return make(
-      {.kind = Code::Construct, .type = type, .place = place, .operands = std::move(parts)});
+      {.kind = Code::Construct, .type = type, .location = location, .operands = std::move(parts)});
 }
 
 }  // namespace warpjet::source::wgsl

@@ -36,8 +36,8 @@ void Parser::takeOperator(std::string_view text) {
 }
 
 Operand Parser::value() {
-  const Location place = peek().place;
-  return load(expression(), place);
+  const Location location = peek().location;
+  return load(expression(), location);
 }
 
 void Parser::rejectMixed(std::string_view before) {
@@ -47,14 +47,14 @@ void Parser::rejectMixed(std::string_view before) {
                            std::string_view(">>"), std::string_view("+"),  std::string_view("-"),
                            std::string_view("*"),  std::string_view("/"),  std::string_view("%")};
   if (isOneOf(all, next) || isOneOf(relations, next))
-    fail(peek().place, "put parentheses around one of " + std::string(before) + " and " +
-                           std::string(next) + ", whose order WGSL does not define");
+    fail(peek().location, "put parentheses around one of " + std::string(before) + " and " +
+                              std::string(next) + ", whose order WGSL does not define");
   if (peek().is("?"))
-    fail(peek().place, "WGSL has no ? : ; write select(valueIfFalse, valueIfTrue, condition)");
+    fail(peek().location, "WGSL has no ? : ; write select(valueIfFalse, valueIfTrue, condition)");
 }
 
 Operand Parser::expression() {
-  if (!goDeeper()) return failOperand(peek().place, "");
+  if (!goDeeper()) return failOperand(peek().location, "");
   return deeper([&]() -> Operand {
     const Operand first = unary();
     const std::string_view symbol = operatorHere();
@@ -63,9 +63,9 @@ Operand Parser::expression() {
     const std::string_view logical = operatorHere();
     if (logical == "&&" || logical == "||") {
       while (operatorHere() == logical) {
-        const Location place = take().place;
+        const Location location = take().location;
         left = makeBinary(logical == "&&" ? Operator::And : Operator::Or, left, relational(unary()),
-                          place);
+                          location);
       }
       rejectMixed(logical);
     }
@@ -77,8 +77,8 @@ Operand Parser::expression() {
 Operand Parser::bitwise(Operand left, std::string_view symbol) {
   const Operator op = findOperator(symbol)->op;
   while (operatorHere() == symbol) {
-    const Location place = take().place;
-    left = makeBinary(op, left, unary(), place);
+    const Location location = take().location;
+    left = makeBinary(op, left, unary(), location);
   }
   rejectMixed(symbol);
   return left;
@@ -88,19 +88,19 @@ Operand Parser::relational(Operand first) {
   const Operand left = shift(first);
   const std::string_view symbol = operatorHere();
   if (!isOneOf(relations, symbol)) return left;
-  const Location place = peek().place;
+  const Location location = peek().location;
   takeOperator(symbol);
   const Operand right = shift(unary());
   if (isOneOf(relations, operatorHere())) rejectMixed(symbol);
-  return makeBinary(findOperator(symbol)->op, left, right, place);
+  return makeBinary(findOperator(symbol)->op, left, right, location);
 }
 
 Operand Parser::shift(Operand first) {
   const std::string_view symbol = operatorHere();
   if (symbol == "<<" || symbol == ">>") {
-    const Location place = peek().place;
+    const Location location = peek().location;
     takeOperator(symbol);
-    const Operand made = makeBinary(findOperator(symbol)->op, first, unary(), place);
+    const Operand made = makeBinary(findOperator(symbol)->op, first, unary(), location);
     const std::string_view next = operatorHere();
     if (!isOneOf(relations, next) && next != "&&" && next != "||") rejectMixed(symbol);
     return made;
@@ -118,9 +118,10 @@ Operand Parser::additive(Operand first) {
     const Token token = take();
     // `a--b` is `a - -b`.
     Operand right = unary();
-    if (token.is("--")) right = makeUnary({token.kind, "-", token.place}, load(right, token.place));
+    if (token.is("--"))
+      right = makeUnary({token.kind, "-", token.location}, load(right, token.location));
     left = makeBinary(token.is("+") ? Operator::Add : Operator::Subtract, left,
-                      multiplicative(right), token.place);
+                      multiplicative(right), token.location);
   }
   return left;
 }
@@ -128,7 +129,7 @@ Operand Parser::additive(Operand first) {
 Operand Parser::multiplicative(Operand first) {
   while (peek().is("*") || peek().is("/") || peek().is("%")) {
     const Token token = take();
-    first = makeBinary(findOperator(token.text)->op, first, unary(), token.place);
+    first = makeBinary(findOperator(token.text)->op, first, unary(), token.location);
   }
   return first;
 }
@@ -139,15 +140,15 @@ Operand Parser::unary() {
   const bool isUnary =
       isTwice || token.is("-") || token.is("!") || token.is("~") || token.is("&") || token.is("*");
   if (!isUnary) return postfix(primary());
-  if (!goDeeper()) return failOperand(token.place, "");
+  if (!goDeeper()) return failOperand(token.location, "");
   take();
   const Operand operand = deeper([&] { return unary(); });
-  if (problems_.any()) return failOperand(token.place, "");
-  if (token.is("&")) return addressOf(operand, token.place);
-  if (token.is("*")) return dereference(operand, token.place);
-  if (!isTwice) return makeUnary(token, load(operand, token.place));
-  const Token minus{token.kind, "-", token.place};
-  return makeUnary(minus, makeUnary(minus, load(operand, token.place)));
+  if (problems_.any()) return failOperand(token.location, "");
+  if (token.is("&")) return addressOf(operand, token.location);
+  if (token.is("*")) return dereference(operand, token.location);
+  if (!isTwice) return makeUnary(token, load(operand, token.location));
+  const Token minus{token.kind, "-", token.location};
+  return makeUnary(minus, makeUnary(minus, load(operand, token.location)));
 }
 
 }  // namespace warpjet::source::wgsl

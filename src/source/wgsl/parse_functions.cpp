@@ -6,7 +6,7 @@ namespace warpjet::source::wgsl {
 Parameter Parser::parameter(std::vector<Entity>& entities) {
   attributes();
   const Token name = takeName("a parameter");
-  if (accept("=")) fail(name.place, "parameters have no default values");
+  if (accept("=")) fail(name.location, "parameters have no default values");
   if (!expect(":", "the name of a parameter")) return {};
   const DeclaredType made = declaredType();
   if (problems_.any()) return {};
@@ -16,10 +16,10 @@ Parameter Parser::parameter(std::vector<Entity>& entities) {
     entity.reason = made.unsupported;
   }
   if (made.type.length == 0 && !made.isPointer)
-    fail(name.place, "a parameter cannot be an array without a length");
+    fail(name.location, "a parameter cannot be an array without a length");
   const bool isWritten = made.isPointer && made.isWritable;
   const VariableId variable =
-      addVariable(name.text, made.type, Variable::Kind::Parameter, name.place);
+      addVariable(name.text, made.type, Variable::Kind::Parameter, name.location);
   entity.value.kind = made.isPointer ? Operand::Kind::Pointer : Operand::Kind::Value;
   entity.value.isWritable = isWritten;
   if (made.isPointer) entity.value.space = made.space;
@@ -28,7 +28,7 @@ Parameter Parser::parameter(std::vector<Entity>& entities) {
                                    .isAssignable = isWritten,
                                    .type = made.type,
                                    .index = variable,
-                                   .place = name.place});
+                                   .location = name.location});
   entities.push_back(std::move(entity));
   return {isWritten ? Parameter::Direction::InOut : Parameter::Direction::In, variable, made.type};
 }
@@ -36,7 +36,7 @@ Parameter Parser::parameter(std::vector<Entity>& entities) {
 // Parses up to the body, which may use functions that are below it.
 Entity Parser::functionHead() {
   const Token name = takeName("a function");
-  Function made{name.text, voidType, {}, name.place};
+  Function made{name.text, voidType, {}, name.location};
   std::vector<Entity> entities;
   expect("(", "the name of a function");
   while (!peek().is(")") && !problems_.any()) {
@@ -46,14 +46,14 @@ Entity Parser::functionHead() {
   expect(")", "the parameters of a function");
   if (accept("->")) {
     attributes();
-    const Location place = peek().place;
+    const Location location = peek().location;
     const DeclaredType result = declaredType();
     made.type = result.type;
     if (result.isPointer || made.type.length == 0 || made.type == samplerType)
-      fail(place, "a function cannot return " + describe(made.type));
+      fail(location, "a function cannot return " + describe(made.type));
   }
   if (!peek().is("{") && !problems_.any())
-    fail(peek().place,
+    fail(peek().location,
          "expected { or -> and the type of the result after the parameters, " + describeNext());
   if (problems_.any()) return {};
   tree_.functions.push_back(std::move(made));
@@ -66,13 +66,13 @@ Entity Parser::functionHead() {
 void Parser::functionBody(std::size_t index) {
   at_ = bodies_[index];
   current_ = static_cast<FunctionId>(index);
-  const Location end = tree_.functions[index].place;
+  const Location end = tree_.functions[index].location;
   scopes_.open();
   for (std::size_t i = 0; i < parameters_[index].size(); ++i) {
     const Variable& variable = tree_.variables[tree_.functions[index].parameters[i].variable];
-    declare({Token::Kind::Name, variable.name, variable.place}, parameters_[index][i]);
+    declare({Token::Kind::Name, variable.name, variable.location}, parameters_[index][i]);
   }
-  const StatementId body = makeBlock(peek().place, blockStatements());
+  const StatementId body = makeBlock(peek().location, blockStatements());
   scopes_.close();
   current_ = nothing;
   if (problems_.any()) return;
@@ -80,14 +80,14 @@ void Parser::functionBody(std::size_t index) {
   function.body = body;
   constexpr unsigned next = 1;
   if (function.type != voidType && (behaviorOf(body) & next))
-    fail(end, "expected " + quoted(function.name) + " to return " + describe(function.type) +
+    fail(end, "expected " + quote(function.name) + " to return " + describe(function.type) +
                   " at its end, but it may end without a return");
 }
 
 void Parser::rejectRecursion() {
   if (const auto call = findRecursion(tree_.functions.size(), calls_))
-    fail(call->place, quoted(tree_.functions[call->to].name) +
-                          " calls itself, which shaders do not support; write a loop");
+    fail(call->location, quote(tree_.functions[call->to].name) +
+                             " calls itself, which shaders do not support; write a loop");
 }
 
 }  // namespace warpjet::source::wgsl

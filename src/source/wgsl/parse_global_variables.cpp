@@ -8,21 +8,22 @@ void Parser::declareGlobally(VariableId variable, ExpressionId start) {
   tree_.globals.push_back(add(Statement{.kind = Statement::Kind::Declare,
                                         .index = variable,
                                         .expression = start,
-                                        .place = tree_.variables[variable].place}));
+                                        .location = tree_.variables[variable].location}));
 }
 
 // The type of a variable by its declaration or its initial value.
 Type Parser::initialType(const std::optional<DeclaredType>& declared, const Operand& value,
-                         Location place, std::string_view name) {
+                         Location location, std::string_view name) {
   if (problems_.any()) return floatType;
   if (!declared) {
-    if (value.type == voidType) fail(place, "expected a value for " + quoted(name) + ", got none");
+    if (value.type == voidType)
+      fail(location, "expected a value for " + quote(name) + ", got none");
     return value.type;
   }
-  if (!declared->unsupported.empty()) fail(place, declared->unsupported);
+  if (!declared->unsupported.empty()) fail(location, declared->unsupported);
   if (!problems_.any() && !canConvert(value, declared->type))
-    fail(place, "expected " + describe(declared->type) + " as the value of " + quoted(name) +
-                    ", got " + describe(value));
+    fail(location, "expected " + describe(declared->type) + " as the value of " + quote(name) +
+                       ", got " + describe(value));
   return declared->type;
 }
 
@@ -31,28 +32,29 @@ Entity Parser::constant(const Token& name, const std::optional<DeclaredType>& de
                         Operand value, StatementId* statement) {
   if (!problems_.any() && !value.isAbstract() &&
       (value.id == nothing || !constants_.isConstant(value.id)))
-    fail(name.place, quoted(name.text) +
-                         " is const, but its value is known only when the shader runs; write let");
-  const Type made = initialType(declared, value, name.place, name.text);
+    fail(name.location,
+         quote(name.text) +
+             " is const, but its value is known only when the shader runs; write let");
+  const Type made = initialType(declared, value, name.location, name.text);
   if (problems_.any()) return {};
   Entity entity{.kind = Entity::Kind::Value};
   if (value.isAbstract() && !declared) {
     entity.value = std::move(value);
     return entity;
   }
-  const ExpressionId start = convert(value, made, name.place);
+  const ExpressionId start = convert(value, made, name.location);
   if (problems_.any()) return {};
   if (made.isInteger() && constants_.integers(start).empty())
-    fail(name.place, "the value of " + quoted(name.text) + " does not exist");
-  const VariableId variable = addVariable(name.text, made, Variable::Kind::Constant, name.place);
+    fail(name.location, "the value of " + quote(name.text) + " does not exist");
+  const VariableId variable = addVariable(name.text, made, Variable::Kind::Constant, name.location);
   tree_.variables[variable].start = start;
   entity.value.type = made;
-  entity.value.id =
-      add(Expression{.kind = Code::Variable, .type = made, .index = variable, .place = name.place});
+  entity.value.id = add(Expression{
+      .kind = Code::Variable, .type = made, .index = variable, .location = name.location});
   const StatementId declares = add(Statement{.kind = Statement::Kind::Declare,
                                              .index = variable,
                                              .expression = start,
-                                             .place = name.place});
+                                             .location = name.location});
   if (statement)
     *statement = declares;
   else
@@ -64,7 +66,7 @@ Entity Parser::globalConstant() {
   const Token name = takeName("a constant");
   std::optional<DeclaredType> declared;
   if (accept(":")) declared = declaredType();
-  if (!accept("=")) fail(peek().place, "the constant " + quoted(name.text) + " needs a value");
+  if (!accept("=")) fail(peek().location, "the constant " + quote(name.text) + " needs a value");
   Operand given = value();
   expect(";", "a constant");
   return constant(name, declared, std::move(given), nullptr);
@@ -79,14 +81,14 @@ Entity Parser::overrideConstant() {
   const bool hasValue = accept("=");
   if (hasValue) {
     given = value();
-    const Type made = initialType(declared, given, name.place, name.text);
+    const Type made = initialType(declared, given, name.location, name.text);
     if (!declared) declared = DeclaredType{made};
   }
   expect(";", "an override");
   if (!declared && !problems_.any())
-    fail(name.place, "the override " + quoted(name.text) + " needs a type or a value");
+    fail(name.location, "the override " + quote(name.text) + " needs a type or a value");
   if (!problems_.any() && !declared->type.isScalar())
-    fail(name.place, "an override is a number or a bool, not " + describe(declared->type));
+    fail(name.location, "an override is a number or a bool, not " + describe(declared->type));
   if (problems_.any()) return {};
   return {.kind = Entity::Kind::Value,
           .value = {.kind = Operand::Kind::Reference,
@@ -111,26 +113,27 @@ Entity Parser::globalVariable() {
   if (problems_.any()) return {};
   const auto unsupported = [&](std::string reason) {
     Entity entity{.kind = Entity::Kind::Value,
-                  .value = unsupportedMemory(declared->type, name.place, std::move(reason))};
+                  .value = unsupportedMemory(declared->type, name.location, std::move(reason))};
     entity.value.space = space;
     entity.value.texel = declared->texel;
     return entity;
   };
   if (space == "private") {
-    if (!declared && !start) fail(name.place, quoted(name.text) + " needs a type or a value");
+    if (!declared && !start) fail(name.location, quote(name.text) + " needs a type or a value");
     if (problems_.any()) return {};
-    const Operand given = concrete(start ? *start : zero(declared->type, name.place), name.place);
-    const Type made = initialType(declared, start ? *start : given, name.place, name.text);
-    const ExpressionId value = declared && start ? convert(*start, made, name.place) : given.id;
+    const Operand given =
+        concrete(start ? *start : zero(declared->type, name.location), name.location);
+    const Type made = initialType(declared, start ? *start : given, name.location, name.text);
+    const ExpressionId value = declared && start ? convert(*start, made, name.location) : given.id;
     const auto isOverride = [&](VariableId each) {
       return tree_.variables[each].kind == Variable::Kind::Uniform;
     };
     if (!problems_.any() && !constants_.isConstant(value, isOverride))
-      fail(name.place, "the value of " + quoted(name.text) +
-                           " must be known before the shader runs; assign it in a function");
+      fail(name.location, "the value of " + quote(name.text) +
+                              " must be known before the shader runs; assign it in a function");
     if (problems_.any()) return {};
     const Type type = tree_.expressions[value].type;
-    const VariableId variable = addVariable(name.text, type, Variable::Kind::Global, name.place);
+    const VariableId variable = addVariable(name.text, type, Variable::Kind::Global, name.location);
     declareGlobally(variable, value);
     return {.kind = Entity::Kind::Value,
             .value = {.kind = Operand::Kind::Reference,
@@ -140,44 +143,44 @@ Entity Parser::globalVariable() {
                                            .isAssignable = true,
                                            .type = type,
                                            .index = variable,
-                                           .place = name.place}),
+                                           .location = name.location}),
                       .type = type}};
   }
   if (!declared) {
-    fail(name.place, quoted(name.text) + " needs a type: write : f32, for instance");
+    fail(name.location, quote(name.text) + " needs a type: write : f32, for instance");
     return {};
   }
   if (start) {
-    fail(name.place, "the host sets the value of " + quoted(name.text) + "; remove its value");
+    fail(name.location, "the host sets the value of " + quote(name.text) + "; remove its value");
     return {};
   }
   if (declared->isSampler) {
     // It has no value; only reads of an image name it.
     const VariableId variable =
-        addVariable(name.text, voidType, Variable::Kind::Global, name.place);
-    return {
-        .kind = Entity::Kind::Value,
-        .value = {
-            .id = add(Expression{
-                .kind = Code::Variable, .type = voidType, .index = variable, .place = name.place}),
-            .type = voidType}};
+        addVariable(name.text, voidType, Variable::Kind::Global, name.location);
+    return {.kind = Entity::Kind::Value,
+            .value = {.id = add(Expression{.kind = Code::Variable,
+                                           .type = voidType,
+                                           .index = variable,
+                                           .location = name.location}),
+                      .type = voidType}};
   }
   const bool isImage = declared->type == samplerType;
   if (space == "handle" && !isImage) {
-    fail(name.place,
+    fail(name.location,
          "a variable outside of functions needs an address space: write "
          "var<private> or var<uniform>");
     return {};
   }
   if (!declared->unsupported.empty()) return unsupported(declared->unsupported);
   if (space == "workgroup" || isWritable)
-    return unsupported(quoted(name.text) +
+    return unsupported(quote(name.text) +
                        (isWritable ? " can be written by the shader, so a warp cannot read it; "
                                      "declare it as var<storage, read>"
                                    : " is shared by a workgroup, which vertices do not have"));
   if (space != "uniform" && space != "storage" && space != "handle") {
-    fail(name.place,
-         "there is no address space " + quoted(space) + " here; write private, uniform or storage");
+    fail(name.location,
+         "there is no address space " + quote(space) + " here; write private, uniform or storage");
     return {};
   }
   return {.kind = Entity::Kind::Value,

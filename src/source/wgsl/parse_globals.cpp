@@ -15,20 +15,21 @@ void Parser::directives() {
 }
 
 void Parser::skipTo(std::string_view end) {
-  const Location start = peek().place;
+  const Location start = peek().location;
   int open = 0;
   while (peek().kind != Token::Kind::End) {
     const Token token = take();
     const bool opens = token.is("(") || token.is("{") || token.is("[");
     const bool closes = token.is(")") || token.is("}") || token.is("]");
-    if (closes && open == 0) return fail(token.place, quoted(token.text) + " closes nothing");
+    if (closes && open == 0) return fail(token.location, quote(token.text) + " closes nothing");
     open += opens ? 1 : closes ? -1 : 0;
     if (open == 0 && token.is(end)) return;
   }
   if (!problems_.any())
-    fail(end == "}" ? start : peek().place, "expected " + std::string(end) +
-                                                " at the end of this declaration, got the end of "
-                                                "the source");
+    fail(end == "}" ? start : peek().location,
+         "expected " + std::string(end) +
+             " at the end of this declaration, got the end of "
+             "the source");
 }
 
 void Parser::findGlobals() {
@@ -47,10 +48,10 @@ void Parser::findGlobals() {
     }
     if (!isBraced && !isConstant && !word.is("var")) {
       const bool isDirective = word.is("enable") || word.is("requires") || word.is("diagnostic");
-      return fail(word.place,
+      return fail(word.location,
                   word.is("let") ? "let is for functions; write const"
                   : isDirective
-                      ? quoted(word.text) + " must come before all declarations"
+                      ? quote(word.text) + " must come before all declarations"
                       : "expected fn, struct, const, var or another declaration, " +
                             describeNext() +
                             (word.is("uniform") || word.is("varying") || word.is("precision") ||
@@ -63,8 +64,8 @@ void Parser::findGlobals() {
       while (!accept(">") && peek().kind != Token::Kind::End) take();
     const Token name = takeName(word.text);
     if (problems_.any()) return;
-    if (!globals_.emplace(name.text, Global{name.text, name.place, start, keyword}).second)
-      return fail(name.place, quoted(name.text) + " is already declared");
+    if (!globals_.emplace(name.text, Global{name.text, name.location, start, keyword}).second)
+      return fail(name.location, quote(name.text) + " is already declared");
     order_.push_back(name.text);
     skipTo(isBraced ? "}" : ";");
   }
@@ -102,19 +103,19 @@ Entity Parser::structure() {
     const DeclaredType each = declaredType();
     if (!each.unsupported.empty()) unsupported = each.unsupported;
     if (each.isPointer || each.isSampler || each.type == samplerType)
-      fail(field.place, "a field cannot be " + describe(each.type));
+      fail(field.location, "a field cannot be " + describe(each.type));
     if (made.find(field.text))
-      fail(field.place, quoted(field.text) + " is already a field of this structure");
+      fail(field.location, quote(field.text) + " is already a field of this structure");
     if (problems_.any()) return {};
     if (!made.fields.empty() && made.fields.back().type.length == 0)
-      fail(field.place, "only the last field of a structure can be an array without a length");
+      fail(field.location, "only the last field of a structure can be an array without a length");
     made.add({field.text, each.type, made.size});
     made.size += tree_.types.size(each.type);
-    if (made.size > maxValueSize) fail(field.place, "this structure is too large");
+    if (made.size > maxValueSize) fail(field.location, "this structure is too large");
     if (!accept(",")) break;
   }
-  if (accept(";")) fail(peek().place, "fields of a structure are separated by commas");
-  const Location end = peek().place;
+  if (accept(";")) fail(peek().location, "fields of a structure are separated by commas");
+  const Location end = peek().location;
   expect("}", "the fields of a structure");
   if (made.fields.empty()) fail(end, "a structure must have a field");
   if (problems_.any()) return {};
@@ -129,14 +130,14 @@ Entity Parser::structure() {
 void Parser::constAssert() {
   attributes();
   const Token word = take();
-  const Location place = peek().place;
+  const Location location = peek().location;
   const Operand test = value();
   expect(";", "const_assert");
   if (problems_.any()) return;
   if (!test.type.isBool() || test.id == nothing || !constants_.isConstant(test.id))
-    return fail(place, "expected a constant bool after const_assert, got " + describe(test));
+    return fail(location, "expected a constant bool after const_assert, got " + describe(test));
   if (constants_.numbers(test.id) == std::vector<double>{0})
-    fail(word.place, "this const_assert does not hold");
+    fail(word.location, "this const_assert does not hold");
 }
 
 }  // namespace warpjet::source::wgsl

@@ -9,7 +9,7 @@ namespace warpjet::source::wgsl {
 
 // Parses the block after `continuing`; `breakIf` becomes the condition of a final `break if`.
 StatementId Parser::continuing(ExpressionId& breakIf) {
-  const Location place = take().place;
+  const Location location = take().location;
   const bool outer = std::exchange(isContinuing_, true);
   const int loops = std::exchange(loops_, 0), switches = std::exchange(switches_, 0);
   attributes();
@@ -23,10 +23,10 @@ StatementId Parser::continuing(ExpressionId& breakIf) {
       breakIf = condition("break if");
       expect(";", "break if");
       if (!peek().is("}"))
-        fail(peek().place, "break if must be the last statement of a continuing block");
+        fail(peek().location, "break if must be the last statement of a continuing block");
       break;
     }
-    if (peek().kind == Token::Kind::End) fail(place, "this continuing has no }");
+    if (peek().kind == Token::Kind::End) fail(location, "this continuing has no }");
     if (const StatementId child = statement(); child != nothing) children.push_back(child);
   }
   expect("}", "a continuing block");
@@ -34,7 +34,7 @@ StatementId Parser::continuing(ExpressionId& breakIf) {
   loops_ = loops;
   switches_ = switches;
   isContinuing_ = outer;
-  return makeBlock(place, std::move(children));
+  return makeBlock(location, std::move(children));
 }
 
 // Variables of the body that the continuing block reads exist beyond the body: they are declared
@@ -60,26 +60,26 @@ StatementId Parser::hoist(std::vector<StatementId>& body, const Marks& continuin
         tree_.variables[variable].kind != Variable::Kind::Local)
       continue;
     const Type type = tree_.variables[variable].type;
-    before.push_back(add(
-        Statement{.kind = Statement::Kind::Declare, .index = variable, .place = statement.place}));
+    before.push_back(add(Statement{
+        .kind = Statement::Kind::Declare, .index = variable, .location = statement.location}));
     const ExpressionId target = add(Expression{.kind = Code::Variable,
                                                .isAssignable = true,
                                                .type = type,
                                                .index = variable,
-                                               .place = statement.place});
+                                               .location = statement.location});
     child = evaluate(add(Expression{.kind = Code::Assign,
                                     .type = type,
-                                    .place = statement.place,
+                                    .location = statement.location,
                                     .operands = {target, statement.expression}}),
-                     statement.place);
+                     statement.location);
   }
   if (before.empty()) return nothing;
-  const Location place = tree_.statements[before[0]].place;
-  return makeBlock(place, std::move(before));
+  const Location location = tree_.statements[before[0]].location;
+  return makeBlock(location, std::move(before));
 }
 
 StatementId Parser::loopStatement() {
-  const Location place = take().place;
+  const Location location = take().location;
   attributes();
   expect("{", "loop");
   scopes_.open();
@@ -89,11 +89,11 @@ StatementId Parser::loopStatement() {
   StatementId step = nothing, before = nothing;
   ExpressionId breakIf = nothing;
   while (!peek().is("}") && !problems_.any()) {
-    if (peek().kind == Token::Kind::End) fail(place, "this loop has no }");
+    if (peek().kind == Token::Kind::End) fail(location, "this loop has no }");
     if (peek().is("continuing")) {
       const Marks first{tree_.expressions.size(), tree_.statements.size()};
       step = continuing(breakIf);
-      if (!peek().is("}")) fail(peek().place, "continuing must be the last statement of a loop");
+      if (!peek().is("}")) fail(peek().location, "continuing must be the last statement of a loop");
       if (!problems_.any()) before = hoist(body, first, breakIf);
       break;
     }
@@ -107,19 +107,19 @@ StatementId Parser::loopStatement() {
       breakIf == nothing
           ? nothing
           : add(Expression{
-                .kind = Code::Not, .type = boolType, .place = place, .operands = {breakIf}});
+                .kind = Code::Not, .type = boolType, .location = location, .operands = {breakIf}});
   const StatementId made = add({.kind = Statement::Kind::Loop,
                                 .isLate = breakIf != nothing,
                                 .expression = test,
-                                .place = place,
-                                .children = {before, step, makeBlock(place, std::move(body))}});
+                                .location = location,
+                                .children = {before, step, makeBlock(location, std::move(body))}});
   if (!problems_.any() && !(behaviorOf(made) & 3u))
-    fail(place, "this loop never ends; write break, return or break if");
+    fail(location, "this loop never ends; write break, return or break if");
   return made;
 }
 
 StatementId Parser::forStatement() {
-  const Location place = take().place;
+  const Location location = take().location;
   scopes_.open();
   expect("(", "for");
   StatementId start = nothing, step = nothing;
@@ -130,7 +130,7 @@ StatementId Parser::forStatement() {
   expect(";", "the condition of a for");
   if (!peek().is(")")) step = simpleStatement();
   if (step != nothing && tree_.statements[step].kind == Statement::Kind::Declare)
-    fail(tree_.statements[step].place, "the last part of a for cannot declare a variable");
+    fail(tree_.statements[step].location, "the last part of a for cannot declare a variable");
   expect(")", "the head of a for");
   attributes();
   ++loops_;
@@ -141,12 +141,12 @@ StatementId Parser::forStatement() {
   scopes_.close();
   return add({.kind = Statement::Kind::Loop,
               .expression = test,
-              .place = place,
+              .location = location,
               .children = {start, step, body}});
 }
 
 StatementId Parser::whileStatement() {
-  const Location place = take().place;
+  const Location location = take().location;
   const ExpressionId test = condition("while");
   attributes();
   ++loops_;
@@ -156,7 +156,7 @@ StatementId Parser::whileStatement() {
   --loops_;
   return add({.kind = Statement::Kind::Loop,
               .expression = test,
-              .place = place,
+              .location = location,
               .children = {nothing, nothing, body}});
 }
 
@@ -164,33 +164,33 @@ StatementId Parser::whileStatement() {
 void Parser::caseLabels(Type wanted, std::vector<StatementId>& children,
                         std::vector<std::int32_t>& labels, bool& hasDefault) {
   const Token word = take();
-  const auto addDefault = [&](Location place) {
-    if (std::exchange(hasDefault, true)) fail(place, "this switch already has a default");
-    children.push_back(add({.kind = Statement::Kind::Case, .place = place}));
+  const auto addDefault = [&](Location location) {
+    if (std::exchange(hasDefault, true)) fail(location, "this switch already has a default");
+    children.push_back(add({.kind = Statement::Kind::Case, .location = location}));
   };
   if (word.is("default")) {
-    addDefault(word.place);
+    addDefault(word.location);
   } else {
     do {
       const Token token = peek();
       if (token.is(":") || token.is("{")) break;
       if (accept("default")) {
-        addDefault(token.place);
+        addDefault(token.location);
         continue;
       }
       const Operand label = value();
       if (problems_.any()) return;
       const auto known = wholeOf(label);
       if (!canConvert(label, wanted) || !known)
-        return fail(token.place, "expected a constant " + nameOf(wanted) + " after case, got " +
-                                     describe(label));
+        return fail(token.location, "expected a constant " + nameOf(wanted) + " after case, got " +
+                                        describe(label));
       const auto bits = static_cast<std::int32_t>(static_cast<std::uint32_t>(*known));
       if (std::find(labels.begin(), labels.end(), bits) != labels.end())
-        return fail(token.place, "this switch already has a case " + std::to_string(*known));
+        return fail(token.location, "this switch already has a case " + std::to_string(*known));
       labels.push_back(bits);
       children.push_back(add({.kind = Statement::Kind::Case,
-                              .expression = convert(label, wanted, token.place),
-                              .place = token.place}));
+                              .expression = convert(label, wanted, token.location),
+                              .location = token.location}));
     } while (accept(","));
   }
   accept(":");
@@ -199,10 +199,10 @@ void Parser::caseLabels(Type wanted, std::vector<StatementId>& children,
 
 // Cases do not fall through: each body ends with a break of ours.
 StatementId Parser::switchStatement() {
-  const Location place = take().place;
-  Operand given = concrete(value(), place);
+  const Location location = take().location;
+  Operand given = concrete(value(), location);
   if (!problems_.any() && !(given.type.isScalar() && given.type.isInteger()))
-    fail(place, "expected an i32 or u32 as the value of this switch, got " + describe(given));
+    fail(location, "expected an i32 or u32 as the value of this switch, got " + describe(given));
   attributes();
   expect("{", "the value of a switch");
   ++switches_;
@@ -211,20 +211,20 @@ StatementId Parser::switchStatement() {
   bool hasDefault = false;
   while (!peek().is("}") && !problems_.any()) {
     if (!peek().is("case") && !peek().is("default")) {
-      fail(peek().place, "expected case or default, " + describeNext());
+      fail(peek().location, "expected case or default, " + describeNext());
       break;
     }
     caseLabels(given.type, children, labels, hasDefault);
-    const Location end = peek().place;
+    const Location end = peek().location;
     children.push_back(block());
-    children.push_back(add({.kind = Statement::Kind::Break, .place = end}));
+    children.push_back(add({.kind = Statement::Kind::Break, .location = end}));
   }
   expect("}", "the cases of a switch");
   --switches_;
-  if (!hasDefault) fail(place, "this switch needs a default; write default: {}");
+  if (!hasDefault) fail(location, "this switch needs a default; write default: {}");
   return add({.kind = Statement::Kind::Switch,
               .expression = given.id,
-              .place = place,
+              .location = location,
               .children = std::move(children)});
 }
 

@@ -43,18 +43,18 @@ Operand Parser::primary() {
   if (token.kind == Token::Kind::Number) {
     take();
     const auto number = readNumber(token, problems_);
-    if (!number) return failOperand(token.place, "");
+    if (!number) return failOperand(token.location, "");
     if (number->isAbstract) return {.type = number->type, .known = {number->value}};
     return make({.kind = Code::Constant,
                  .type = number->type,
                  .value = number->value,
-                 .place = token.place});
+                 .location = token.location});
   }
   if (token.kind == Token::Kind::Name) return named();
   if (token.is("++"))
-    return failOperand(token.place,
-                       quoted(token.text) + " is a statement in WGSL; write it on its own");
-  return failOperand(token.place, "expected a value, " + describeNext());
+    return failOperand(token.location,
+                       quote(token.text) + " is a statement in WGSL; write it on its own");
+  return failOperand(token.location, "expected a value, " + describeNext());
 }
 
 Operand Parser::named() {
@@ -64,44 +64,45 @@ Operand Parser::named() {
     return make({.kind = Code::Constant,
                  .type = boolType,
                  .value = name.is("true") ? 1.0 : 0.0,
-                 .place = name.place});
+                 .location = name.location});
   }
-  if (isKeyword(name.text)) return failOperand(name.place, "expected a value, " + describeNext());
-  if (startsType()) return construct(name.place);
+  if (isKeyword(name.text))
+    return failOperand(name.location, "expected a value, " + describeNext());
+  if (startsType()) return construct(name.location);
   take();
   if (name.is("bitcast") && !isDeclared(name.text)) return bitcast(name);
   if (peek().is("(")) return call(name);
   const Entity known = resolve(name.text);
-  if (problems_.any()) return failOperand(name.place, "");
+  if (problems_.any()) return failOperand(name.location, "");
   switch (known.kind) {
     case Entity::Kind::Value:
       return known.value;
     case Entity::Kind::Unsupported:
-      return failOperand(name.place, known.reason);
+      return failOperand(name.location, known.reason);
     case Entity::Kind::Function:
-      return failOperand(name.place, quoted(name.text) + " is a function; call it with ( )");
+      return failOperand(name.location, quote(name.text) + " is a function; call it with ( )");
     default:
       break;
   }
   if (isBuiltIn(tree_.builtIns, name.text))
-    return failOperand(name.place, quoted(name.text) + " is a function; call it with ( )");
-  return failOperand(name.place, quoted(name.text) + " is not declared" + nearestName(name.text));
+    return failOperand(name.location, quote(name.text) + " is a function; call it with ( )");
+  return failOperand(name.location, quote(name.text) + " is not declared" + nearestName(name.text));
 }
 
 Operand Parser::member(const Operand& given) {
-  const Location place = take().place;
+  const Location location = take().location;
   const Token name = peek();
   if (name.kind != Token::Kind::Name)
-    return failOperand(name.place,
+    return failOperand(name.location,
                        "expected a component or field after the point, " + describeNext());
   take();
-  if (problems_.any()) return failOperand(place, "");
-  const Operand operand = given.isPointer() ? dereference(given, place) : given;
+  if (problems_.any()) return failOperand(location, "");
+  const Operand operand = given.isPointer() ? dereference(given, location) : given;
   const Type type = operand.type;
   if (type.isStruct()) {
     const Field* field = tree_.types.structure(type).find(name.text);
     if (!field || field->name.empty())
-      return failOperand(name.place, describe(type) + " has no field " + quoted(name.text));
+      return failOperand(name.location, describe(type) + " has no field " + quote(name.text));
     Operand part = operand;
     part.type = field->type;
     if (operand.id == nothing) {
@@ -112,7 +113,7 @@ Operand Parser::member(const Operand& given) {
                    .isAssignable = operand.isWritable,
                    .type = field->type,
                    .index = field->offset,
-                   .place = place,
+                   .location = location,
                    .operands = {operand.id}});
     return part;
   }
@@ -121,7 +122,7 @@ Operand Parser::member(const Operand& given) {
   const auto packed =
       type.isVector() && hasLetters ? readSwizzle(name.text, type.rows) : std::nullopt;
   if (!packed)
-    return failOperand(name.place, describe(operand) + " has no component " + quoted(name.text));
+    return failOperand(name.location, describe(operand) + " has no component " + quote(name.text));
   const Type picked = vectorType(type.base, static_cast<int>(name.text.size()));
   if (operand.isAbstract()) {
     Operand made{.type = picked};
@@ -131,23 +132,24 @@ Operand Parser::member(const Operand& given) {
   }
   // Components can be assigned unless one of them occurs twice.
   const bool isPart = operand.id != nothing && isDistinct(*packed, picked.rows);
-  Operand made = isPart ? operand : load(operand, place);
+  Operand made = isPart ? operand : load(operand, location);
   made.type = picked;
   made.id = add({.kind = Code::Swizzle,
                  .isAssignable = isPart && operand.isWritable,
                  .type = picked,
                  .index = *packed,
-                 .place = place,
+                 .location = location,
                  .operands = {made.id}});
   return made;
 }
 
 Operand Parser::element(const Operand& given) {
-  const Location place = take().place;
+  const Location location = take().location;
   const Operand index = value();
   expect("]", "an index");
-  if (problems_.any()) return failOperand(place, "");
-  Operand made = elementOf(given.isPointer() ? dereference(given, place) : given, index, place);
+  if (problems_.any()) return failOperand(location, "");
+  Operand made =
+      elementOf(given.isPointer() ? dereference(given, location) : given, index, location);
   // An array of arrays is one of structures with a single field.
   const Type type = made.type;
   if (problems_.any() || !type.isStruct() || !tree_.types.structure(type).name.empty()) return made;
@@ -156,22 +158,22 @@ Operand Parser::element(const Operand& given) {
     made.id = add({.kind = Code::Part,
                    .isAssignable = made.isWritable,
                    .type = made.type,
-                   .place = place,
+                   .location = location,
                    .operands = {made.id}});
   return made;
 }
 
-Operand Parser::elementOf(const Operand& whole, const Operand& index, Location place) {
+Operand Parser::elementOf(const Operand& whole, const Operand& index, Location location) {
   const Type type = whole.type;
   if (!type.isArray() && !type.isVector() && !type.isMatrix())
-    return failOperand(place, describe(whole) + " has no elements");
+    return failOperand(location, describe(whole) + " has no elements");
   if (!canConvert(index, intType) && !canConvert(index, uintType))
-    return failOperand(place, "expected an i32 or u32 as index, got " + describe(index));
+    return failOperand(location, "expected an i32 or u32 as index, got " + describe(index));
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
   const auto known = wholeOf(index);
   if (known && (*known < 0 || (*known >= count && count > 0)))
-    return failOperand(place, "expected an index from 0 to " + std::to_string(count - 1) +
-                                  ", got " + std::to_string(*known));
+    return failOperand(location, "expected an index from 0 to " + std::to_string(count - 1) +
+                                     ", got " + std::to_string(*known));
   const Type one = type.isArray()    ? type.element()
                    : type.isMatrix() ? vectorType(type.base, type.rows)
                                      : scalarOf(type.base);
@@ -188,16 +190,16 @@ Operand Parser::elementOf(const Operand& whole, const Operand& index, Location p
   }
   if (whole.id == nothing && !whole.host.empty() && type.isArray() && type.length == 0) {
     made.host += "[]";
-    made.hostIndices.push_back(concrete(index, place).id);
+    made.hostIndices.push_back(concrete(index, location).id);
     return made;
   }
-  const Operand from = whole.id == nothing ? concrete(whole, place) : whole;
-  if (problems_.any()) return failOperand(place, "");
+  const Operand from = whole.id == nothing ? concrete(whole, location) : whole;
+  if (problems_.any()) return failOperand(location, "");
   made.id = add({.kind = Code::Element,
                  .isAssignable = from.isWritable,
                  .type = one,
-                 .place = place,
-                 .operands = {from.id, concrete(index, place).id}});
+                 .location = location,
+                 .operands = {from.id, concrete(index, location).id}});
   made.kind = from.kind;
   made.isWritable = from.isWritable;
   made.known.clear();
@@ -205,25 +207,25 @@ Operand Parser::elementOf(const Operand& whole, const Operand& index, Location p
   return made;
 }
 
-Operand Parser::addressOf(const Operand& operand, Location place) {
+Operand Parser::addressOf(const Operand& operand, Location location) {
   if (operand.kind != Operand::Kind::Reference)
-    return failOperand(place, "expected a variable after &, got a value");
+    return failOperand(location, "expected a variable after &, got a value");
   if (operand.id != nothing) {
     const Expression& node = tree_.expressions[operand.id];
     const bool isComponent =
         node.kind == Code::Swizzle ||
         (node.kind == Code::Element && tree_.expressions[node.operands[0]].type.isVector());
     if (isComponent)
-      return failOperand(place, "a component of a vector has no address; use the whole vector");
+      return failOperand(location, "a component of a vector has no address; use the whole vector");
   }
   Operand made = operand;
   made.kind = Operand::Kind::Pointer;
   return made;
 }
 
-Operand Parser::dereference(const Operand& operand, Location place) {
+Operand Parser::dereference(const Operand& operand, Location location) {
   if (!operand.isPointer())
-    return failOperand(place, "expected a pointer after *, got " + describe(operand));
+    return failOperand(location, "expected a pointer after *, got " + describe(operand));
   Operand made = operand;
   made.kind = Operand::Kind::Reference;
   return made;

@@ -26,7 +26,7 @@ bool Parser::unify(Operand& left, Operand& right) {
   Type wanted = abstract.type;
   wanted.base = other.type.base;
   if (!other.type.isNumeric() || !canConvert(abstract, wanted)) return false;
-  abstract = {.id = convert(abstract, wanted, peek().place), .type = wanted};
+  abstract = {.id = convert(abstract, wanted, peek().location), .type = wanted};
   return true;
 }
 
@@ -56,19 +56,19 @@ std::optional<Type> Parser::typeOfBinary(Operator op, Type left, Type right) con
   return source::typeOfBinary(op == Remainder ? Add : op, left, right, tree_.types);
 }
 
-Operand Parser::makeBinary(Operator op, Operand left, Operand right, Location place) {
-  left = load(left, place);
-  right = load(right, place);
-  if (problems_.any()) return failOperand(place, "");
+Operand Parser::makeBinary(Operator op, Operand left, Operand right, Location location) {
+  left = load(left, location);
+  right = load(right, location);
+  if (problems_.any()) return failOperand(location, "");
   const Operand a = left, b = right;
   if (isShift(op)) {
     // The count is a u32, whatever the other operand is.
     Type wanted = right.type;
     wanted.base = Base::Uint;
     if (right.isAbstract() && canConvert(right, wanted) && !left.isAbstract())
-      right = {.id = convert(right, wanted, place), .type = wanted};
+      right = {.id = convert(right, wanted, location), .type = wanted};
     else if (!right.isAbstract() && left.isAbstract())
-      left = concrete(left, place);
+      left = concrete(left, location);
   }
   const bool areAbstract = left.isAbstract() && right.isAbstract();
   const bool fits = isShift(op) || unify(left, right);
@@ -76,7 +76,7 @@ Operand Parser::makeBinary(Operator op, Operand left, Operand right, Location pl
   const auto type = fits && !a.isPointer() && !b.isPointer()
                         ? typeOfBinary(op, left.type, right.type)
                         : std::nullopt;
-  if (problems_.any()) return failOperand(place, "");
+  if (problems_.any()) return failOperand(location, "");
   if (!type) {
     const bool mixes = a.type.isNumeric() && b.type.isNumeric() && a.type.base != b.type.base &&
                        a.type.base != Base::Bool && b.type.base != Base::Bool;
@@ -85,45 +85,46 @@ Operand Parser::makeBinary(Operator op, Operand left, Operand right, Location pl
         isShift(op) && a.type.isInteger() ? "; the number of bits must be a u32: write u32(n)"
         : mixes ? "; WGSL has no implicit conversions: write " + wanted + "(x)"
                 : "";
-    return failOperand(place, quoted(textOf(op)) + " does not take " + describe(a) + " and " +
-                                  describe(b) + advice);
+    return failOperand(location, quote(textOf(op)) + " does not take " + describe(a) + " and " +
+                                     describe(b) + advice);
   }
   if (areAbstract) {
     const auto numbers = foldAbstract(op, left, right, *type);
     if (!numbers)
-      return failOperand(place, op == Operator::Divide || op == Operator::Remainder
-                                    ? "this divides by zero"
-                                    : "this value is too large");
-    if (type->base != Base::Bool) return abstractOf(*type, *numbers, place);
-    return {.id = constantOf(*type, numbers->data(), place), .type = *type};
+      return failOperand(location, op == Operator::Divide || op == Operator::Remainder
+                                       ? "this divides by zero"
+                                       : "this value is too large");
+    if (type->base != Base::Bool) return abstractOf(*type, *numbers, location);
+    return {.id = constantOf(*type, numbers->data(), location), .type = *type};
   }
-  checkKnown(op, right, place);
-  if (isComparison(op) && !left.type.isScalar()) return compare(op, left, right, place);
+  checkKnown(op, right, location);
+  if (isComparison(op) && !left.type.isScalar()) return compare(op, left, right, location);
   return make({.kind = Code::Binary,
                .op = op,
                .type = *type,
-               .place = place,
+               .location = location,
                .operands = {left.id, right.id}});
 }
 
 // Rejects a constant divisor of zero, and a constant shift by 32 or more.
-void Parser::checkKnown(Operator op, const Operand& right, Location place) {
+void Parser::checkKnown(Operator op, const Operand& right, Location location) {
   const bool divides = op == Operator::Divide || op == Operator::Remainder;
   if (!right.type.isInteger() || (!divides && !isShift(op))) return;
   for (const std::int32_t number : constants_.integers(right.id)) {
-    if (divides && number == 0) fail(place, "this divides by zero");
-    if (isShift(op) && (number < 0 || number > 31)) fail(place, "expected a shift by 0 to 31 bits");
+    if (divides && number == 0) fail(location, "this divides by zero");
+    if (isShift(op) && (number < 0 || number > 31))
+      fail(location, "expected a shift by 0 to 31 bits");
   }
 }
 
 // Vectors are compared component by component.
-Operand Parser::compare(Operator op, const Operand& left, const Operand& right, Location place) {
+Operand Parser::compare(Operator op, const Operand& left, const Operand& right, Location location) {
   const Type types[]{left.type, right.type};
   const auto found = findBuiltIn(tree_.builtIns, textOf(op), types);
   return make({.kind = Code::BuiltIn,
                .type = found->result,
                .index = found->row,
-               .place = place,
+               .location = location,
                .operands = {left.id, right.id}});
 }
 
@@ -135,22 +136,22 @@ Operand Parser::makeUnary(const Token& symbol, Operand operand) {
                     : symbol.is("~") ? type.isInteger()
                                      : type.base == Base::Int || type.base == Base::Float);
   if (!fits)
-    return failOperand(symbol.place, quoted(symbol.text) + " does not take " + describe(operand));
+    return failOperand(symbol.location, quote(symbol.text) + " does not take " + describe(operand));
   if (operand.isAbstract()) {
     for (double& number : operand.known) number = symbol.is("-") ? -number : -number - 1;
-    return abstractOf(type, std::move(operand.known), symbol.place);
+    return abstractOf(type, std::move(operand.known), symbol.location);
   }
   if (symbol.is("!") && !type.isScalar())
     return make({.kind = Code::BuiltIn,
                  .type = type,
                  .index = findBuiltIn(tree_.builtIns, "!", std::array{type})->row,
-                 .place = symbol.place,
+                 .location = symbol.location,
                  .operands = {operand.id}});
   return make({.kind = symbol.is("-")   ? Code::Negate
                        : symbol.is("!") ? Code::Not
                                         : Code::Complement,
                .type = type,
-               .place = symbol.place,
+               .location = symbol.location,
                .operands = {operand.id}});
 }
 

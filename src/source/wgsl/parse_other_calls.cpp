@@ -46,8 +46,8 @@ constexpr std::array advices{
 Operand Parser::withStructure(const Token& name, const Operand& operand) {
   const bool isModf = name.is("modf");
   if (!operand.type.isNumeric() || operand.type.base != Base::Float || operand.type.isMatrix())
-    return failOperand(name.place,
-                       quoted(name.text) + " cannot be called with (" + nameOf(operand) + ")");
+    return failOperand(name.location,
+                       quote(name.text) + " cannot be called with (" + nameOf(operand) + ")");
   const int size = operand.type.rows;
   tree_.made.push_back("__" + std::string(name.text) + "_result_" + nameOf(operand.type));
   Structure made{.name = tree_.made.back()};
@@ -67,61 +67,62 @@ Operand Parser::withStructure(const Token& name, const Operand& operand) {
   return make({.kind = Code::BuiltIn,
                .type = type,
                .index = found->row,
-               .place = name.place,
+               .location = name.location,
                .operands = {operand.id}});
 }
 
 Operand Parser::bitcast(const Token& name) {
-  if (!expect("<", "bitcast")) return failOperand(name.place, "");
+  if (!expect("<", "bitcast")) return failOperand(name.location, "");
   const Type type = this->type();
   expect(">", "the type of a bitcast");
   Operands operands = arguments();
-  if (problems_.any()) return failOperand(name.place, "");
+  if (problems_.any()) return failOperand(name.location, "");
   const bool isOne = operands.size() == 1 && operands[0].type.isNumeric() &&
                      !operands[0].isPointer() && !type.isMatrix() && type.isNumeric() &&
                      type.base != Base::Bool;
   if (!isOne || operands[0].type.layout() != type.layout() || operands[0].type.base == Base::Bool)
-    return failOperand(name.place, "expected " + std::to_string(type.rows) +
-                                       " numbers of 32 bits for bitcast<" + nameOf(type) +
-                                       ">, got (" + typesOf(operands) + ")");
+    return failOperand(name.location, "expected " + std::to_string(type.rows) +
+                                          " numbers of 32 bits for bitcast<" + nameOf(type) +
+                                          ">, got (" + typesOf(operands) + ")");
   // Numbers without a type are those of i32, or of u32 beyond it.
   const bool isWide =
       type.base == Base::Uint && operands[0].isAbstract() && operands[0].type.base == Base::Int;
   const Operand given = isWide && operands[0].known[0] >= 0
-                            ? Operand{.id = convert(operands[0], type, name.place), .type = type}
-                            : concrete(operands[0], name.place);
+                            ? Operand{.id = convert(operands[0], type, name.location), .type = type}
+                            : concrete(operands[0], name.location);
   if (problems_.any() || given.type == type) return given;
   if (given.type.isInteger() && type.isInteger())
     return make(
-        {.kind = Code::Construct, .type = type, .place = name.place, .operands = {given.id}});
+        {.kind = Code::Construct, .type = type, .location = name.location, .operands = {given.id}});
   const std::string row = "bitcast<" + nameOf(scalarOf(type.base)) + ">";
   const auto found = findBuiltIn(tree_.builtIns, row, std::array{given.type});
   return make({.kind = Code::BuiltIn,
                .type = type,
                .index = found->row,
-               .place = name.place,
+               .location = name.location,
                .operands = {given.id}});
 }
 
 // Functions for memory that shaders share, and names that WGSL does not have.
 Operand Parser::callOther(const Token& name, const Operands& operands) {
   const std::string reason =
-      quoted(name.text) + " is for memory that shaders share, which a warp cannot read";
+      quote(name.text) + " is for memory that shaders share, which a warp cannot read";
   if (name.text.starts_with("atomic") && !operands.empty() && operands[0].isPointer())
-    return unsupported(name.place, name.is("atomicStore") ? voidType : operands[0].type, reason);
+    return unsupported(name.location, name.is("atomicStore") ? voidType : operands[0].type, reason);
   if (name.is("arrayLength"))
-    return unsupported(name.place, uintType,
+    return unsupported(name.location, uintType,
                        "the length of this array is known only when the shader runs");
   if (name.is("workgroupBarrier") || name.is("storageBarrier") || name.is("textureBarrier"))
-    return unsupported(name.place, voidType, reason);
+    return unsupported(name.location, voidType, reason);
   for (const auto& [glsl, instead] : advices)
     if (name.text == glsl)
-      return failOperand(name.place,
-                         quoted(glsl) + " is a function of GLSL; write " + std::string(instead));
+      return failOperand(name.location,
+                         quote(glsl) + " is a function of GLSL; write " + std::string(instead));
   Nearest nearest(name.text);
   for (const BuiltIn& row : tree_.builtIns) nearest.offer(row.name);
   for (const std::string_view other : order_) nearest.offer(other);
-  return failOperand(name.place, "there is no function " + quoted(name.text) + nearest.question());
+  return failOperand(name.location,
+                     "there is no function " + quote(name.text) + nearest.question());
 }
 
 }  // namespace warpjet::source::wgsl

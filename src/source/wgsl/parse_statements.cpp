@@ -8,22 +8,23 @@ StatementId Parser::add(Statement statement) {
   return static_cast<StatementId>(tree_.statements.size() - 1);
 }
 
-StatementId Parser::makeBlock(Location place, std::vector<StatementId> children) {
-  return add({.kind = Statement::Kind::Block, .place = place, .children = std::move(children)});
+StatementId Parser::makeBlock(Location location, std::vector<StatementId> children) {
+  return add(
+      {.kind = Statement::Kind::Block, .location = location, .children = std::move(children)});
 }
 
-StatementId Parser::evaluate(ExpressionId expression, Location place) {
-  return add({.kind = Statement::Kind::Evaluate, .expression = expression, .place = place});
+StatementId Parser::evaluate(ExpressionId expression, Location location) {
+  return add({.kind = Statement::Kind::Evaluate, .expression = expression, .location = location});
 }
 
 // Parses from the brace to its counterpart. The caller opens its scope.
 std::vector<StatementId> Parser::blockStatements() {
-  const Location place = peek().place;
+  const Location location = peek().location;
   std::vector<StatementId> children;
   if (!expect("{", "this")) return children;
   while (!peek().is("}") && !problems_.any()) {
     if (peek().kind == Token::Kind::End) {
-      fail(place, "this { has no }");
+      fail(location, "this { has no }");
       break;
     }
     if (const StatementId child = statement(); child != nothing) children.push_back(child);
@@ -33,11 +34,11 @@ std::vector<StatementId> Parser::blockStatements() {
 }
 
 StatementId Parser::block() {
-  const Location place = peek().place;
+  const Location location = peek().location;
   scopes_.open();
   std::vector<StatementId> children = blockStatements();
   scopes_.close();
-  return makeBlock(place, std::move(children));
+  return makeBlock(location, std::move(children));
 }
 
 StatementId Parser::statement() {
@@ -59,13 +60,14 @@ StatementId Parser::statement() {
       return nothing;
     }
     if (token.is("fn") || token.is("struct") || token.is("alias") || token.is("override")) {
-      fail(token.place, quoted(token.text) + " is for declarations outside of functions");
+      fail(token.location, quote(token.text) + " is for declarations outside of functions");
       return nothing;
     }
     if (token.is("case") || token.is("default") || token.is("continuing") || token.is("else")) {
-      fail(token.place, token.is("continuing") ? "continuing must be the last statement of a loop"
-                                               : quoted(token.text) + " belongs to no " +
-                                                     (token.is("else") ? "if" : "switch"));
+      fail(token.location,
+           token.is("continuing")
+               ? "continuing must be the last statement of a loop"
+               : quote(token.text) + " belongs to no " + (token.is("else") ? "if" : "switch"));
       return nothing;
     }
     const StatementId made = simpleStatement();
@@ -75,16 +77,16 @@ StatementId Parser::statement() {
 }
 
 ExpressionId Parser::condition(std::string_view after) {
-  const Location place = peek().place;
+  const Location location = peek().location;
   const Operand test = value();
   if (!problems_.any() && (!test.type.isBool() || test.isPointer()))
-    fail(place, "expected a bool as the condition of this " + std::string(after) + ", got " +
-                    describe(test));
-  return test.id == nothing ? failOperand(place, "").id : test.id;
+    fail(location, "expected a bool as the condition of this " + std::string(after) + ", got " +
+                       describe(test));
+  return test.id == nothing ? failOperand(location, "").id : test.id;
 }
 
 StatementId Parser::ifStatement() {
-  const Location place = take().place;
+  const Location location = take().location;
   const ExpressionId test = condition("if");
   std::vector<StatementId> children{block()};
   if (accept("else")) {
@@ -96,49 +98,52 @@ StatementId Parser::ifStatement() {
   }
   return add({.kind = Statement::Kind::If,
               .expression = test,
-              .place = place,
+              .location = location,
               .children = std::move(children)});
 }
 
 StatementId Parser::returnStatement() {
-  const Location place = take().place;
+  const Location location = take().location;
   const Type wanted = tree_.functions[current_].type;
   ExpressionId result = nothing;
-  if (isContinuing_) fail(place, "return is not allowed in a continuing block");
+  if (isContinuing_) fail(location, "return is not allowed in a continuing block");
   if (!peek().is(";")) {
     const Operand given = value();
     if (problems_.any()) return nothing;
     if (wanted == voidType)
-      fail(place, "this function returns nothing; write return; or -> and a type in its head");
+      fail(location, "this function returns nothing; write return; or -> and a type in its head");
     else if (!canConvert(given, wanted))
-      fail(place,
+      fail(location,
            "expected this function to return " + describe(wanted) + ", got " + describe(given));
-    result = convert(given, wanted, place);
+    result = convert(given, wanted, location);
   } else if (wanted != voidType) {
-    fail(place, "expected this function to return " + describe(wanted) + ", got nothing");
+    fail(location, "expected this function to return " + describe(wanted) + ", got nothing");
   }
   expect(";", "return");
-  return add({.kind = Statement::Kind::Return, .expression = result, .place = place});
+  return add({.kind = Statement::Kind::Return, .expression = result, .location = location});
 }
 
 StatementId Parser::jump() {
   const Token token = take();
   if (token.is("discard")) {
     expect(";", token.text);
-    const Operand fails = unsupported(
-        token.place, voidType, "discard is for fragments; a warp moves vertices and discards none");
-    return evaluate(fails.id, token.place);
+    const Operand fails =
+        unsupported(token.location, voidType,
+                    "discard is for fragments; a warp moves vertices and discards none");
+    return evaluate(fails.id, token.location);
   }
   const bool isInside = loops_ || (switches_ && token.is("break"));
-  if (!isInside && !isContinuing_) fail(token.place, quoted(token.text) + " is outside of a loop");
+  if (!isInside && !isContinuing_)
+    fail(token.location, quote(token.text) + " is outside of a loop");
   if (!isInside)
-    fail(token.place, peek().is("if") ? "break if must be the last statement of a continuing block"
-                                      : quoted(token.text) +
-                                            " is not allowed in a continuing block; write "
-                                            "break if at its end");
+    fail(token.location, peek().is("if")
+                             ? "break if must be the last statement of a continuing block"
+                             : quote(token.text) +
+                                   " is not allowed in a continuing block; write "
+                                   "break if at its end");
   expect(";", token.text);
   return add({.kind = token.is("break") ? Statement::Kind::Break : Statement::Kind::Continue,
-              .place = token.place});
+              .location = token.location});
 }
 
 }  // namespace warpjet::source::wgsl

@@ -6,10 +6,10 @@ namespace warpjet::source::wgsl {
 // Only textureSampleLevel, textureLoad and textureDimensions read a texture_2d<f32> without the
 // neighboring fragments; others fail when they are evaluated.
 Operand Parser::callTexture(const Token& name, Operands operands) {
-  const Location place = name.place;
+  const Location location = name.location;
   if (operands.empty() || operands[0].type != samplerType)
-    return failOperand(place, "expected a texture as the first argument of " +
-                                  std::string(name.text) + ", got (" + typesOf(operands) + ")");
+    return failOperand(location, "expected a texture as the first argument of " +
+                                     std::string(name.text) + ", got (" + typesOf(operands) + ")");
   const Operand& image = operands[0];
   const bool isLevel = name.is("textureSampleLevel"), isLoad = name.is("textureLoad");
   const bool isSize = name.is("textureDimensions");
@@ -23,15 +23,15 @@ Operand Parser::callTexture(const Token& name, Operands operands) {
                         : isCount                 ? uintType
                         : name.is("textureStore") ? voidType
                                                   : texel;
-    return unsupported(place, result,
-                       isReadable ? quoted(name.text) +
+    return unsupported(location, result,
+                       isReadable ? quote(name.text) +
                                         " cannot be used in a warp; write "
                                         "textureSampleLevel(image, sampler, uv, 0)"
                                   : "only a texture_2d<f32> can be read in a warp");
   }
   const auto wrong = [&](const std::string& wanted) {
-    return failOperand(place, quoted(name.text) + " expected (texture_2d<f32>, " + wanted +
-                                  "), got (" + typesOf(operands) + ")");
+    return failOperand(location, quote(name.text) + " expected (texture_2d<f32>, " + wanted +
+                                     "), got (" + typesOf(operands) + ")");
   };
   const auto of = [&](std::string_view row, std::initializer_list<ExpressionId> given,
                       std::initializer_list<Type> types) {
@@ -39,14 +39,15 @@ Operand Parser::callTexture(const Token& name, Operands operands) {
     return make({.kind = Code::BuiltIn,
                  .type = found->result,
                  .index = found->row,
-                 .place = place,
+                 .location = location,
                  .operands = given});
   };
   const auto asInts = [&](const Operand& given) {
     Type type = given.type;
     type.base = Base::Int;
-    if (given.isAbstract() || given.type == type) return convert(given, type, place);
-    return add({.kind = Code::Construct, .type = type, .place = place, .operands = {given.id}});
+    if (given.isAbstract() || given.type == type) return convert(given, type, location);
+    return add(
+        {.kind = Code::Construct, .type = type, .location = location, .operands = {given.id}});
   };
   const auto isWhole = [](const Operand& given, int size) {
     return given.type.isInteger() && given.type.rows == size && !given.isPointer();
@@ -55,11 +56,12 @@ Operand Parser::callTexture(const Token& name, Operands operands) {
   if (isSize) {
     if (operands.size() > 2 || (operands.size() == 2 && !isWhole(operands[1], 1)))
       return wrong("level");
-    const ExpressionId level = operands.size() == 2 ? asInts(operands[1]) : zero(intType, place).id;
+    const ExpressionId level =
+        operands.size() == 2 ? asInts(operands[1]) : zero(intType, location).id;
     const Operand size = of("textureDimensions", {image.id, level}, {samplerType, intType});
     return make({.kind = Code::Construct,
                  .type = vectorType(Base::Uint, 2),
-                 .place = place,
+                 .location = location,
                  .operands = {size.id}});
   }
   if (isLoad) {
@@ -72,15 +74,15 @@ Operand Parser::callTexture(const Token& name, Operands operands) {
   if ((operands.size() != 4 && !hasOffset) || operands[1].type != voidType ||
       !canConvert(operands[2], vec2) || !canConvert(operands[3], floatType))
     return wrong("sampler, vec2f, f32");
-  const ExpressionId at = convert(operands[2], vec2, place),
-                     level = convert(operands[3], floatType, place);
+  const ExpressionId at = convert(operands[2], vec2, location),
+                     level = convert(operands[3], floatType, location);
   if (!hasOffset)
     return of("textureSampleLevel", {image.id, at, level}, {samplerType, vec2, floatType});
   if (!canConvert(operands[4], ivec2)) return wrong("sampler, vec2f, f32, vec2i");
-  const ExpressionId offset = convert(operands[4], ivec2, place);
+  const ExpressionId offset = convert(operands[4], ivec2, location);
   for (const std::int32_t number : constants_.integers(offset))
-    if (number < -8 || number > 7) fail(place, "expected an offset from -8 to 7");
-  if (constants_.integers(offset).empty()) fail(place, "the offset must be a constant");
+    if (number < -8 || number > 7) fail(location, "expected an offset from -8 to 7");
+  if (constants_.integers(offset).empty()) fail(location, "the offset must be a constant");
   return of("textureSampleLevelOffset", {image.id, at, level, offset},
             {samplerType, vec2, floatType, ivec2});
 }

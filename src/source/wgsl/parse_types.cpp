@@ -59,14 +59,14 @@ bool Parser::startsType(std::size_t ahead) {
 Type Parser::vectorOrMatrix(const Token& word) {
   const auto [columns, rows] = shapeOf(word.text);
   if (!expect("<", word.text)) return floatType;
-  const Location place = peek().place;
-  if (peek().is("f16")) fail(place, noHalf);
+  const Location location = peek().location;
+  if (peek().is("f16")) fail(location, noHalf);
   const Type scalar = type();
   expect(">", "the type in " + std::string(word.text) + "<");
   if (problems_.any()) return floatType;
   if (!scalar.isScalar() || (columns > 1 && scalar != floatType)) {
-    fail(place, "expected " + std::string(columns > 1 ? "f32" : "f32, i32, u32 or bool") + " in " +
-                    std::string(word.text) + "< >, got " + nameOf(scalar));
+    fail(location, "expected " + std::string(columns > 1 ? "f32" : "f32, i32, u32 or bool") +
+                       " in " + std::string(word.text) + "< >, got " + nameOf(scalar));
     return floatType;
   }
   return columns > 1 ? matrixType(columns, rows) : vectorType(scalar.base, rows);
@@ -74,13 +74,13 @@ Type Parser::vectorOrMatrix(const Token& word) {
 
 // The constant length of an array, in a template list.
 std::int32_t Parser::arrayLength() {
-  const Location place = peek().place;
-  Operand length = load(additive(unary()), place);
+  const Location location = peek().location;
+  Operand length = load(additive(unary()), location);
   if (problems_.any()) return 1;
   const auto known = wholeOf(length);
   if (!known || *known < 1 || *known > maxArrayLength) {
-    fail(place, "the length of an array must be a constant whole number from 1 to " +
-                    std::to_string(maxArrayLength));
+    fail(location, "the length of an array must be a constant whole number from 1 to " +
+                       std::to_string(maxArrayLength));
     return 1;
   }
   return static_cast<std::int32_t>(*known);
@@ -113,7 +113,7 @@ Type Parser::arrayOf(Type element, std::int32_t length) {
 }
 
 // Parses from `<` on. An array without a length has the length 0.
-Type Parser::arrayType(Location place) {
+Type Parser::arrayType(Location location) {
   if (!expect("<", "array")) return floatType;
   const Type element = type();
   std::int32_t length = 0;
@@ -124,11 +124,11 @@ Type Parser::arrayType(Location place) {
   expect(">", "the type of an array");
   if (problems_.any()) return floatType;
   if (element.length == 0) {
-    fail(place, "the elements of an array need a length of their own");
+    fail(location, "the elements of an array need a length of their own");
     return floatType;
   }
   if (static_cast<std::int64_t>(tree_.types.size(element)) * length > maxValueSize)
-    fail(place, "this array is too large");
+    fail(location, "this array is too large");
   return arrayOf(element, length);
 }
 
@@ -140,7 +140,7 @@ Parser::DeclaredType Parser::pointerType() {
                               std::string_view("workgroup"), std::string_view("uniform"),
                               std::string_view("storage")};
   if (std::find(spaces.begin(), spaces.end(), space) == spaces.end())
-    fail(word.place, "there is no address space " + quoted(space));
+    fail(word.location, "there is no address space " + quote(space));
   expect(",", "the address space of a ptr");
   DeclaredType made = declaredType();
   std::string_view access;
@@ -167,7 +167,7 @@ Parser::DeclaredType Parser::textureType(const Token& word) {
     while (!accept(">") && peek().kind != Token::Kind::End) take();
     if (word.is("texture_2d") && isFloat) return made;
   }
-  made.unsupported = quoted(word.text) + " cannot be read in a warp; only texture_2d<f32> can";
+  made.unsupported = quote(word.text) + " cannot be read in a warp; only texture_2d<f32> can";
   return made;
 }
 
@@ -175,7 +175,7 @@ Parser::DeclaredType Parser::textureType(const Token& word) {
 Parser::DeclaredType Parser::declaredType() {
   const Token word = peek();
   if (word.kind != Token::Kind::Name || !goDeeper()) {
-    fail(word.place, "expected a type, " + describeNext());
+    fail(word.location, "expected a type, " + describeNext());
     return {floatType};
   }
   if (!isDeclared(word.text)) {
@@ -194,20 +194,20 @@ Type Parser::type() {
   if (!goDeeper()) return floatType;
   return deeper([&]() -> Type {
     if (word.kind != Token::Kind::Name) {
-      fail(word.place, "expected a type, " + describeNext());
+      fail(word.location, "expected a type, " + describeNext());
       return floatType;
     }
     take();
     if (isDeclared(word.text)) {
       const Entity known = resolve(word.text);
       if (known.kind == Entity::Kind::Type) return known.type;
-      fail(word.place, known.kind == Entity::Kind::Unsupported
-                           ? known.reason
-                           : "expected a type, got " + quoted(word.text));
+      fail(word.location, known.kind == Entity::Kind::Unsupported
+                              ? known.reason
+                              : "expected a type, got " + quote(word.text));
       return floatType;
     }
     if (const auto found = shorthand(word.text)) return *found;
-    if (word.is("array")) return arrayType(word.place);
+    if (word.is("array")) return arrayType(word.location);
     if (word.is("atomic")) {
       // Only memory that shaders share has atomics, which no warp can read.
       expect("<", "atomic");
@@ -216,7 +216,7 @@ Type Parser::type() {
       return made;
     }
     if (word.is("ptr")) {
-      fail(word.place, quoted(word.text) + " is not allowed here");
+      fail(word.location, quote(word.text) + " is not allowed here");
       return floatType;
     }
     if (isGenerator(word.text)) return vectorOrMatrix(word);
@@ -234,12 +234,12 @@ Type Parser::type() {
                                                                       {"uvec4", "vec4u"}}};
     for (const auto& [glsl, wgsl] : ofGlsl)
       if (word.text == glsl) {
-        fail(word.place, quoted(glsl) + " is a type of GLSL; write " + std::string(wgsl));
+        fail(word.location, quote(glsl) + " is a type of GLSL; write " + std::string(wgsl));
         return floatType;
       }
     const bool isHalf = word.is("f16") || (shapeOf(word.text)[0] && word.text.ends_with("h"));
-    fail(word.place,
-         isHalf ? noHalf : "there is no type " + quoted(word.text) + nearestName(word.text));
+    fail(word.location,
+         isHalf ? noHalf : "there is no type " + quote(word.text) + nearestName(word.text));
     return floatType;
   });
 }

@@ -7,16 +7,16 @@ StatementId Parser::declareLocal(const Token& name, Type type, Variable::Kind ki
                                  ExpressionId start, bool isWritable) {
   if (problems_.any()) return nothing;
   if (type.length == 0 || type == voidType || type.base == Base::Sampler) {
-    fail(name.place, quoted(name.text) + " cannot be " + describe(type));
+    fail(name.location, quote(name.text) + " cannot be " + describe(type));
     return nothing;
   }
-  const VariableId variable = addVariable(name.text, type, kind, name.place);
+  const VariableId variable = addVariable(name.text, type, kind, name.location);
   tree_.variables[variable].start = start;
   const ExpressionId node = add({.kind = Code::Variable,
                                  .isAssignable = isWritable,
                                  .type = type,
                                  .index = variable,
-                                 .place = name.place});
+                                 .location = name.location});
   declare(name, {.kind = Entity::Kind::Value,
                  .value = {.kind = isWritable ? Operand::Kind::Reference : Operand::Kind::Value,
                            .isWritable = isWritable,
@@ -25,7 +25,7 @@ StatementId Parser::declareLocal(const Token& name, Type type, Variable::Kind ki
   return add({.kind = Statement::Kind::Declare,
               .index = variable,
               .expression = start,
-              .place = name.place});
+              .location = name.location});
 }
 
 StatementId Parser::variableStatement() {
@@ -33,25 +33,25 @@ StatementId Parser::variableStatement() {
   if (accept("<")) {
     const Token space = take();
     if (!space.is("function"))
-      fail(space.place, quoted(space.text) + " is for variables outside of functions");
+      fail(space.location, quote(space.text) + " is for variables outside of functions");
     expect(">", "the address space of a var");
   }
   const Token name = takeName("a variable");
   std::optional<DeclaredType> declared;
   if (accept(":")) declared = declaredType();
-  if (declared && declared->isPointer) fail(name.place, "a pointer is a constant; write let");
+  if (declared && declared->isPointer) fail(name.location, "a pointer is a constant; write let");
   if (!accept("=")) {
-    if (!declared) fail(name.place, quoted(name.text) + " needs a type or a value");
+    if (!declared) fail(name.location, quote(name.text) + " needs a type or a value");
     if (problems_.any()) return nothing;
-    if (!declared->unsupported.empty()) fail(name.place, declared->unsupported);
+    if (!declared->unsupported.empty()) fail(name.location, declared->unsupported);
     return declareLocal(name, declared->type, Variable::Kind::Local,
-                        zero(declared->type, name.place).id, true);
+                        zero(declared->type, name.location).id, true);
   }
   const Operand start = value();
   if (problems_.any()) return nothing;
-  if (start.isPointer()) fail(name.place, "a pointer is a constant; write let");
-  const Type type = initialType(declared, start, name.place, name.text);
-  return declareLocal(name, type, Variable::Kind::Local, convert(start, type, name.place), true);
+  if (start.isPointer()) fail(name.location, "a pointer is a constant; write let");
+  const Type type = initialType(declared, start, name.location, name.text);
+  return declareLocal(name, type, Variable::Kind::Local, convert(start, type, name.location), true);
 }
 
 // The place that a pointer points to is known when it is made: indices are stored before.
@@ -64,13 +64,13 @@ Operand Parser::freeze(const Operand& reference, std::vector<StatementId>& befor
   node.operands[0] = freeze(whole, before).id;
   if (node.kind == Code::Element && !constants_.isConstant(node.operands[1])) {
     const Type type = tree_.expressions[node.operands[1]].type;
-    const VariableId index = addVariable("index", type, Variable::Kind::Local, node.place);
+    const VariableId index = addVariable("index", type, Variable::Kind::Local, node.location);
     before.push_back(add({.kind = Statement::Kind::Declare,
                           .index = index,
                           .expression = node.operands[1],
-                          .place = node.place}));
+                          .location = node.location}));
     node.operands[1] =
-        add({.kind = Code::Variable, .type = type, .index = index, .place = node.place});
+        add({.kind = Code::Variable, .type = type, .index = index, .location = node.location});
   }
   Operand made = reference;
   made.id = add(std::move(node));
@@ -82,21 +82,21 @@ StatementId Parser::letStatement() {
   const Token name = takeName("a let");
   std::optional<DeclaredType> declared;
   if (accept(":")) declared = declaredType();
-  if (!accept("=")) fail(name.place, "the let " + quoted(name.text) + " needs a value");
+  if (!accept("=")) fail(name.location, "the let " + quote(name.text) + " needs a value");
   Operand start = value();
   if (problems_.any()) return nothing;
   if (start.isPointer()) {
     if (declared && (!declared->isPointer || declared->type != start.type))
-      fail(name.place, "expected " + describe(declared->type) + " as the value of " +
-                           quoted(name.text) + ", got " + describe(start));
+      fail(name.location, "expected " + describe(declared->type) + " as the value of " +
+                              quote(name.text) + ", got " + describe(start));
     std::vector<StatementId> before;
     start = freeze(start, before);
     declare(name, {.kind = Entity::Kind::Value, .value = start});
-    return makeBlock(name.place, std::move(before));
+    return makeBlock(name.location, std::move(before));
   }
   if (declared && declared->isPointer)
-    fail(name.place,
-         "expected a pointer as the value of " + quoted(name.text) + ", got " + describe(start));
+    fail(name.location,
+         "expected a pointer as the value of " + quote(name.text) + ", got " + describe(start));
   const bool isHandle =
       start.type.base == Base::Sampler ||
       (start.type == voidType && tree_.expressions[start.id].kind == Code::Variable);
@@ -104,8 +104,9 @@ StatementId Parser::letStatement() {
     declare(name, {.kind = Entity::Kind::Value, .value = start});
     return nothing;
   }
-  const Type type = initialType(declared, start, name.place, name.text);
-  return declareLocal(name, type, Variable::Kind::Local, convert(start, type, name.place), false);
+  const Type type = initialType(declared, start, name.location, name.text);
+  return declareLocal(name, type, Variable::Kind::Local, convert(start, type, name.location),
+                      false);
 }
 
 StatementId Parser::constStatement() {
@@ -113,7 +114,7 @@ StatementId Parser::constStatement() {
   const Token name = takeName("a constant");
   std::optional<DeclaredType> declared;
   if (accept(":")) declared = declaredType();
-  if (!accept("=")) fail(name.place, "the constant " + quoted(name.text) + " needs a value");
+  if (!accept("=")) fail(name.location, "the constant " + quote(name.text) + " needs a value");
   Operand start = value();
   StatementId made = nothing;
   declare(name, constant(name, declared, std::move(start), &made));
@@ -131,13 +132,14 @@ StatementId Parser::simpleStatement() {
   const Entity known = resolve(token.text);
   const Operand made = value();
   if (problems_.any()) return nothing;
-  if (peek().is("=") || !made.host.empty()) fail(peek().place, "a value cannot be assigned");
+  if (peek().is("=") || !made.host.empty()) fail(peek().location, "a value cannot be assigned");
   const bool isUnsupported =
       made.id != nothing && tree_.expressions[made.id].kind == Code::Unsupported;
   if (known.kind != Entity::Kind::Function && !(isUnsupported && made.type == voidType) &&
       !token.text.starts_with("atomic"))
-    fail(token.place, "the result of " + quoted(token.text) + " must be used; write _ = before it");
-  return evaluate(made.id, token.place);
+    fail(token.location,
+         "the result of " + quote(token.text) + " must be used; write _ = before it");
+  return evaluate(made.id, token.location);
 }
 
 StatementId Parser::assignment() {
@@ -145,20 +147,20 @@ StatementId Parser::assignment() {
   if (start.is("_") && peek(1).is("=")) {
     take();
     take();
-    const Operand made = concrete(value(), start.place);
-    return problems_.any() ? nothing : evaluate(made.id, start.place);
+    const Operand made = concrete(value(), start.location);
+    return problems_.any() ? nothing : evaluate(made.id, start.location);
   }
   // People who know GLSL write `float x = 1.0;`.
   if (start.kind == Token::Kind::Name && peek(1).kind == Token::Kind::Name &&
       !isDeclared(start.text)) {
-    fail(start.place, "expected a statement, got " + quoted(start.text) +
-                          "; WGSL declares a variable by let or var: write let " +
-                          std::string(peek(1).text) + " = and its value");
+    fail(start.location, "expected a statement, got " + quote(start.text) +
+                             "; WGSL declares a variable by let or var: write let " +
+                             std::string(peek(1).text) + " = and its value");
     return nothing;
   }
   const Operand target = unary();
   const std::string_view symbol = operatorHere();
-  const Location place = peek().place;
+  const Location location = peek().location;
   if (problems_.any()) return nothing;
   const bool isStep = symbol == "++" || symbol == "--";
   const bool isPlain = symbol == "=";
@@ -167,63 +169,64 @@ StatementId Parser::assignment() {
                                : nullptr;
   if (row && (row->level == 7 || row->level == 8)) row = nullptr;
   if (!isStep && !isPlain && !row) {
-    fail(place, "expected = or another assignment, " + describeNext());
+    fail(location, "expected = or another assignment, " + describeNext());
     return nothing;
   }
   takeOperator(symbol);
   const std::string name =
       target.id != nothing && tree_.expressions[target.id].kind == Code::Variable
-          ? quoted(tree_.variables[tree_.expressions[target.id].index].name)
+          ? quote(tree_.variables[tree_.expressions[target.id].index].name)
           : "this";
   if (target.kind != Operand::Kind::Reference || !target.isWritable) {
-    fail(place, target.isPointer()     ? "a pointer cannot be changed; write * before it"
-                : !target.host.empty() ? quoted(target.host) +
-                                             " is given by the host and cannot be "
-                                             "changed"
-                                       : name +
-                                             " is a value and cannot be changed; declare it by "
-                                             "var, or assign one component at a time");
+    fail(location, target.isPointer()     ? "a pointer cannot be changed; write * before it"
+                   : !target.host.empty() ? quote(target.host) +
+                                                " is given by the host and cannot be "
+                                                "changed"
+                                          : name +
+                                                " is a value and cannot be changed; declare it by "
+                                                "var, or assign one component at a time");
     return nothing;
   }
   const Type type = target.type;
   if (isStep) {
     if (!type.isScalar() || !type.isInteger())
-      fail(place, quoted(symbol) + " does not take " + describe(type) + "; write += 1");
+      fail(location, quote(symbol) + " does not take " + describe(type) + "; write += 1");
     return evaluate(add({.kind = Code::Increment,
                          .op = symbol == "++" ? Operator::Add : Operator::Subtract,
                          .type = type,
                          .index = 1,
-                         .place = place,
+                         .location = location,
                          .operands = {target.id}}),
-                    place);
+                    location);
   }
   Operand given = value();
   if (problems_.any()) return nothing;
   ExpressionId right = nothing;
   if (isPlain) {
     if (!canConvert(given, type)) {
-      fail(place, "expected " + describe(type) + ", got " + describe(given));
+      fail(location, "expected " + describe(type) + ", got " + describe(given));
       return nothing;
     }
-    right = convert(given, type, place);
+    right = convert(given, type, location);
   } else {
     // Its type is that of the operator; the node is unused.
-    const Operand made = makeBinary(row->op, target, given, place);
+    const Operand made = makeBinary(row->op, target, given, location);
     if (problems_.any()) return nothing;
     if (made.type != type) {
-      fail(place, quoted(symbol) + " does not take " + describe(type) + " and " + describe(given));
+      fail(location,
+           quote(symbol) + " does not take " + describe(type) + " and " + describe(given));
       return nothing;
     }
     right = tree_.expressions[made.id].operands[1];
   }
-  if (tree_.expressions[target.id].kind == Code::Unsupported) return evaluate(target.id, place);
+  if (tree_.expressions[target.id].kind == Code::Unsupported) return evaluate(target.id, location);
   return evaluate(add({.kind = Code::Assign,
                        .op = row ? row->op : Operator{},
                        .isCombined = row != nullptr,
                        .type = type,
-                       .place = place,
+                       .location = location,
                        .operands = {target.id, right}}),
-                  place);
+                  location);
 }
 
 }  // namespace warpjet::source::wgsl

@@ -34,12 +34,12 @@ bool Parser::accept(std::string_view text) {
 
 std::string Parser::describeNext() const {
   return peek().kind == Token::Kind::End ? "got the end of the source"
-                                         : "got " + quoted(peek().text);
+                                         : "got " + quote(peek().text);
 }
 
 bool Parser::expect(std::string_view text, std::string_view after) {
   if (accept(text)) return true;
-  fail(peek().place,
+  fail(peek().location,
        "expected " + std::string(text) + " after " + std::string(after) + ", " + describeNext());
   return false;
 }
@@ -47,16 +47,16 @@ bool Parser::expect(std::string_view text, std::string_view after) {
 Token Parser::takeName(std::string_view what) {
   const Token token = peek();
   if (token.kind != Token::Kind::Name)
-    fail(token.place, "expected a name for " + std::string(what) + ", " + describeNext());
+    fail(token.location, "expected a name for " + std::string(what) + ", " + describeNext());
   else if (std::string why = nameProblem(token.text); !why.empty())
-    fail(token.place, std::move(why));
+    fail(token.location, std::move(why));
   take();
   return token;
 }
 
 bool Parser::goDeeper() {
   if (depth_ < maxDepth) return !problems_.any();
-  fail(peek().place, "this is nested more than " + std::to_string(maxDepth) + " deep");
+  fail(peek().location, "this is nested more than " + std::to_string(maxDepth) + " deep");
   return false;
 }
 
@@ -84,7 +84,7 @@ void Parser::attributes() {
     const bool isKnown = isPlain || std::find(withArguments.begin(), withArguments.end(),
                                               name.text) != withArguments.end();
     if (name.kind != Token::Kind::Name || !isKnown)
-      return fail(name.place, "expected the name of an attribute after @, " + describeNext());
+      return fail(name.location, "expected the name of an attribute after @, " + describeNext());
     take();
     if (isPlain) continue;
     if (!peek().is("(")) {
@@ -93,7 +93,7 @@ void Parser::attributes() {
     }
     int open = 0;
     do {
-      if (peek().kind == Token::Kind::End) return fail(name.place, "this attribute has no )");
+      if (peek().kind == Token::Kind::End) return fail(name.location, "this attribute has no )");
       const Token token = take();
       open += token.is("(") ? 1 : token.is(")") ? -1 : 0;
     } while (open > 0);
@@ -122,7 +122,7 @@ Entity Parser::resolve(std::string_view name) {
   if (found == globals_.end()) return {};
   Global& global = found->second;
   if (global.state == Global::State::Open) {
-    fail(global.place, quoted(name) + " depends on itself");
+    fail(global.location, quote(name) + " depends on itself");
     return {};
   }
   if (global.state == Global::State::New && goDeeper()) {
@@ -156,18 +156,18 @@ std::string Parser::nearestName(std::string_view name) const {
 void Parser::declare(const Token& name, Entity entity) {
   if (problems_.any()) return;
   if (!scopes_.isFree(name.text))
-    return fail(name.place, quoted(name.text) + " is already declared here");
+    return fail(name.location, quote(name.text) + " is already declared here");
   scopes_.add(name.text, std::move(entity));
 }
 
 VariableId Parser::addVariable(std::string_view name, Type type, Variable::Kind kind,
-                               Location place) {
+                               Location location) {
   const int size = tree_.types.size(type);
   if (size > maxValueSize)
-    fail(place, quoted(name) + " is too large");
+    fail(location, quote(name) + " is too large");
   else if ((totalSize_ += size) > maxHeld)
-    fail(place, "the variables of this source are too large in total");
-  tree_.variables.push_back({name, type, place, kind});
+    fail(location, "the variables of this source are too large in total");
+  tree_.variables.push_back({name, type, location, kind});
   return static_cast<VariableId>(tree_.variables.size() - 1);
 }
 

@@ -52,7 +52,7 @@ class Parser {
   Token take();
   bool accept(std::string_view text);
   bool expect(std::string_view text, std::string_view after);
-  void fail(Location place, std::string message) { problems_.add(place, std::move(message)); }
+  void fail(Location location, std::string message) { problems_.add(location, std::move(message)); }
   std::string describeNext() const;
   Token takeName(std::string_view what);
   bool goDeeper();
@@ -61,7 +61,7 @@ class Parser {
   bool isDeclared(std::string_view name) const;
   std::string nearestName(std::string_view name) const;
   void declare(const Token& name, Entity entity);
-  VariableId addVariable(std::string_view name, Type type, Variable::Kind kind, Location place);
+  VariableId addVariable(std::string_view name, Type type, Variable::Kind kind, Location location);
   template <class Work>
   auto deeper(const Work& work);
 
@@ -80,7 +80,7 @@ class Parser {
   Entity overrideConstant();
   void declareGlobally(VariableId variable, ExpressionId start);
   Type initialType(const std::optional<DeclaredType>& declared, const Operand& value,
-                   Location place, std::string_view name);
+                   Location location, std::string_view name);
   Entity constant(const Token& name, const std::optional<DeclaredType>& declared, Operand value,
                   StatementId* statement);
 
@@ -89,7 +89,7 @@ class Parser {
   Type type();
   Type vectorOrMatrix(const Token& word);
   std::optional<Type> shorthand(std::string_view word) const;
-  Type arrayType(Location place);
+  Type arrayType(Location location);
   Type arrayOf(Type element, std::int32_t length);
   DeclaredType pointerType();
   DeclaredType textureType(const Token& word);
@@ -122,8 +122,8 @@ class Parser {
   StatementId returnStatement();
   StatementId jump();
   StatementId add(Statement statement);
-  StatementId makeBlock(Location place, std::vector<StatementId> children);
-  StatementId evaluate(ExpressionId expression, Location place);
+  StatementId makeBlock(Location location, std::vector<StatementId> children);
+  StatementId evaluate(ExpressionId expression, Location location);
   ExpressionId condition(std::string_view after);
 
   // parse_variables.cpp
@@ -164,11 +164,11 @@ class Parser {
   void rejectMixed(std::string_view before);
 
   // parse_operators.cpp
-  Operand makeBinary(Operator op, Operand left, Operand right, Location place);
+  Operand makeBinary(Operator op, Operand left, Operand right, Location location);
   Operand makeUnary(const Token& symbol, Operand operand);
-  Operand compare(Operator op, const Operand& left, const Operand& right, Location place);
+  Operand compare(Operator op, const Operand& left, const Operand& right, Location location);
   std::optional<Type> typeOfBinary(Operator op, Type left, Type right) const;
-  void checkKnown(Operator op, const Operand& right, Location place);
+  void checkKnown(Operator op, const Operand& right, Location location);
   bool unify(Operand& left, Operand& right);
 
   // parse_operands.cpp
@@ -177,32 +177,32 @@ class Parser {
   Operand named();
   Operand member(const Operand& operand);
   Operand element(const Operand& operand);
-  Operand elementOf(const Operand& whole, const Operand& index, Location place);
-  Operand addressOf(const Operand& operand, Location place);
-  Operand dereference(const Operand& operand, Location place);
+  Operand elementOf(const Operand& whole, const Operand& index, Location location);
+  Operand addressOf(const Operand& operand, Location location);
+  Operand dereference(const Operand& operand, Location location);
 
   // operands.cpp
   ExpressionId add(Expression expression);
   Operand make(Expression expression);
-  Operand failOperand(Location place, std::string message);
-  Operand unsupported(Location place, Type type, std::string reason);
-  Operand unsupportedMemory(Type type, Location place, std::string reason);
-  Operand load(Operand operand, Location place);
-  Operand hostVariable(const Operand& operand, Location place);
-  Operand concrete(const Operand& operand, Location place);
+  Operand failOperand(Location location, std::string message);
+  Operand unsupported(Location location, Type type, std::string reason);
+  Operand unsupportedMemory(Type type, Location location, std::string reason);
+  Operand load(Operand operand, Location location);
+  Operand hostVariable(const Operand& operand, Location location);
+  Operand concrete(const Operand& operand, Location location);
   bool canConvert(const Operand& operand, Type type) const;
-  ExpressionId convert(const Operand& operand, Type type, Location place);
-  ExpressionId constantOf(Type type, const double* numbers, Location place);
-  Operand zero(Type type, Location place);
-  Operand abstractOf(Type type, std::vector<double> numbers, Location place);
+  ExpressionId convert(const Operand& operand, Type type, Location location);
+  ExpressionId constantOf(Type type, const double* numbers, Location location);
+  Operand zero(Type type, Location location);
+  Operand abstractOf(Type type, std::vector<double> numbers, Location location);
   std::optional<std::int64_t> wholeOf(const Operand& operand);
 
   // parse_construct.cpp
-  Operand construct(Location place);
-  Operand constructType(Type type, Operands operands, Location place);
-  Operand constructScalar(Type type, const Operand& operand, Location place);
+  Operand construct(Location location);
+  Operand constructType(Type type, Operands operands, Location location);
+  Operand constructScalar(Type type, const Operand& operand, Location location);
   Operand inferred(const Token& word, int columns, int rows, Operands operands);
-  Operand inferredArray(Operands operands, Location place);
+  Operand inferredArray(Operands operands, Location location);
   std::optional<Type> commonType(const Operands& operands) const;
   Operands arguments();
 
@@ -210,12 +210,12 @@ class Parser {
   Operand call(const Token& name);
   Operand callFunction(const Token& name, FunctionId function, const Operands& operands);
   Operand callBuiltIn(const Token& name, Operands operands);
-  void checkLimits(const BuiltIn& row, const Operands& operands, Location place);
-  Operand asFloats(const Operand& operand, Location place);
+  void checkLimits(const BuiltIn& row, const Operands& operands, Location location);
+  Operand asFloats(const Operand& operand, Location location);
   std::optional<Found> matchBuiltIn(std::string_view name, const Operands& operands,
                                     std::vector<Type>& types) const;
   std::string typesOf(const Operands& operands) const;
-  Operand foldBuiltIn(const BuiltIn& row, const Operands& operands, Type type, Location place);
+  Operand foldBuiltIn(const BuiltIn& row, const Operands& operands, Type type, Location location);
 
   // parse_other_calls.cpp
   Operand callOther(const Token& name, const Operands& operands);

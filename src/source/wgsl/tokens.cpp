@@ -34,7 +34,7 @@ std::string noCharacter(std::string_view character) {
   if (character == "#") return "WGSL has no preprocessor; write const, or remove this line";
   if (character == "\"" || character == "'") return "WGSL has no strings";
   const std::string what = "WGSL does not allow this character";
-  return character[0] == '\0' ? what + " (number 0)" : what + ": " + quoted(character);
+  return character[0] == '\0' ? what + " (number 0)" : what + ": " + quote(character);
 }
 
 class Reader {
@@ -46,7 +46,7 @@ class Reader {
     // A byte order mark, which some editors insert.
     if (source_.starts_with("\xEF\xBB\xBF")) at_ = lineStart_ = 3;
     while (skipSpace(), at_ < source_.size() && !problems_.any()) tokens.push_back(next());
-    tokens.push_back({Token::Kind::End, source_.substr(at_, 0), place()});
+    tokens.push_back({Token::Kind::End, source_.substr(at_, 0), location()});
     return tokens;
   }
 
@@ -55,7 +55,7 @@ class Reader {
     return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';
   }
 
-  Location place() const {
+  Location location() const {
     return {line_, static_cast<std::uint32_t>(at_ - lineStart_ + 1), line_};
   }
 
@@ -92,7 +92,7 @@ class Reader {
 
   // Block comments may be nested.
   void skipComment() {
-    const Location start = place();
+    const Location start = location();
     int depth = 0;
     do {
       if (at_ >= source_.size())
@@ -110,7 +110,7 @@ class Reader {
   }
 
   Token token(Token::Kind kind, std::size_t size) {
-    const Token found{kind, source_.substr(at_, size), place()};
+    const Token found{kind, source_.substr(at_, size), location()};
     at_ += size;
     return found;
   }
@@ -126,7 +126,7 @@ class Reader {
     for (const std::string_view symbol : symbols)
       if (source_.substr(at_).starts_with(symbol)) return token(Token::Kind::Symbol, symbol.size());
     if (c == '\0' || single.find(c) == single.npos)
-      problems_.add(place(), noCharacter(source_.substr(at_, 1)));
+      problems_.add(location(), noCharacter(source_.substr(at_, 1)));
     return token(Token::Kind::Symbol, 1);
   }
 
@@ -167,7 +167,7 @@ std::vector<Token> readTokens(std::string_view source, Problems& problems) {
 std::optional<Number> readNumber(const Token& token, Problems& problems) {
   const std::string_view text = token.text;
   const auto fail = [&](const std::string& why) -> std::optional<Number> {
-    problems.add(token.place, quoted(text) + why);
+    problems.add(token.location, quote(text) + why);
     return std::nullopt;
   };
   const bool isHex = text.size() > 1 && text[0] == '0' && (text[1] | 32) == 'x';

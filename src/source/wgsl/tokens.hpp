@@ -17,7 +17,7 @@ struct Token {
 
   Kind kind = Kind::End;
   std::string_view text;
-  Location place;
+  Location location;
 
   bool is(std::string_view wanted) const {
     return (kind == Kind::Symbol || kind == Kind::Name) && text == wanted;

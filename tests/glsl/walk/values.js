@@ -1,7 +1,7 @@
 // Values: numbers with their types, and the results of operators on them.
 
-export const fail = (sentence) => {
-  throw new SyntaxError(`the walk: ${sentence}`)
+export const fail = (message) => {
+  throw new SyntaxError(`the walk: ${message}`)
 }
 
 const layouts = new Map()

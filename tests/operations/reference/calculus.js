@@ -1,4 +1,5 @@
-// Derivatives as expressions. The reference has the derivatives computed by hand, and the tests differentiate them again.
+// Derivatives as expressions. `reference` is the derivative, worked out by hand. The tests also compare the derivatives of these results
+// with differences.
 // scalars.js describes rows.
 import { product } from './matrices.js'
 import { span } from './row.js'
@@ -6,48 +7,48 @@ import { sine } from './tolerances.js'
 
 const { sin, cos } = Math
 const number = span(-2, 2, { at: [0] })
-const own = { only: 'builder', domains: [number] }
+const builderOnly = { only: 'builder', domains: [number] }
 
 export const calculus = [
   {
-    ...own,
+    ...builderOnly,
     name: 'derivative',
-    note: 'of x² sin(xy) by x',
+    note: 'of x² sin(xy) with respect to x',
     shapes: [[1, 1]],
     tolerance: sine,
     build: ({ call }, x, y) => call(x.mult(x).mult(x.mult(y).sin()), x),
     reference: ([x], [y]) => [2 * x * sin(x * y) + x * x * y * cos(x * y)],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'derivative',
-    note: 'twice, of x³ y² by x and y',
+    note: 'twice, of x³ y² with respect to x and y',
     shapes: [[1, 1]],
     build: ({ call }, x, y) => call(call(x.pow(3).mult(y.pow(2)), x), y),
     reference: ([x], [y]) => [6 * x * x * y],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'derivative',
-    note: 'three times, of sin(2x) by x',
+    note: 'three times, of sin(2x) with respect to x',
     shapes: [[1]],
     tolerance: sine,
     build: ({ call }, x) => call(call(call(x.mult(2).sin(), x), x), x),
     reference: ([x]) => [-8 * cos(2 * x)],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'derivative',
-    note: 'of v times v.y, by v.y',
+    note: 'of v times v.y with respect to v.y',
     shapes: [[3]],
     result: () => 3,
     build: ({ call }, v) => call(v.mult(v.y()), v.y()),
     reference: ([x, y, z]) => [x, 2 * y, z],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'derivative',
-    note: 'of a product of matrices, by an entry of one',
+    note: 'of a product of matrices with respect to an entry of one',
     shapes: [['mat2', 'mat2']],
     result: () => 'mat2',
     build: ({ call }, m, n) => call(m.mult(n).mult(m), m.column(1).x()),
@@ -59,7 +60,7 @@ export const calculus = [
     },
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'gradient',
     note: 'of x y² + x',
     shapes: [[2]],
@@ -68,7 +69,7 @@ export const calculus = [
     reference: ([x, y]) => [y * y + 1, 2 * x * y],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'gradient',
     note: 'of 1 / length',
     shapes: [[3]],
@@ -77,7 +78,7 @@ export const calculus = [
     reference: (v) => v.map((x) => -x / Math.hypot(...v) ** 3),
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'gradient',
     note: 'of x y z w',
     shapes: [[4]],
@@ -85,7 +86,7 @@ export const calculus = [
     reference: ([x, y, z, w]) => [y * z * w, x * z * w, x * y * w, x * y * z],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'jacobian',
     note: 'of (x² y, x + 3 y)',
     shapes: [[2]],
@@ -95,7 +96,7 @@ export const calculus = [
     reference: ([x, y]) => [2 * x * y, 1, x * x, 3],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'jacobian',
     note: 'of (y z, z² x, x y²)',
     shapes: [[3]],
@@ -108,7 +109,7 @@ export const calculus = [
     reference: ([x, y, z]) => [0, z * z, y * y, z, 0, 2 * x * y, y, 2 * x * z, 0],
   },
   {
-    ...own,
+    ...builderOnly,
     name: 'jacobian',
     note: 'of v times sin(w)',
     shapes: [[4]],

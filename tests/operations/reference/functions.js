@@ -4,8 +4,8 @@ import { sine } from './tolerances.js'
 
 const { sin, cos } = Math
 
-/** A function of numbers as source of both languages. */
-function source(name, names, body) {
+/** Writes a function of floats in both languages. */
+function writeSource(name, names, body) {
   const parameters = (text) => names.map(text).join(', ')
   return {
     glsl: `float ${name}(${parameters((x) => `float ${x}`)}) { return ${body}; }`,
@@ -17,7 +17,7 @@ function source(name, names, body) {
 const bump = {
   name: 'bump',
   arity: 2,
-  source: source('bump', ['x', 'y'], 'x * x * y + x'),
+  source: writeSource('bump', ['x', 'y'], 'x * x * y + x'),
   derivatives: [(x, y) => x.mult(y, 2).add(1), (x) => x.mult(x)],
 }
 
@@ -26,13 +26,13 @@ function wave(glsl) {
   const slope = glsl.fn({
     name: 'waveSlope',
     arity: 1,
-    source: source('waveSlope', ['x'], '3.0 * cos(3.0 * x)'),
+    source: writeSource('waveSlope', ['x'], '3.0 * cos(3.0 * x)'),
     derivatives: [(x) => x.mult(3).sin().mult(-9)],
   })
   return {
     name: 'wave',
     arity: 1,
-    source: source('wave', ['x'], 'sin(3.0 * x)'),
+    source: writeSource('wave', ['x'], 'sin(3.0 * x)'),
     derivatives: [slope],
   }
 }
@@ -41,7 +41,7 @@ function wave(glsl) {
 const slantFunction = (glsl) => ({
   name: 'slanted',
   arity: 2,
-  source: source('slanted', ['x', 'y'], '2.0 * x - 0.5 * y'),
+  source: writeSource('slanted', ['x', 'y'], '2.0 * x - 0.5 * y'),
   derivatives: [2, glsl.val(-0.5)],
 })
 
@@ -49,7 +49,7 @@ const row = (shapes, note, build, reference, more) => ({
   name: 'fn',
   note,
   only: 'builder',
-  inShaders: 'its text is in the languages of shaders',
+  inShaders: 'its source is in shading languages',
   shapes: [shapes],
   domains: [span(-2, 2, { at: [0] })],
   build,

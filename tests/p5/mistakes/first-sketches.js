@@ -105,7 +105,7 @@ export const calls = {
   [`createWarp(still, 'world')`]:
     'createWarp: expected an object of options, got the text "world".',
   [`createWarp(still, { spaces: 'world' })`]:
-    'createWarp: there is no option "spaces"; did you mean space? There are uniforms, type, space, defs, normals, fadeNoise, detail, surfaceVariation, stroke, returns, shader, hooks, scope.',
+    'createWarp: there is no option "spaces"; did you mean space? The options are uniforms, type, space, defs, normals, fadeNoise, detail, surfaceVariation, stroke, returns, shader, hooks, scope.',
   [`createWarp(still, { space: 'wold' })`]: `createWarp: expected 'local', 'world' or 'camera' for the option "space", got the text "wold".`,
   [`createWarp(still, { detail: 0 })`]: `createWarp: expected a number of pixels above 0, 'auto', false or { tolerance, curved } for the option "detail", got the number 0.`,
   [`createWarp(still, { type: 'phong' })`]: `createWarp: expected 'specular' or 'normal' for the option "type", got the text "phong".`,

@@ -73,7 +73,7 @@ export default [
           glsl.vec3(position.y.sin().mult(uniforms.deep), 0, 0), { uniforms: { deep: 1 } })`,
       cases: {
         'await subdivide(shape, { warp: wave, tolerance: 0.5, uniforms: { high: 2 } })':
-          /^subdivide: the warp has no uniform "high"; there are .*\bdeep\.$/,
+          /^subdivide: the warp has no uniform "high"; it has .*\bdeep\.$/,
         'await subdivide(shape, { warp: wave })':
           /^subdivide: expected a number above 0 for the option "tolerance"/,
         'await subdivide(shape, { warp: setup, tolerance: 1 })':

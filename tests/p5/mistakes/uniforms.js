@@ -21,7 +21,7 @@ export default [
         'createWarp(offset)':
           /^createWarp: the offset reads uniforms\.amount, which nothing declares/,
         'createWarp(offset, { uniforms: { amont: 1, at: [1, 2] } })':
-          /declares no "amount"; there are amont, at\./,
+          /declares no "amount"; it declares amont, at\./,
         'createWarp(offset, { uniforms: 3 })':
           /expected an object, .* for the option "uniforms", got the number 3/,
         'createWarp(offset, { uniforms: { amount: "a" } })':
@@ -32,7 +32,7 @@ export default [
         'createWarp(({ glsl }) => glsl.vec3(glsl.param("amount")), { uniforms: { amount: 1 } })':
           /reads "amount" by glsl\.param; .* is read as uniforms\.amount/,
         'createWarp(3, { uniforms: { amount: 1 } })': /expected a function, got the number 3/,
-        'distort({ amont: 2 })': /no uniform "amont"; there are amount, at, unread\./,
+        'distort({ amont: 2 })': /no uniform "amont"; it has amount, at, unread\./,
         'distort({ amount: [1, 2] })': noNumber('amount', 'an array of 2'),
         'distort({ amount: undefined })': noNumber('amount', 'undefined'),
         'distort({ amount: NaN })': /for the uniform "amount", got NaN/,

@@ -34,7 +34,7 @@ export default [
   {
     title: 'by default, an image uses the wrap mode of textureWrap() and its own filter',
     table(host) {
-      const made = (name, options) =>
+      const makeWarp = (name, options) =>
         `warps.${name} = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
           .texture(uniforms.heights, position.xy().mult(2.6)${options}).r().mult(${height})),
           { type: 'normal', uniforms: { heights: warps.image } })`
@@ -44,9 +44,9 @@ export default [
       return {
         setup: [
           setupOfImages(host, sources.image),
-          made('host', ''),
+          makeWarp('host', ''),
           ...Object.keys(others).map((wrap) =>
-            made(wrap, `, { wrap: '${wrap}', filter: 'bilinear' }`),
+            makeWarp(wrap, `, { wrap: '${wrap}', filter: 'bilinear' }`),
           ),
         ].join('\n'),
         pairs: Object.fromEntries(

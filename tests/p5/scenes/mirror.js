@@ -18,7 +18,7 @@ const turned = 'translate(20, 10, 0); rotateX(0.4); rotateZ(0.5)'
 const cone = 'cone(50, 110, 32, 8)'
 
 /** Maps a name to two drawings of the same shape: one mirrored with a warp, one with p5's scale(). */
-const mirrored = {
+const pairs = {
   local: [`${turned}; warps.local(); ${cone}`, `${turned}; scale(-1, 1, 1); ${cone}`],
   world: [`warps.world(); ${turned}; ${cone}`, `scale(-1, 1, 1); ${turned}; ${cone}`],
   camera: [`warps.camera(); ${turned}; ${cone}`, `scale(-1, 1, 1); ${turned}; ${cone}`],
@@ -40,10 +40,7 @@ const mirrored = {
 const inMaterial = (material) => () => ({
   setup,
   pairs: Object.fromEntries(
-    Object.entries(mirrored).map(([name, pair]) => [
-      name,
-      pair.map((code) => `${material}; ${code}`),
-    ]),
+    Object.entries(pairs).map(([name, pair]) => [name, pair.map((code) => `${material}; ${code}`)]),
   ),
   ...{ lit: 2000, tolerance: 8, differing: 0.01 },
 })

@@ -14,7 +14,7 @@ export async function tryAll() {
     compileWarp(({ position }) => position.mult(0)),
   )
   const shader = compileText(twist()).code + gen((ad) => ad.param('x').sin().output('y'))
-  const refused = await loadMesh('nothing.obj').catch((error) => error instanceof WarpError)
-  const parts = [typeof warpjet, shader.length > 100, exportGLB(baked).length > 100, refused]
+  const isRejected = await loadMesh('nothing.obj').catch((error) => error instanceof WarpError)
+  const parts = [typeof warpjet, shader.length > 100, exportGLB(baked).length > 100, isRejected]
   return `moved ${baked.positions.slice(3, 6)} ${parts}`
 }

@@ -6,7 +6,7 @@
 // agree to 1e-3. We skip vertices where the oracle finds a kink nearby, since two roundings may be on different sides, and
 // those where the surface is almost collapsed.
 import assert from 'node:assert/strict'
-import { maxSensitivity, parts } from './compare.js'
+import { maxSensitivity, positionAndNormal } from './compare.js'
 import { stride, vertexAt } from './dense-mesh.js'
 import { angleBetween, distanceBetween, warpVertex } from './oracle.js'
 
@@ -25,9 +25,9 @@ export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expec
     const atBest = uniforms.millis > 1e4 ? positionBound.late : positionBound.exact
     const bound = exact === builtIn ? positionBound.builtIn : atBest
     for (let i = 0; i < vertexCount; i++) {
-      const [position, normal] = parts(baked[k], i)
+      const [position, normal] = positionAndNormal(baked[k], i)
       const scale = Math.max(reach, Math.hypot(...position))
-      const [shownPosition, shownNormal] = parts(exact[k], i)
+      const [shownPosition, shownNormal] = positionAndNormal(exact[k], i)
       const bothZero = ![...normal, ...shownNormal].some(Boolean)
       const angle = bothZero ? 0 : angleBetween(normal, shownNormal)
       const distance = distanceBetween(position, shownPosition) / scale
@@ -42,7 +42,7 @@ export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expec
       }
       worst.position = Math.max(worst.position, distance / bound)
       worst.angle = Math.max(worst.angle, angle)
-      const [roughPosition] = parts(builtIn[k], i)
+      const [roughPosition] = positionAndNormal(builtIn[k], i)
       worst.builtIn = Math.max(worst.builtIn, distanceBetween(position, roughPosition) / scale)
     }
   })

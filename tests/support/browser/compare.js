@@ -1,8 +1,8 @@
 // Measures the errors of warped vertices.
 import { angleBetween, distanceBetween } from './oracle.js'
 
-/** The max error of a normal, unless its warp says otherwise. */
-export const degrees = 0.02
+/** The max error of a normal in degrees, for warps without a bound of their own. */
+export const maxDegrees = 0.02
 
 /** Above this sensitivity a surface is almost collapsed, and float32 cannot represent its direction. */
 export const maxSensitivity = 1e5
@@ -14,17 +14,20 @@ export const moments = [0, 1234, 98765].map((millis) => ({
   pixelDensity: 2,
 }))
 
-const three = (numbers, at) => [numbers[at], numbers[at + 1], numbers[at + 2]]
+const vectorAt = (numbers, at) => [numbers[at], numbers[at + 1], numbers[at + 2]]
 
-/** Offsets of position and normal among the six numbers of a vertex. */
-export const parts = (results, i) => [three(results, 6 * i), three(results, 6 * i + 3)]
+/** Returns position and normal of vertex i, which has six numbers. */
+export const positionAndNormal = (results, i) => [
+  vectorAt(results, 6 * i),
+  vectorAt(results, 6 * i + 3),
+]
 
 /**
- * Returns the max differences of `results`, for each time six numbers per vertex, from `expected`, for each time and vertex the
- * result of `warpVertex`. For vertices with a kink nearby, checks only whether the result is finite. `beyond` counts the normals
- * that are more than `bound` degrees off.
+ * Returns the max differences between `results` and `expected`. Both are lists by time: `results` has six numbers per vertex,
+ * `expected` the results of `warpVertex`. Errors of positions are relative to `reach`, the size of the numbers in the formula. For vertices
+ * with a kink nearby, checks only whether the result is finite. `beyond` counts the normals that are more than `bound` degrees off.
  */
-export function compare(results, expected, reach, bound = degrees) {
+export function compare(results, expected, reach, bound = maxDegrees) {
   const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }
   const counts = {
     count: 0,
@@ -38,19 +41,22 @@ export function compare(results, expected, reach, bound = degrees) {
   const raise = (name, value) => (worst[name] = Math.max(worst[name], value))
   expected.forEach((moment, k) =>
     moment.forEach(({ position, normal, sensitivity }, i) => {
-      const [moved, turned] = parts(results[k], i)
+      const [warpedPosition, warpedNormal] = positionAndNormal(results[k], i)
       counts.count++
-      if (![...moved, ...turned].every(Number.isFinite)) return counts.notFinite++
+      if (![...warpedPosition, ...warpedNormal].every(Number.isFinite)) return counts.notFinite++
       if (!normal) return counts.kinks++
-      raise('position', distanceBetween(moved, position) / Math.max(reach, Math.hypot(...position)))
-      if (turned.some(Boolean)) raise('length', Math.abs(Math.hypot(...turned) - 1))
+      raise(
+        'position',
+        distanceBetween(warpedPosition, position) / Math.max(reach, Math.hypot(...position)),
+      )
+      if (warpedNormal.some(Boolean)) raise('length', Math.abs(Math.hypot(...warpedNormal) - 1))
       if (!normal.some(Boolean)) {
         counts.vanishing++
-        if (turned.some(Boolean)) counts.notZero++
+        if (warpedNormal.some(Boolean)) counts.notZero++
         return
       }
       if (sensitivity > maxSensitivity) return counts.collapsing++
-      const angle = angleBetween(turned, normal)
+      const angle = angleBetween(warpedNormal, normal)
       if (!(angle <= bound)) counts.beyond++
       raise('angle', angle)
       raise('relativeAngle', angle / sensitivity)

@@ -49,8 +49,8 @@ export function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
   })
 }
 
-/** Returns the true outward normal at a corner after `moved`; where the surface has none, the normal at a nearby point. */
-function trueNormal({ side, where: [u, v], n }, moved, turn) {
+/** Returns the true outward normal at a corner after `move`; where the surface has none, the normal at a nearby point. */
+function trueNormal({ side, where: [u, v], n }, move, turn) {
   const near = side.edges ? 1e-6 : 0
   v = Math.min(1 - near, Math.max(near, v))
   const step = 1e-7
@@ -59,7 +59,7 @@ function trueNormal({ side, where: [u, v], n }, moved, turn) {
     m.subtract(place(u, v + step), place(u, v - step)),
   ]
   const across = m.cross(...slopes((s, t) => side.at(s, t).p))
-  const turned = m.cross(...slopes((s, t) => moved(side.at(s, t))))
+  const turned = m.cross(...slopes((s, t) => move(side.at(s, t))))
   return m.turnNormal(turn, m.normalize(m.dot(across, n) < 0 ? turned.map((x) => -x) : turned))
 }
 
@@ -116,13 +116,13 @@ const pixelsAcross = (...ends) => [
 export function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
   const { grain = unit, scale = [1, 1, 1] } = shape
   const turn = m.product(m.rotation(aboutX, 1, 2), m.rotation(aboutY, 2, 0), m.scaling(...scale))
-  const moved = ({ p, n, uv }) => {
+  const move = ({ p, n, uv }) => {
     const scaled = p.map((x) => x / grain.length)
     return m.add(p, offset.at(scaled, n, uv, grain))
   }
   const places = triangles.map((corners) =>
     corners.map(({ p, n, side, where }) =>
-      m.movePoint(turn, moved({ p, n, uv: side.at(...where).uv })),
+      m.movePoint(turn, move({ p, n, uv: side.at(...where).uv })),
     ),
   )
   const first = firstSeen(places)
@@ -141,7 +141,7 @@ export function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
         for (const y of [0, 1]) if (first[(row + y) * size + column + x] !== id) return []
       for (const x of [-1, 0, 1, 2])
         for (const y of [-1, 0, 1, 2]) if (!isSmooth(column + x, row + y)) return []
-      const normals = corners.map((corner) => trueNormal(corner, moved, turn))
+      const normals = corners.map((corner) => trueNormal(corner, move, turn))
       // If neighbouring pixels differ much, as on triangles seen edge-on, the picture is too coarse to compare.
       const screen = places[id].map(toScreen)
       const steepest = Math.max(

@@ -26,7 +26,7 @@ export const distort = createWarp({}, ({ uniforms }) => uniforms.by, {
 })
 distort({ by: [3, 2, 1] })
 
-export async function baked(): Promise<Mesh> {
+export async function bake(): Promise<Mesh> {
   const mesh = await loadMesh(new Uint8Array(8))
   return bakeWarp(subdivide(mesh, { warp, tolerance: 0.1 }), warp, { uniforms: { millis: 3 } })
 }

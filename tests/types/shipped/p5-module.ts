@@ -21,9 +21,9 @@ new p5((sketch) => {
     wave({ amount: 2 })
     if (plane.texture) p.texture(plane.texture)
     p.model(plane)
-    const sentences: string[] = plane.warnings
+    const warnings: string[] = plane.warnings
     // @ts-expect-error it must be awaited
     p.model(p.loadWarpModel('airplane.glb'))
-    void sentences
+    void warnings
   }
 })

@@ -92,13 +92,13 @@ export function readPosition(
   }
   const effects = effectsOf(reading, nodes)
   const size = sizeOfEffects(effects) ?? 0
-  const textOf = (changed: Partial<Parts> = {}) =>
-    (isWebGPU ? wgslOf : glslOf)({ ...parts, ...changed })
+  const write = (changed: Partial<Parts> = {}) =>
+    writeSource(isWebGPU ? wgsl : glsl, { ...parts, ...changed })
   const canReturn = size > 0 && size <= maxSize
   return {
     language: isWebGPU ? 'wgsl' : 'glsl',
-    text: textOf(),
-    textWithEffects: canReturn ? textOf(returnMatrix(flow, effects, isWebGPU)) : undefined,
+    text: write(),
+    textWithEffects: canReturn ? write(returnMatrix(flow, effects, isWebGPU)) : undefined,
     values: reading.values,
     textures: reading.textures,
     base: baseOf(parts),
@@ -139,55 +139,54 @@ interface Parts {
   reading: NodeReading
 }
 
-function glslOf({
-  code,
-  vars,
-  returned,
-  result,
-  functions,
-  varyings,
-  type,
-  reading,
-}: Parts): string {
-  return [
-    'in vec3 position;\nin vec3 normal;\nin vec2 uv;',
-    ...[...reading.values].map(([name, value]) =>
-      value.array
-        ? `uniform ${type(value.array.elementType)} ${name}[${value.array.count}];`
-        : `uniform ${type(value.type)} ${name};`,
-    ),
-    ...[...reading.textures.keys()].map((name) => `uniform sampler2D ${name};`),
-    ...varyings.map((each) => `${type(each.type)} ${each.name};`),
-    ...functions,
-    `${returned} ${functionName}() {\n${vars}\n${code}\nreturn ${result};\n}`,
-  ].join('\n')
+type Value = NodeReading['values'] extends ReadonlyMap<string, infer One> ? One : never
+
+/** The declarations of a language for what the function reads. */
+interface Syntax {
+  inputs: readonly string[]
+  declareValue: (name: string, value: Value, type: Parts['type']) => string
+  declareTexture: (name: string) => string
+  declareVarying: (name: string, type: string) => string
+  head: (returned: string) => string
 }
 
-function wgslOf({
-  code,
-  vars,
-  returned,
-  result,
-  functions,
-  varyings,
-  type,
-  reading,
-}: Parts): string {
+const glsl: Syntax = {
+  inputs: ['in vec3 position;', 'in vec3 normal;', 'in vec2 uv;'],
+  declareValue: (name, { array, type: own }, type) =>
+    array
+      ? `uniform ${type(array.elementType)} ${name}[${array.count}];`
+      : `uniform ${type(own)} ${name};`,
+  declareTexture: (name) => `uniform sampler2D ${name};`,
+  declareVarying: (name, type) => `${type} ${name};`,
+  head: (returned) => `${returned} ${functionName}()`,
+}
+
+const wgsl: Syntax = {
+  inputs: [],
+  declareValue(name, { array, type: own }, type) {
+    if (!array) return `var<uniform> ${name} : ${type(own)};`
+    const { elementType, count, isStorage } = array
+    const list = `array<${type(elementType)}${isStorage ? '' : `, ${count}`}>`
+    const space = isStorage ? 'storage, read' : 'uniform'
+    return `struct ${name}Struct { value : ${list} }\nvar<${space}> ${name} : ${name}Struct;`
+  },
+  declareTexture: (name) => `var ${name} : texture_2d<f32>;\nvar ${name}_sampler : sampler;`,
+  declareVarying: (name, type) => `var<private> ${name} : ${type};`,
+  head: (returned) =>
+    `fn ${functionName}( position : vec3<f32>, normal : vec3<f32>, uv : vec2<f32> ) -> ${returned}`,
+}
+
+function writeSource(
+  syntax: Syntax,
+  { code, vars, returned, result, functions, varyings, type, reading }: Parts,
+): string {
   return [
-    ...[...reading.values].map(([name, value]) => {
-      if (!value.array) return `var<uniform> ${name} : ${type(value.type)};`
-      const { elementType, count, isStorage } = value.array
-      const list = `array<${type(elementType)}${isStorage ? '' : `, ${count}`}>`
-      const space = isStorage ? 'storage, read' : 'uniform'
-      return `struct ${name}Struct { value : ${list} }\nvar<${space}> ${name} : ${name}Struct;`
-    }),
-    ...[...reading.textures.keys()].map(
-      (name) => `var ${name} : texture_2d<f32>;\nvar ${name}_sampler : sampler;`,
-    ),
-    ...varyings.map((each) => `var<private> ${each.name} : ${type(each.type)};`),
+    ...syntax.inputs,
+    ...[...reading.values].map(([name, value]) => syntax.declareValue(name, value, type)),
+    ...[...reading.textures.keys()].map(syntax.declareTexture),
+    ...varyings.map((each) => syntax.declareVarying(each.name, type(each.type))),
     ...functions,
-    `fn ${functionName}( position : vec3<f32>, normal : vec3<f32>, uv : vec2<f32> ) -> ${type(returned)} {`,
-    `${vars}\n${code}\nreturn ${result};\n}`,
+    `${syntax.head(type(returned))} {\n${vars}\n${code}\nreturn ${result};\n}`,
   ].join('\n')
 }
 

@@ -9,7 +9,7 @@ import { addVariation } from '../../variation.js'
 import type { Builder } from '../builder.js'
 import { isPosed } from '../instances.js'
 import { pixelNormalsFor, type NormalMaterial } from '../pixel.js'
-import { local, ofGeometry } from '../spaces.js'
+import { geometrySpace, local } from '../spaces.js'
 import { tsl, type AnyNode } from '../tsl.js'
 import { vertexNormalsFor } from '../vertex-normals.js'
 import { moveVertex, roomForOthers } from '../vertex.js'
@@ -63,14 +63,14 @@ function moveExactly(
   }
   const now = warp.outerNodes(source)
   // The normals that a shader reads are those of the warp beside it.
-  const ofVertex = other ? undefined : vertexNormalsFor(builder, material)
+  const vertexNormals = other ? undefined : vertexNormalsFor(builder, material)
   // Overwrites the normals that `vertexNormalsFor` has set.
   const pixel = pixelNormalsFor(warp, builder, material, {
     outer: now,
     obstacle: other && 'the mesh has a warp, too',
   })
-  const vertex = pixel ? undefined : ofVertex
-  const space = source.base === 'geometry' ? ofGeometry() : local(tsl.positionPrevious)
+  const vertex = pixel ? undefined : vertexNormals
+  const space = source.base === 'geometry' ? geometrySpace() : local(tsl.positionPrevious)
   const { effects } = source
   const hasEffects = warp.otherNames.length > 0
   // The original assigns variables that other nodes read.

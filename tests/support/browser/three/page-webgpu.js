@@ -26,7 +26,7 @@ async function compare(name, { backend, light = 'directional', space, sabotage, 
   const make = scenes.shapes[name]
   renderer.shadowMap.type = THREE[`${map}ShadowMap`]
   const before = await draw(renderer, scenes.sceneOf(scenes.unmoved(make), light))
-  const expected = await draw(renderer, scenes.sceneOf(scenes.moved(make, space), light))
+  const expected = await draw(renderer, scenes.sceneOf(scenes.makeMoved(make, space), light))
   const object = scenes.unmoved(make)
   const scene = scenes.sceneOf(object, light)
   const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
@@ -49,7 +49,7 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
   const { mirroredMotion, makeDoubleSided } = scenes
   const pictureOf = (object) => draw(renderer, scenes.sceneOf(object, light))
   const before = await pictureOf(makeDoubleSided(scenes.unmoved(make)))
-  const expected = await pictureOf(makeDoubleSided(scenes.moved(make, space, mirroredMotion)))
+  const expected = await pictureOf(makeDoubleSided(scenes.makeMoved(make, space, mirroredMotion)))
   const object = makeDoubleSided(scenes.unmoved(make))
   const warped = isKnown
     ? warp(object, scenes.constantOffset(mirroredMotion), { space })
@@ -177,7 +177,7 @@ async function both({ backend }) {
   }
   const object = scenes.unmoved(scenes.shapes.plain)
   const [before, scene] = [sceneOf(scenes.unmoved(scenes.shapes.plain)), sceneOf(object)]
-  const expected = sceneOf(scenes.moved(scenes.shapes.plain))
+  const expected = sceneOf(scenes.makeMoved(scenes.shapes.plain))
   const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
   warped.update(1000)
   const found = {}

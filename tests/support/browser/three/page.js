@@ -75,7 +75,7 @@ export function compare(
   const still = scenes.sceneOf(scenes.unmoved(make), light)
   const before = draw(still)
   free(still)
-  const reference = scenes.sceneOf(scenes.moved(make, space), light)
+  const reference = scenes.sceneOf(scenes.makeMoved(make, space), light)
   const expected = draw(reference)
   free(reference)
   const object = scenes.unmoved(make)
@@ -106,7 +106,7 @@ export function mirror(name, { light = 'directional', space, normals, isKnown = 
   }
   const { mirroredMotion, makeDoubleSided } = scenes
   const before = pictureOf(makeDoubleSided(scenes.unmoved(make)))
-  const reference = scenes.moved(make, space, mirroredMotion)
+  const reference = scenes.makeMoved(make, space, mirroredMotion)
   const expected = pictureOf(scenes.flipBitangents(makeDoubleSided(reference)))
   const object = makeDoubleSided(scenes.unmoved(make))
   const warped = isKnown
@@ -207,7 +207,7 @@ export async function custom() {
   })
   object.castShadow = false
   const shown = draw(scene)
-  const moved = scenes.moved(scenes.shapes.plain)
+  const moved = scenes.makeMoved(scenes.shapes.plain)
   const reference = scenes.sceneOf(moved, 'directional')
   moved.castShadow = false
   return { differing: countDiffering(shown, draw(reference)), moved: countDiffering(shown, before) }

@@ -341,7 +341,7 @@ export const place = new THREE.Matrix4().compose(
 const plainMotion = motion
 
 /** Moves an object with three's own matrices, before or after its own matrix, depending on `space`. */
-export function moved(make, space, motion = plainMotion) {
+export function makeMoved(make, space, motion = plainMotion) {
   const object = (make.moved ?? make)()
   const set = (part, before = new THREE.Matrix4()) => {
     const matrix = space === 'world' ? [motion, place, before] : [place, before, motion]

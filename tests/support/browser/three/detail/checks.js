@@ -2,7 +2,7 @@
 import * as THREE from 'three'
 import { camera, countBeyond, countHoles, covered, sceneOf, warpBy } from './pictures.js'
 
-export { posed } from './posed.js'
+export { comparePoses } from './posed.js'
 export { rays } from './rays.js'
 
 /** Views of the floor beside the box, by the light. */
@@ -155,7 +155,7 @@ export async function groups({ draw }) {
 }
 
 /** The numbers of triangles while things change, and what is left in the end. */
-export async function life({ draw, triangles, geometries }) {
+export async function countOverTime({ draw, triangles, geometries }) {
   const { scene, mesh } = sceneOf('box')
   const own = mesh.geometry
   const plain = await draw(scene, camera())
@@ -165,39 +165,39 @@ export async function life({ draw, triangles, geometries }) {
   const call = (name) => void (calls.at(-2) === name || calls.push(name, mesh.geometry === own))
   scene.onBeforeRender = () => call('before')
   const warped = warpBy(mesh, 'twist', 1)
-  const drawn = async (view = camera()) => {
+  const drawAndCount = async (view = camera()) => {
     await draw(scene, view)
     return triangles()
   }
-  const near = await drawn()
+  const near = await drawAndCount()
   scene.onAfterRender = () => call('after')
   const far = camera()
   far.position.setLength(30)
-  const counts = { near, far: await drawn(far), again: await drawn() }
+  const counts = { near, far: await drawAndCount(far), again: await drawAndCount() }
   // Both a geometry that changes and another one are seen.
   own.attributes.position.setXYZ(0, 3, 3, 3)
   own.attributes.position.needsUpdate = true
-  counts.changed = await drawn()
+  counts.changed = await drawAndCount()
   own.attributes.position.setXYZ(0, 0.7, 0.9, 0.7)
   own.attributes.position.needsUpdate = true
   mesh.geometry = new THREE.SphereGeometry(1, 8, 4)
-  counts.sphere = await drawn()
+  counts.sphere = await drawAndCount()
   mesh.geometry.dispose()
-  counts.disposed = await drawn()
+  counts.disposed = await drawAndCount()
   mesh.geometry.dispose()
   mesh.geometry = own
   const clone = mesh.clone()
   scene.add(clone)
-  counts.clone = await drawn()
+  counts.clone = await drawAndCount()
   scene.remove(clone)
-  counts.removed = await drawn()
+  counts.removed = await drawAndCount()
   // Outside of a scene.
   scene.remove(mesh)
   const group = new THREE.Group().add(mesh)
   await draw(group, camera())
   counts.outside = triangles()
   scene.add(mesh)
-  counts.back = await drawn()
+  counts.back = await drawAndCount()
   warped.dispose()
   const after = await draw(scene, camera())
   return {
@@ -254,7 +254,7 @@ const keeping = {
   },
 }
 
-export async function kept({ draw, triangles }, { kind, space }) {
+export async function countKept({ draw, triangles }, { kind, space }) {
   const { scene, mesh } = sceneOf('box')
   const object = keeping[kind](mesh.geometry)
   scene.clear().add(object)

@@ -1,4 +1,4 @@
-// A page on which compute passes divide meshes, beside a renderer that leaves that to the CPU.
+// A page with two renderers: in one, compute passes divide meshes; in the other, the CPU does.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
 import 'warpjet/three/webgpu'
@@ -39,9 +39,11 @@ async function makeRenderer() {
   return renderer
 }
 
-const passes = await makeRenderer()
-const cpu = await makeRenderer()
-cpu.backend.device.createComputePipelineAsync = () => Promise.reject(new Error('none'))
+const passRenderer = await makeRenderer()
+const cpuRenderer = await makeRenderer()
+// Without compute passes, the CPU divides meshes.
+cpuRenderer.backend.device.createComputePipelineAsync = () =>
+  Promise.reject(new Error('this renderer has no compute passes'))
 
 function render(renderer, scene, view) {
   renderer.setRenderTarget(targets.get(renderer))
@@ -54,7 +56,7 @@ const pictureOf = (renderer) =>
 
 const wait = (time) => new Promise((resolve) => setTimeout(resolve, time))
 
-/** Warps a mesh → its scene, and the geometry with which it was drawn last. */
+/** Warps a mesh → functions that draw it, and that return the geometry with which it was drawn last. */
 function start(renderer, { shape, name, offset, uniforms, detail = 1, space, material }) {
   const { scene, mesh } = sceneOf(shape, { material })
   let drawn
@@ -102,7 +104,7 @@ async function drawOften(mesh, view) {
 
 /** Divides by passes and by the CPU for the same views → what differs in each. */
 async function divide({ frames = 6, ...options }) {
-  const all = [start(passes, options), start(cpu, options)]
+  const all = [start(passRenderer, options), start(cpuRenderer, options)]
   const [byPasses, byCpu] = all
   await byPasses.begin()
   await byCpu.draw(camera())
@@ -118,12 +120,12 @@ async function divide({ frames = 6, ...options }) {
     const { index, attributes, drawRange } = byCpu.drawn()
     const expected = index.array.subarray(0, drawRange.count)
     const isEqual = indices.length === expected.length && indices.every((x, k) => x === expected[k])
-    const places = attributes.position.array
+    const positions = attributes.position.array
     found.push({
       triangles: indices.length / 3,
       expected: expected.length / 3,
       isEqual,
-      farthest: isEqual && numbers.reduce((a, x, k) => Math.max(a, Math.abs(x - places[k])), 0),
+      farthest: isEqual && numbers.reduce((a, x, k) => Math.max(a, Math.abs(x - positions[k])), 0),
       openSides: countOpenSides(indices, numbers),
       beyond: countBeyond(picture, expectedPicture),
     })
@@ -134,7 +136,7 @@ async function divide({ frames = 6, ...options }) {
 
 /** Comes close to a mesh that was small, so that the buffers have to grow → pictures beside those by the CPU. */
 async function approach(options) {
-  const all = [start(passes, options), start(cpu, options)]
+  const all = [start(passRenderer, options), start(cpuRenderer, options)]
   const [byPasses, byCpu] = all
   const [far, near] = [camera(), camera()]
   far.position.setLength(20)
@@ -157,12 +159,12 @@ async function approach(options) {
   }
 }
 
-/** Waves along x that become shorter, so that the mesh has to be cut anew. */
+/** Waves along x that become shorter, so that the mesh must be cut again. */
 async function refine() {
   const offset = ({ glsl, position, uniforms }) =>
     glsl.vec3(0, position.x().mult(uniforms.waves).sin().mult(0.1), 0)
   const options = { shape: 'box', offset, uniforms: { waves: 4 } }
-  const all = [start(passes, options), start(cpu, options)]
+  const all = [start(passRenderer, options), start(cpuRenderer, options)]
   await all[0].begin()
   await all[1].draw(camera())
   for (const { warped } of all) warped.uniforms.waves.value = 60
@@ -180,10 +182,10 @@ async function refine() {
 }
 
 /** Draws with two cameras in turn, on larger targets, and as lines, and counts buffers. */
-async function life() {
+async function countOverTime() {
   const before = buffers.size
   const material = new THREE.MeshNormalMaterial()
-  const one = start(passes, { shape: 'box', name: 'twist', material })
+  const one = start(passRenderer, { shape: 'box', name: 'twist', material })
   await one.begin()
   const [near, far] = [camera(), camera()]
   near.position.setLength(2)
@@ -198,7 +200,7 @@ async function life() {
       await one.draw(view)
       counts.pairs.push(await triangles())
     }
-  const target = targets.get(passes)
+  const target = targets.get(passRenderer)
   target.setSize(4 * size, 4 * size)
   await drawOften(one, near)
   counts.large = await triangles()
@@ -216,7 +218,7 @@ async function life() {
   counts.isIndirectByGroups = one.drawn().indirect !== null
   one.warped.dispose()
   const options = { tolerance: 1, curved: true }
-  const curved = start(passes, { shape: 'sphere', name: 'twist', detail: options })
+  const curved = start(passRenderer, { shape: 'sphere', name: 'twist', detail: options })
   for (let i = 0; i < 10; i++) {
     await curved.draw(near)
     await wait(10)
@@ -229,5 +231,5 @@ async function life() {
   return { counts, errors: errors.splice(0) }
 }
 
-globalThis.compute = { divide, approach, refine, life }
+globalThis.compute = { divide, approach, refine, countOverTime }
 document.title = 'ready'

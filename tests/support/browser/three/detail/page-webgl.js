@@ -23,8 +23,8 @@ const host = {
   geometries: () => renderer.info.memory.geometries,
 }
 
-/** The triangles on canvases of several sizes, and with a second renderer in between. */
-function canvases(sizes) {
+/** Counts the triangles on canvases of several sizes, while a second renderer draws in between. */
+function countOnCanvases(sizes) {
   const { scene, mesh } = sceneOf('box')
   const warped = warpBy(mesh, 'twist', 1)
   const second = new THREE.WebGLRenderer()
@@ -42,7 +42,7 @@ function canvases(sizes) {
   return counts
 }
 
-/** Shows a box under a twist on the canvas, for screenshots. */
+/** Shows a twisted box on the canvas, for screenshots. */
 function show(detail) {
   const { scene, mesh } = sceneOf('box', { hasShadow: true })
   warpBy(mesh, 'twist', detail)
@@ -58,7 +58,7 @@ globalThis.detail = {
       (settings) => check(host, settings ?? {}),
     ]),
   ),
-  canvases,
+  countOnCanvases,
   show,
 }
 document.title = 'ready'

@@ -120,7 +120,7 @@ const materials = {
 }
 
 /** Several poses of one mesh, one after the other. */
-export async function posed({ draw, triangles }, { kinds, look, space }) {
+export async function comparePoses({ draw, triangles }, { kinds, look, space }) {
   const view = camera()
   const { scene } = sceneOf('box')
   const picturesOf = async (detail, isFine) => {

@@ -43,7 +43,7 @@ const heights = () => {
   return map
 }
 
-const rotated = ([x, y, z], angle) => [
+const rotate = ([x, y, z], angle) => [
   cos(angle) * x + sin(angle) * z,
   y,
   -sin(angle) * x + cos(angle) * z,
@@ -185,7 +185,7 @@ float voronoi(vec2 p) {
       }
       return material
     },
-    moved: ([x, y, z]) => rotated([x, y, z], y * 1.4 + time),
+    moved: ([x, y, z]) => rotate([x, y, z], y * 1.4 + time),
   },
   'height map': {
     shape: 'plane',

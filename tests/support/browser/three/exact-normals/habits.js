@@ -6,7 +6,7 @@ import { addSurfaceVariation, exactNormals } from 'warpjet/three'
 import { angle, camera, cross } from './measure.js'
 import { probe, renderer } from './probe.js'
 
-const given = (value) => ({ value })
+const uniform = (value) => ({ value })
 
 /** A standard material whose `onBeforeCompile` replaces parts of its vertex shader. */
 const changed =
@@ -75,7 +75,7 @@ void main() {
   if (isNear > 0.5) gl_Position.z -= 0.01;
   else gl_Position.z += 0.01;
 }`,
-      { isNear: given(0) },
+      { isNear: uniform(0) },
     ),
   ],
   'tangents of the geometry': [
@@ -124,7 +124,7 @@ void main() {
           '#include <begin_vertex>\n transformed.z += wave(transformed.x);',
         ],
       ],
-      { size: given(3), mouse: given(new THREE.Vector2(0, 0.3)) },
+      { size: uniform(3), mouse: uniform(new THREE.Vector2(0, 0.3)) },
     ),
   ],
   'int and bool uniforms': [
@@ -139,7 +139,7 @@ void main() {
           '#include <begin_vertex>\n if (isOn) { float a = 0.3; for (int i = 0; i < 8; i++) { if (i >= octaves) break; transformed.z += a * sin(position.x * k[i % 3]); a *= 0.5; } }',
         ],
       ],
-      { octaves: given(3), isOn: given(true), k: given([2, 3.5, 5]) },
+      { octaves: uniform(3), isOn: uniform(true), k: uniform([2, 3.5, 5]) },
     ),
   ],
   'struct uniforms': [
@@ -155,7 +155,7 @@ void main() {
         ],
       ],
       {
-        ws: given([
+        ws: uniform([
           { d: new THREE.Vector2(2, 1), a: 0.2 },
           { d: new THREE.Vector2(-1, 3), a: 0.1 },
         ]),
@@ -171,7 +171,7 @@ void main() {
           '#include <begin_vertex>\n for (int i = 0; i < 2; i++) transformed.z += 0.3 * exp(-2.0 * distance(position, pts[i]));',
         ],
       ],
-      { pts: given(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
+      { pts: uniform(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
     ),
   ],
   'vec3 array flat pixel': [
@@ -183,7 +183,7 @@ void main() {
           '#include <begin_vertex>\n for (int i = 0; i < 2; i++) transformed.z += 0.3 * exp(-2.0 * distance(position, pts[i]));',
         ],
       ],
-      { pts: given(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
+      { pts: uniform(new Float32Array([0.11, 0.21, 0.1, -0.3, -0.43, 0.2])) },
     ),
     { normals: 'pixel' },
   ],
@@ -197,8 +197,8 @@ void main() {
         ],
       ],
       {
-        bend: given(new THREE.Matrix4().makeRotationX(0.4)),
-        rot: given(new THREE.Matrix3().set(1, 0.2, 0, 0, 1.3, 0, 0.1, 0, 0.7)),
+        bend: uniform(new THREE.Matrix4().makeRotationX(0.4)),
+        rot: uniform(new THREE.Matrix3().set(1, 0.2, 0, 0, 1.3, 0, 0.1, 0, 0.7)),
       },
     ),
   ],
@@ -215,10 +215,10 @@ void main() {
         ],
       ],
       {
-        color: given(new THREE.Color(0.3, 0.5, 0.6)),
-        width: given(3),
-        time: given(1),
-        instance: given(0.2),
+        color: uniform(new THREE.Color(0.3, 0.5, 0.6)),
+        width: uniform(3),
+        time: uniform(1),
+        instance: uniform(0.2),
       },
     ),
   ],
@@ -365,7 +365,7 @@ void main() {
         ],
       ],
       {
-        tx: given(
+        tx: uniform(
           (() => {
             const t = new THREE.DataTexture(
               new Float32Array([1, 0, 0, 1, 0.3, 0, 0, 1]),
@@ -390,7 +390,7 @@ void main() {
           '#include <begin_vertex>\n transformed.z += texture2D(tx, uv).r + sin(position.x * 3.0) * 0.2;',
         ],
       ],
-      { tx: given(null) },
+      { tx: uniform(null) },
     ),
   ],
   'distance to camera': [
@@ -417,7 +417,7 @@ void main() {
   'a Fresnel term': [
     shader(
       'varying vec3 vNormal; varying float vF; uniform float t;\nvoid main() { vec3 p = position; p.z += 0.3 * sin(p.x * 3.0 + t); vec4 world = modelMatrix * vec4(p, 1.0); vec3 wn = normalize(mat3(modelMatrix) * normal); vF = dot(wn, normalize(cameraPosition - world.xyz)); vNormal = normalMatrix * normal; gl_Position = projectionMatrix * viewMatrix * world; }',
-      { t: given(1) },
+      { t: uniform(1) },
     ),
   ],
   'instances in a ShaderMaterial': [
@@ -464,7 +464,7 @@ void main() {
   'position and light in one branch': [
     shader(
       'varying vec3 vNormal; uniform float k;\nvoid main() { vec3 p = position; if (k > 0.5) { p.z += 0.3 * sin(p.x * 3.0); vNormal = normalMatrix * normal; } else { vNormal = normalMatrix * normal; } gl_Position = projectionMatrix * modelViewMatrix * vec4(p, 1.0); }',
-      { k: given(1) },
+      { k: uniform(1) },
     ),
   ],
   'a product of matrices': [
@@ -488,7 +488,7 @@ void main() {
         baseMaterial: THREE.MeshPhongMaterial,
         vertexShader:
           'varying float vE; uniform float uT; void main() { vE = sin(position.x * 3.0 + uT) * 0.3; vec3 q = position; q.z += vE; csm_Position = q; }',
-        uniforms: { uT: given(0.5) },
+        uniforms: { uT: uniform(0.5) },
       }),
     { chunks: true },
   ],

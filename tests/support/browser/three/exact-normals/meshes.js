@@ -53,7 +53,7 @@ function displaced() {
 }
 
 /** The same vertices, moved by hand. */
-function moved(geometry) {
+function moveVertices(geometry) {
   const copy = geometry.clone()
   const { position, normal } = copy.attributes
   const at = (p) => [p[0] + 1.5, p[1] + height(p), p[2]]
@@ -109,7 +109,7 @@ export function shadow(kind, isFollowing = true) {
   time.value = 1.9
   const drawn = picture(renderer, scene)
   const plain = new THREE.MeshStandardMaterial({ roughness: 0.6 })
-  const byHand = new THREE.Mesh(moved(sphere()), plain)
+  const byHand = new THREE.Mesh(moveVertices(sphere()), plain)
   const expected = picture(renderer, litScene(byHand, lights[kind]()))
   const without = picture(renderer, litScene(new THREE.Mesh(sphere(), plain), lights[kind]()))
   return {
@@ -200,7 +200,7 @@ export function cpu() {
   found.after = hit()
   time.value = 1.9
   found.later = hit()
-  const byHand = new THREE.Mesh(moved(sphere()), new THREE.MeshBasicMaterial())
+  const byHand = new THREE.Mesh(moveVertices(sphere()), new THREE.MeshBasicMaterial())
   byHand.position.y = 0.25
   byHand.updateMatrixWorld()
   found.expected = ray.intersectObject(byHand)[0]?.point.y
@@ -249,10 +249,10 @@ export function warpOnTop(normals) {
   twisted.position.set(-1.5, 0, 0)
   const offset = ({ glsl, position }) => glsl.vec3(0, 0, position.y().mult(3).sin().mult(0.3))
   warp(twisted, offset, { normals: 'vertex' })
-  const byHand = new THREE.Mesh(moved(sphere()), show(new THREE.MeshStandardMaterial()))
+  const byHand = new THREE.Mesh(moveVertices(sphere()), show(new THREE.MeshStandardMaterial()))
   byHand.position.set(-1.5, 0, 0)
   warp(byHand, offset, { normals: 'vertex' })
-  const plain = new THREE.Mesh(moved(sphere()), show(new THREE.MeshStandardMaterial()))
+  const plain = new THREE.Mesh(moveVertices(sphere()), show(new THREE.MeshStandardMaterial()))
   plain.position.set(-1.5, 0, 0)
   const expected = draw(byHand)
   return { differing: differing(draw(twisted), expected), moved: differing(draw(plain), expected) }

@@ -1,6 +1,6 @@
-// Compares shown normals with exact ones at each pixel. `draw(scene, camera)` returns a picture's numbers, four for each pixel from the
-// bottom left; `normalMaterial` shows normals, whose colours `decode` makes those of WebGLRenderer, and
-// `seenMaterial` the attribute `seen`.
+// Compares shown normals with exact ones at each pixel. `draw(scene, camera)` returns the RGBA numbers of a picture, by pixel from the
+// bottom left. `normalMaterial` shows normals; `decode` converts its colours to those of WebGLRenderer. `attributeMaterial` shows the
+// attribute `shownAttribute`.
 import * as THREE from 'three'
 import { addSurfaceVariation, warp } from 'warpjet/three'
 import { degreesBetween, exactVertex, mover, quantile } from './exact.js'
@@ -22,7 +22,7 @@ function mapOf(direction) {
 
 /** `map`: the direction of a normal map, in the frame of vertex tangents. */
 export async function measure(
-  { draw, decode = (picture) => picture, normalMaterial, seenMaterial },
+  { draw, decode = (picture) => picture, normalMaterial, attributeMaterial },
   {
     kind = 'plain',
     shape = 'sphere',
@@ -54,18 +54,18 @@ export async function measure(
   }
   const warped = warp(object, offset, { normals, fadeNoise: false, ...(space && { space }) })
   const shown = decode(await draw(scene, view))
-  object.material = seenMaterial(options)
-  const seen = {}
+  object.material = attributeMaterial(options)
+  const drawnAttributes = {}
   for (const part of parts) {
     if (!geometry.attributes[part] && !(varies && part.endsWith('Gradient'))) continue
     const all = new Float32Array(4 * object.geometry.attributes.position.count)
     const numbers = restPart(kind, geometry, part)
     all.set(space === 'world' ? moveIntoWorld(part, numbers, object) : numbers)
-    object.geometry.setAttribute('seen', new THREE.BufferAttribute(all, 4))
-    seen[part] = await draw(scene, view)
+    object.geometry.setAttribute('shownAttribute', new THREE.BufferAttribute(all, 4))
+    drawnAttributes[part] = await draw(scene, view)
   }
   warped.dispose()
-  return compare({ object, kind, view, offset, shown, seen, side, map, space })
+  return compare({ object, kind, view, offset, shown, drawnAttributes, side, map, space })
 }
 
 /** The matrix from the space of the warp to view space. */
@@ -77,7 +77,7 @@ function matrixFor({ object, kind, view, space }, column) {
   return matrices ? matrix.multiply(matrices[column < size / 2 ? 0 : 1]) : matrix
 }
 
-/** Moves vertices into the world, where a warp of that space finds them. Each has four numbers. */
+/** Transforms an attribute to world space, for warps of that space. It has four numbers per vertex. */
 function moveIntoWorld(part, numbers, { matrixWorld }) {
   const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
   const linear = new THREE.Matrix3().setFromMatrix4(matrixWorld)
@@ -93,18 +93,18 @@ function moveIntoWorld(part, numbers, { matrixWorld }) {
 }
 
 function compare(all) {
-  const { offset, shown, seen, side, map } = all
+  const { offset, shown, drawnAttributes, side, map } = all
   const move = mover(offset)
   const angles = []
   let [skipped, facing] = [0, 0]
   for (let i = 0; i < 4 * size * size; i += 4) {
-    if (shown[i + 3] === 0 || seen.position[i + 3] === 0) continue
-    const at = (part, count) => Array.from((seen[part] ?? []).slice(i, i + count))
+    if (shown[i + 3] === 0 || drawnAttributes.position[i + 3] === 0) continue
+    const at = (part, count) => Array.from((drawnAttributes[part] ?? []).slice(i, i + count))
     const [x, y, z, length] = at('normal', 4)
     const normal = [x, y, z].map((k) => (k * length) / Math.hypot(x, y, z))
     const gradients = parts
       .filter((part) => part.endsWith('Gradient'))
-      .map((part) => (seen[part] ? at(part, 3) : [0, 0, 0]))
+      .map((part) => (drawnAttributes[part] ? at(part, 3) : [0, 0, 0]))
     const tangent = map && at('tangent', 4)
     const vertex = { position: at('position', 3), normal, uv: at('uv', 2), gradients, tangent }
     const exact = exactVertex(move, vertex)
@@ -127,7 +127,7 @@ function compare(all) {
     const colour = [0, 1, 2].map((k) => 2 * shown[i + k] - 1)
     if (colour[2] > 0) facing++
     const angle = degreesBetween(colour, expected.toArray())
-    // Of a back face the other side is shown.
+    // A back face shows its other side.
     angles.push(side === 'FrontSide' ? angle : Math.min(angle, 180 - angle))
   }
   return {

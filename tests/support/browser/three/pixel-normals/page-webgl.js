@@ -31,17 +31,17 @@ function draw(scene, view = camera()) {
   return numbers
 }
 
-function seenMaterial(options) {
+function attributeMaterial(options) {
   const material = new THREE.MeshBasicMaterial(options)
   material.onBeforeCompile = (shader) => {
     shader.vertexShader =
-      `attribute vec4 seen;\nvarying vec4 vSeen;\n${shader.vertexShader}`.replace(
+      `attribute vec4 shownAttribute;\nvarying vec4 vShown;\n${shader.vertexShader}`.replace(
         'void main() {',
-        'void main() { vSeen = seen;',
+        'void main() { vShown = shownAttribute;',
       )
-    shader.fragmentShader = `varying vec4 vSeen;\n${shader.fragmentShader}`.replace(
+    shader.fragmentShader = `varying vec4 vShown;\n${shader.fragmentShader}`.replace(
       /\}\s*$/,
-      'gl_FragColor = vSeen; }',
+      'gl_FragColor = vShown; }',
     )
   }
   return material
@@ -53,7 +53,7 @@ const makers = {
   standard: (options) => new THREE.MeshStandardMaterial(options),
   physical: (options) => new THREE.MeshPhysicalMaterial(options),
 }
-const host = { draw, normalMaterial, seenMaterial, makers }
+const host = { draw, normalMaterial, attributeMaterial, makers }
 
 /** Sources of the last program that was compiled for a material with a normal. */
 function sources(normals, kind = 'standard') {

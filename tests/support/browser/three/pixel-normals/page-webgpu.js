@@ -28,9 +28,9 @@ const decode = (picture) =>
     i % 4 === 3 ? x : x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055,
   )
 
-function seenMaterial(options) {
+function attributeMaterial(options) {
   const material = new THREE.MeshBasicNodeMaterial(options)
-  material.fragmentNode = THREE.TSL.attribute('seen', 'vec4')
+  material.fragmentNode = THREE.TSL.attribute('shownAttribute', 'vec4')
   return material
 }
 
@@ -49,7 +49,7 @@ async function hostFor(backend, target = floats) {
     renderer.setRenderTarget(null)
     return renderer.readRenderTargetPixelsAsync(target, 0, 0, target.width, target.height)
   }
-  return { draw, decode, normalMaterial: makers.normal, seenMaterial, makers }
+  return { draw, decode, normalMaterial: makers.normal, attributeMaterial, makers }
 }
 
 /** A material whose own normalNode adds to the normal: it adds to that of the pixel. */

@@ -1,4 +1,4 @@
-#include "mesh/obj/paints.hpp"
+#include "mesh/obj/colors.hpp"
 
 #include <algorithm>
 #include <set>
@@ -67,7 +67,7 @@ std::vector<std::string> filesOfObj(std::string_view text, const Files& files) {
   return uris;
 }
 
-Paints::Paints(std::string_view text, const Files& files)
+ObjColors::ObjColors(std::string_view text, const Files& files)
     : names_(namesInObj(text)), materials_(materialsOf(names_, files)) {
   const auto isThere = [&](const std::string& uri) { return fileOf(uri, files) != nullptr; };
   if (!names_.libraries.empty() &&
@@ -75,58 +75,58 @@ Paints::Paints(std::string_view text, const Files& files)
     missing_ = names_.libraries.front();
 }
 
-void Paints::use(std::string_view name) {
+void ObjColors::useMaterial(std::string_view name) {
   usesMaterials_ = true;
   const auto material = materials_.find(name);
   isUnknown_ |= material == materials_.end() && !name.empty();
   current_ = material == materials_.end() ? ObjMaterial{} : material->second;
-  paint_ = std::nullopt;
+  index_ = std::nullopt;
 }
 
-std::uint32_t Paints::current() {
-  if (paint_) return *paint_;
-  if (!picture_) picture_ = current_.picture;
-  hasPictures_ |= *picture_ != current_.picture;
-  if (picture_->empty()) picture_ = current_.picture;
-  hasUnpainted_ |= !current_.color;
-  paint_ = none;
+std::uint32_t ObjColors::currentIndex() {
+  if (index_) return *index_;
+  if (!image_) image_ = current_.picture;
+  hasSeveralImages_ |= *image_ != current_.picture;
+  if (image_->empty()) image_ = current_.picture;
+  hasFacesWithoutColor_ |= !current_.color;
+  index_ = none;
   if (!current_.color) return none;
   std::array<float, 3> color = *current_.color;
   for (float& part : color) {
     isClamped_ |= !(part >= 0 && part <= 1);
     part = linearOf(std::clamp(part, 0.0f, 1.0f));
   }
-  const auto [place, isNew] = places_.emplace(color, static_cast<std::uint32_t>(colors_.size()));
+  const auto [entry, isNew] = indices_.emplace(color, static_cast<std::uint32_t>(colors_.size()));
   if (isNew) colors_.push_back(color);
-  return *(paint_ = place->second);
+  return *(index_ = entry->second);
 }
 
-std::optional<Material> Paints::material(const Files& files,
-                                         std::vector<std::string>& warnings) const {
+std::optional<Material> ObjColors::material(const Files& files,
+                                            std::vector<std::string>& warnings) const {
   Material material;
-  const bool hasPicture = picture_ && !picture_->empty();
-  if (!hasColors() && !hasPicture) return std::nullopt;
-  if (hasPictures_)
+  const bool hasImage = image_ && !image_->empty();
+  if (!hasColors() && !hasImage) return std::nullopt;
+  if (hasSeveralImages_)
     warnings.push_back(
         "The parts have different base-colour textures; only the first one is used.");
-  if (hasColors() && isEqual()) std::copy_n(colors_[0].begin(), 3, material.baseColor.begin());
-  if (!hasPicture) return material;
-  const auto* file = fileOf(*picture_, files);
+  if (hasColors() && isUniform()) std::copy_n(colors_[0].begin(), 3, material.baseColor.begin());
+  if (!hasImage) return material;
+  const auto* file = fileOf(*image_, files);
   if (file && !file->empty())
-    material.baseColorTexture = Image{*file, sniffedType(*file)};
+    material.baseColorTexture = Image{*file, sniffType(*file)};
   else
-    warnings.push_back("The picture " + quotedText(*picture_) +
+    warnings.push_back("The texture " + quoteText(*image_) +
                        " of the .mtl is missing or broken; it is left out.");
   return material;
 }
 
-void Paints::warn(std::vector<std::string>& warnings) const {
+void ObjColors::warn(std::vector<std::string>& warnings) const {
   if (!usesMaterials_) return;
   const std::string leftOut = "The materials of the .obj are left out, since ";
   if (names_.libraries.empty())
     warnings.push_back(leftOut + "it names no .mtl file (mtllib).");
   else if (!missing_.empty())
-    warnings.push_back(leftOut + quotedText(missing_) + " is missing.");
+    warnings.push_back(leftOut + quoteText(missing_) + " is missing.");
   else if (isUnknown_)
     warnings.push_back(
         "A material of the .obj is in none of its .mtl files; those faces have no colour.");

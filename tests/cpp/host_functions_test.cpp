@@ -7,7 +7,7 @@
 namespace warpjet {
 namespace {
 
-class OwnFunctions : public testing::Test, protected Bench {
+class HostFunctions : public testing::Test, protected Bench {
  protected:
   // The calls whose partials are needed for the derivative of this value.
   std::vector<NodeId> pendingFor(int value) {
@@ -19,23 +19,23 @@ class OwnFunctions : public testing::Test, protected Bench {
   int bump = hostFunction("bump", "float bump(float a) { return a; }", 1);
 };
 
-TEST_F(OwnFunctions, AreCalledPerComponent) {
+TEST_F(HostFunctions, AreCalledPerComponent) {
   const int called = callFunction(noise, {v3, x});
   EXPECT_EQ(builder.shape(called), vectorOf(3));
   EXPECT_EQ(text(called), "vec3(noise(v3.x, x), noise(v3.y, x), noise(v3.z, x))");
 }
 
-TEST_F(OwnFunctions, ReceiveConditionsAsNumbers) {
+TEST_F(HostFunctions, ReceiveConditionsAsNumbers) {
   EXPECT_EQ(text(callFunction(bump, {call("lt", {x, number(1)})})), "bump(float(x < 1.0))");
 }
 
-TEST_F(OwnFunctions, AreDeclaredOnceIfCalled) {
+TEST_F(HostFunctions, AreDeclaredOnceIfCalled) {
   const int a = callFunction(bump, {x}), b = callFunction(bump, {call("sin", {x})});
   builder.output("gen", "y", call("add", {a, b}));
   EXPECT_EQ(writeResults().text->declarations, "float bump(float a) { return a; }\n");
 }
 
-TEST_F(OwnFunctions, NeedPartialsIfTheyAreDifferentiated) {
+TEST_F(HostFunctions, NeedPartialsIfTheyAreDifferentiated) {
   const int called = callFunction(noise, {call("sin", {x}), x});
   const std::vector<NodeId> pendingCalls = pendingFor(called);
   ASSERT_EQ(pendingCalls.size(), 1u);
@@ -48,7 +48,7 @@ TEST_F(OwnFunctions, NeedPartialsIfTheyAreDifferentiated) {
   EXPECT_EQ(text(slope), "x * cos(x) + sin(x)") << "chain rule with d/da = b, d/db = a";
 }
 
-TEST_F(OwnFunctions, EqualCallsNeedTheirPartialsOnce) {
+TEST_F(HostFunctions, EqualCallsNeedTheirPartialsOnce) {
   const int called = callFunction(bump, {x}), again = callFunction(bump, {x});
   const std::vector<NodeId> pending = pendingFor(call("add", {called, again}));
   ASSERT_EQ(pending.size(), 1u);
@@ -56,7 +56,7 @@ TEST_F(OwnFunctions, EqualCallsNeedTheirPartialsOnce) {
   EXPECT_EQ(text(call("derivative", {again, x})), "2.0");
 }
 
-TEST_F(OwnFunctions, DifferentCallsNeedTheirOwnPartials) {
+TEST_F(HostFunctions, DifferentCallsNeedTheirOwnPartials) {
   const int inner = callFunction(noise, {x, x});
   const int sum = call("add", {callFunction(bump, {x}), callFunction(bump, {inner})});
   const std::vector<NodeId> pending = pendingFor(sum);
@@ -71,7 +71,7 @@ TEST_F(OwnFunctions, DifferentCallsNeedTheirOwnPartials) {
   EXPECT_EQ(text(call("derivative", {sum, x})), "x + noise(x, x) * 8.0");
 }
 
-TEST_F(OwnFunctions, ASecondDerivativeNeedsThePartialsOfThePartials) {
+TEST_F(HostFunctions, ASecondDerivativeNeedsThePartialsOfThePartials) {
   const int called = callFunction(bump, {x});
   const std::vector<NodeId> pending = pendingFor(called);
   ASSERT_EQ(pending.size(), 1u);
@@ -96,7 +96,7 @@ TEST_F(OwnFunctions, ASecondDerivativeNeedsThePartialsOfThePartials) {
       << "bump is not called";
 }
 
-TEST_F(OwnFunctions, GradientsJacobiansAndNormalsNeedPartialsToo) {
+TEST_F(HostFunctions, GradientsJacobiansAndNormalsNeedPartialsToo) {
   const int offset = callFunction(bump, {v3}), normal = input("normal", vectorOf(3));
   EXPECT_EQ(call("adjustNormal", {offset, normal, v3}), Builder::needsPartials);
   EXPECT_EQ(call("gradient", {call("length", {offset}), v3}), Builder::needsPartials);
@@ -109,7 +109,7 @@ TEST_F(OwnFunctions, GradientsJacobiansAndNormalsNeedPartialsToo) {
             "mat3(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0)");
 }
 
-TEST_F(OwnFunctions, PartialsMustBeOneNumberPerArgument) {
+TEST_F(HostFunctions, PartialsMustBeOneNumberPerArgument) {
   const int called = callFunction(noise, {x, x});
   const std::vector<NodeId> pendingCalls = pendingFor(called);
   ASSERT_EQ(pendingCalls.size(), 1u);
@@ -118,12 +118,12 @@ TEST_F(OwnFunctions, PartialsMustBeOneNumberPerArgument) {
   EXPECT_EQ(builder.problem(), "noise: expected a single number as derivative 2, got a vec2.");
   EXPECT_FALSE(givePartials(pending, {x}));
   EXPECT_EQ(builder.problem(), "noise: expected 2 derivatives, one per argument.");
-  EXPECT_EQ(pendingFor(called), pendingCalls) << "still";
+  EXPECT_EQ(pendingFor(called), pendingCalls) << "rejected partials are not stored";
   EXPECT_TRUE(givePartials(pending, {x, number(1)}));
   EXPECT_EQ(text(call("derivative", {called, x})), "x + 1.0");
 }
 
-TEST_F(OwnFunctions, CannotBeEvaluatedByAProgram) {
+TEST_F(HostFunctions, CannotBeEvaluatedByAProgram) {
   builder.output("gen", "y", callFunction(bump, {x}));
   const std::uint32_t first = 0;
   EXPECT_FALSE(program(builder.module(), {&first, 1}).program);

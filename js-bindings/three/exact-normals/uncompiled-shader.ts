@@ -1,4 +1,4 @@
-// The shader of a material as three.js will compile it, for what must be known before that.
+// The shader of a material before three.js compiles it.
 import { ShaderLib, UniformsUtils, type Material, type Mesh, type ShaderMaterial } from 'three'
 import type { ExactShader } from './shader.js'
 
@@ -15,8 +15,8 @@ const libraryNames: Record<string, string> = {
   ShadowMaterial: 'shadow',
 }
 
-/** Returns a new shader with the parameters that decide where vertices are; `undefined` for a material that three.js does not have. */
-export function plainShader(material: Material, object: Mesh): ExactShader | undefined {
+/** Makes a shader with the parameters that decide where vertices are; `undefined` for a material that three.js does not have. */
+export function createShader(material: Material, object: Mesh): ExactShader | undefined {
   const { isShaderMaterial, vertexShader, fragmentShader, uniforms } =
     material as Partial<ShaderMaterial>
   const { defines } = material as { defines?: Record<string, unknown> }
@@ -41,7 +41,7 @@ export function plainShader(material: Material, object: Mesh): ExactShader | und
   )
 }
 
-/** Three.js sets these to properties of the material before it draws. */
+/** Makes uniforms that always have the current value of the material's property, to which three.js sets them before it draws. */
 const liveUniforms = (material: Material, { uniforms }: { uniforms: object }) =>
   Object.fromEntries(
     Object.keys(uniforms)

@@ -30,22 +30,22 @@ ObjMaterials materialsOf(const ObjNames& names, const Files& files);
 // The URIs of the files that it needs, as far as the available files refer to them.
 std::vector<std::string> filesOfObj(std::string_view text, const Files& files);
 
-class Paints {
+class ObjColors {
  public:
-  Paints(std::string_view text, const Files& files);
+  ObjColors(std::string_view text, const Files& files);
 
   // Applies to all following faces.
-  void use(std::string_view material);
+  void useMaterial(std::string_view name);
 
   // The index of the current material's color, without duplicates; `none` if it has none. Call it
   // for each face.
-  std::uint32_t current();
+  std::uint32_t currentIndex();
 
   // Linear red, green and blue.
-  const std::array<float, 3>& colorAt(std::uint32_t paint) const { return colors_[paint]; }
+  const std::array<float, 3>& colorAt(std::uint32_t index) const { return colors_[index]; }
 
   // True if all faces have the same color, or none has any.
-  bool isEqual() const { return colors_.size() + (hasUnpainted_ ? 1 : 0) <= 1; }
+  bool isUniform() const { return colors_.size() + (hasFacesWithoutColor_ ? 1 : 0) <= 1; }
   bool hasColors() const { return !colors_.empty(); }
 
   // The color and image that all faces share; empty if they share neither.
@@ -58,12 +58,12 @@ class Paints {
   ObjMaterials materials_;
   std::string missing_;  // the first library, if all are missing
   ObjMaterial current_;
-  std::optional<std::uint32_t> paint_;  // of the current material, once a face uses it
+  std::optional<std::uint32_t> index_;  // of the current material, once a face uses it
   std::vector<std::array<float, 3>> colors_;
-  std::map<std::array<float, 3>, std::uint32_t> places_;  // by color
-  std::optional<std::string> picture_;
-  bool hasUnpainted_ = false, hasPictures_ = false, isClamped_ = false, isUnknown_ = false,
-       usesMaterials_ = false;
+  std::map<std::array<float, 3>, std::uint32_t> indices_;  // by color
+  std::optional<std::string> image_;
+  bool hasFacesWithoutColor_ = false, hasSeveralImages_ = false, isClamped_ = false,
+       isUnknown_ = false, usesMaterials_ = false;
 };
 
 }  // namespace warpjet

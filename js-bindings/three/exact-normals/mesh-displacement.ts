@@ -1,15 +1,18 @@
-// The displacement of a mesh, read from the shader that was compiled last or, before that, from one that is made for it.
+// The displacement of a mesh, read from the shader that was compiled last. Before the first compilation it is read from a new shader.
 import type { IUniform, Material, Mesh } from 'three'
 import { definesFor } from './defines.js'
+import type { Displacement } from './displacement.js'
 import { exactMaterialOf, messageOf, type ExactMaterial } from './exact-material.js'
-import { parametersOf, plainShader } from './plain-shader.js'
-import type { Reading } from './reading.js'
 import type { ExactShader } from './shader.js'
+import { createShader, parametersOf } from './uncompiled-shader.js'
 
-export class MeshReading {
-  private plain:
+export class MeshDisplacement {
+  private uncompiled:
     { state: string; userCompile: unknown; shader: ExactShader | undefined } | undefined
-  private readonly readings = new Map<string, { source: string; reading: Reading | undefined }>()
+  private readonly cache = new Map<
+    string,
+    { source: string; displacement: Displacement | undefined }
+  >()
 
   constructor(readonly mesh: Mesh) {}
 
@@ -17,53 +20,57 @@ export class MeshReading {
     return exactMaterialOf(this.mesh.material as Material)
   }
 
-  /** Returns the displacement for the CPU, which knows the matrix of the mesh. */
-  onCpu(): Reading | undefined {
+  /** Reads the displacement for the CPU, where the matrix of the mesh is known. */
+  readForCpu(): Displacement | undefined {
     return this.read('cpu', { modelMatrix: () => this.mesh.matrixWorld })
   }
 
-  /** Returns the displacement for another shader. */
-  onGpu(): Reading | undefined {
+  /** Reads the displacement for another shader. */
+  readForGpu(): Displacement | undefined {
     return this.read('gpu')
   }
 
-  /** Returns `undefined` if the material moves no vertices, or cannot be read, which it says itself. */
-  private read(key: string, values?: Record<string, () => unknown>): Reading | undefined {
+  /** Returns `undefined` if the material moves no vertices, or cannot be read; then it warns. */
+  private read(key: string, values?: Record<string, () => unknown>): Displacement | undefined {
     const { exact } = this
     const shader = exact && this.shaderOf(exact)
     if (!shader) return undefined
     const complete = this.forMesh(exact, shader)
     const source = [exact.material.id, definesFor(complete), complete.vertexShader].join('\n')
-    const known = this.readings.get(key)
-    if (known?.source === source) return known.reading
-    let reading: Reading | undefined
+    const known = this.cache.get(key)
+    if (known?.source === source) return known.displacement
+    let displacement: Displacement | undefined
     try {
-      reading = exact.read(complete, values)
+      displacement = exact.read(complete, values)
     } catch (error) {
       exact.warn(
-        `cannot be read for shadows, culling and rays, which ignore its displacement: ${messageOf(error)}`,
+        `cannot be read for shadows, culling and raycasts, which ignore its displacement: ${messageOf(error)}`,
       )
     }
-    this.readings.set(key, { source, reading })
-    return reading
+    this.cache.set(key, { source, displacement })
+    return displacement
   }
 
   private shaderOf(exact: ExactMaterial): ExactShader | undefined {
-    return exact.compiled ?? this.plainShader(exact)
+    return exact.compiled ?? this.makeUncompiledShader(exact)
   }
 
   /** Calls the material's own `onBeforeCompile` with a new shader, once for each state of the material. */
-  private plainShader({ material, userCompile, state }: ExactMaterial): ExactShader | undefined {
-    if (this.plain?.state === state && this.plain.userCompile === userCompile)
-      return this.plain.shader
-    let shader = plainShader(material, this.mesh)
+  private makeUncompiledShader({
+    material,
+    userCompile,
+    state,
+  }: ExactMaterial): ExactShader | undefined {
+    if (this.uncompiled?.state === state && this.uncompiled.userCompile === userCompile)
+      return this.uncompiled.shader
+    let shader = createShader(material, this.mesh)
     try {
       if (shader) userCompile.call(material, shader as never, undefined as never)
     } catch {
       // It may need the renderer.
       shader = undefined
     }
-    this.plain = { state, userCompile, shader }
+    this.uncompiled = { state, userCompile, shader }
     return shader
   }
 

@@ -12,26 +12,26 @@ import { movedFunction } from './moved-body.js'
 import type { ExactShader } from './shader.js'
 import { vertexSource } from './vertex-source.js'
 
-/** A variable of the shader that the displacement reads there, and that the CPU has no value of. */
+/** A variable of the shader that the displacement reads, and whose value the CPU does not know. */
 export interface Parameter {
   name: string
   type: string
   isAttribute: boolean
 }
 
-export interface Reading {
+export interface Displacement {
   warp: ThreeWarp
   parameters: readonly Parameter[]
   /** The message about statements of the shader that are ignored, if there are any. */
   note?: string
 }
 
-/** The displacement of a shader as a warp. It cannot be evaluated on the CPU if it reads variables that only the shader has. */
-class Displacement extends ThreeWarp {
+/** A warp made of the displacement of a shader. It cannot be evaluated on the CPU if it reads variables that only the shader has. */
+class DisplacementWarp extends ThreeWarp {
   parameters: readonly Parameter[] = []
 
-  override get runs() {
-    return this.parameters.length === 0 && super.runs
+  override get canRunOnCpu() {
+    return this.parameters.length === 0 && super.canRunOnCpu
   }
 
   override get mirrors() {
@@ -48,7 +48,7 @@ export function readDisplacement(
   space: WarpSpace,
   values: Record<string, () => unknown> = {},
   material: object = {},
-): Reading {
+): Displacement {
   const { text, attributes, note } = vertexSource(shader)
   const { offset, externals } = readOffset(new Place(settings.method), 'glsl', text, {
     function: movedFunction,
@@ -60,7 +60,7 @@ export function readDisplacement(
     const value = values[external.name] ?? valueOf(shader.uniforms, external, attributes, material)
     if (value) uniforms[external.name] = value
   }
-  const warp = new Displacement(
+  const warp = new DisplacementWarp(
     // Withholds the other inputs, since millis, size and instance are names of the shader here.
     asOwn(({ glsl, position, normal, uv, uniforms }) =>
       offset({ glsl, position, normal, uv, uniforms } as never),
