@@ -108,7 +108,7 @@ function timeUpdates(update, spent) {
     spent.milliseconds = 0
     const total = time(() => update(i))
     const needAndWrite = spent.milliseconds
-    // The same update once more finds that nothing changed, and writes nothing.
+    // Nothing has changed since, so that a second update computes needs and writes nothing.
     spent.milliseconds = 0
     spent.detail.update(...spent.args)
     if (i < warmUp) continue

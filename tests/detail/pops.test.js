@@ -1,4 +1,4 @@
-// How far drawn surfaces jump when `createDetail` divides a mesh anew.
+// Jumps of the drawn surface when `createDetail` divides a mesh anew.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import * as THREE from 'three'
@@ -42,7 +42,7 @@ function viewFrom(distance, angle) {
 }
 
 const frames = 25
-/** So many triangles of each division are looked at, evenly. */
+/** The number of triangles of each division that are looked at, evenly. */
 const chosen = 200
 
 const choose = ({ indices }) =>

@@ -7,7 +7,7 @@ import { sketchWarps } from '../../../tests/warps/sketches.js'
 
 /** Pictures are square. */
 export const pixels = 600
-/** Uniform meshes have up to so many triangles. */
+/** The max number of triangles of a uniform mesh. */
 const maxUniform = 3e5
 
 /** Half of the size of the meshes, as in each sketch, and the inputs at a moment at which it bends strongly. */

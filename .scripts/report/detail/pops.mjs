@@ -7,9 +7,9 @@ import { randomNumbers } from '../../../tests/support/three-meshes.js'
 import { chooseTriangles, scale, viewFrom } from './cases.mjs'
 
 const frames = 200
-/** So many triangles of each division are looked at, at random. */
+/** The number of triangles of each division that are looked at, at random. */
 const chosen = 300
-/** How far inputs of the warps move in a frame. */
+/** The changes of the inputs of warps in a frame. */
 const steps = { millis: 16, bend: 0.005 }
 
 /** The camera moves around the mesh, by half a degree in a frame, and towards it and back: from 4 to 2.4 times its size. */
