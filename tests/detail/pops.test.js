@@ -19,7 +19,7 @@ const twist = compileWarp(
 const bumps = compileWarp(
   ({ glsl, normal, position, millis }) =>
     normal.mult(glsl.simplex(position.mult(2).add(millis.div(1000))).mult(0.2)),
-  { normals: false },
+  { normals: false, surfaceVariation: false },
 )
 
 function arraysOf({ attributes, index }) {
