@@ -45,7 +45,7 @@ export function screenErrors(mesh, warpPositions, view, triangles) {
 }
 
 /** Returns the place of a point in the picture, from its middle; `undefined` if it is outside. */
-function pixelsOf(numbers, at, { matrix: m, width, height }) {
+export function pixelsOf(numbers, at, { matrix: m, width, height }) {
   const row = (i) =>
     m[i] * numbers[at] + m[i + 4] * numbers[at + 1] + m[i + 8] * numbers[at + 2] + m[i + 12]
   const w = row(3)

@@ -138,12 +138,17 @@ for (const { name, version, script, settings } of hosts)
         }
     })
 
-    test('a closed sphere has no holes while it moves', async (t) => {
+    test('closed shapes have no holes in 300 moving frames', async (t) => {
       const found = await measure('holes')
       t.diagnostic(JSON.stringify(found))
       assert.deepEqual([messages, found.holes], [[], 0])
-      assert.ok(found.divisions > 10, `${found.divisions} divisions`)
-      assert.ok((await measure('holes', { frames: 3, isBroken: true })).holes > 0)
+      assert.ok(found.least > 2000, `${found.least} pixels are covered`)
+      assert.ok(found.divisions > 50, `${found.divisions} divisions`)
+      // At one pixel, most gaps of a broken edge would be narrower than a pixel. Indices of compute passes cannot be broken from here.
+      const broken = settings.hasPasses ? 'mesh' : 'division'
+      const holes = await measure('holes', { frames: 40, broken, tolerance: 3 })
+      t.diagnostic(`broken: ${JSON.stringify(holes)}`)
+      assert.ok(holes.framesWithHoles > 0, 'a broken edge is not seen')
     })
 
     test('instances and groups look like fine ones', async (t) => {

@@ -1,7 +1,8 @@
 // What the tests measure, for either renderer.
 import * as THREE from 'three'
-import { camera, countBeyond, countHoles, covered, sceneOf, warpBy } from './pictures.js'
+import { camera, countBeyond, covered, sceneOf, warpBy } from './pictures.js'
 
+export { holes } from './holes.js'
 export { comparePoses } from './posed.js'
 export { rays } from './rays.js'
 
@@ -42,36 +43,6 @@ export async function compare(
     triangles: divided.drawn,
     fine: expected.drawn,
   }
-}
-
-/** Frames of a closed sphere that moves → the pixels of the background inside it. One vertex of one triangle moves if `isBroken`. */
-export async function holes({ draw, triangles }, { frames = 60, isBroken = false }) {
-  const geometry = new THREE.IcosahedronGeometry(1, 2)
-  const { position } = geometry.attributes
-  const view = camera()
-  if (isBroken) {
-    const towards = view.position.clone().normalize()
-    const place = new THREE.Vector3()
-    const ahead = (i) => place.fromBufferAttribute(position, i).dot(towards)
-    const nearest = Array.from({ length: position.count }, (_, i) => i).reduce((a, b) =>
-      ahead(a) > ahead(b) ? a : b,
-    )
-    place.fromBufferAttribute(position, nearest).addScalar(0.05)
-    position.setXYZ(nearest, ...place)
-  }
-  const { scene, mesh } = sceneOf(geometry)
-  const warped = warpBy(mesh, 'noise', 1)
-  let count = 0
-  const seen = new Set()
-  for (let i = 0; i < frames; i++) {
-    warped.update(33 * i)
-    mesh.rotation.y = i / 40
-    view.position.setLength(3 + 2 * Math.sin(i / 9) ** 2)
-    count += countHoles(await draw(scene, view))
-    seen.add(triangles())
-  }
-  warped.dispose()
-  return { holes: count, divisions: seen.size, triangles: Math.max(...seen) }
 }
 
 /** Instances of different sizes against the same as meshes of their own. */

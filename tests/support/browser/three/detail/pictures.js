@@ -1,6 +1,7 @@
 // Scenes with the option `detail`, and how their pictures differ. `draw(scene, camera)` returns RGBA bytes, and `triangles()` how many it drew.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
+import { countHoles as countOpen } from '../../holes.js'
 
 export const size = 256
 
@@ -113,25 +114,5 @@ export const covered = (picture) => {
   return count
 }
 
-/** Counts the pixels of the background that are not connected to the border of the picture, not even by corners as notches of an outline are. */
-export function countHoles(picture) {
-  const isOpen = (i) => picture[4 * i + 3] === 0
-  const seen = new Uint8Array(size * size)
-  const waiting = []
-  const visit = (i) => {
-    if (seen[i] || !isOpen(i)) return
-    seen[i] = 1
-    waiting.push(i)
-  }
-  for (let k = 0; k < size; k++)
-    for (const i of [k, size * (size - 1) + k, size * k, size * k + size - 1]) visit(i)
-  while (waiting.length) {
-    const i = waiting.pop()
-    const [x, y] = [i % size, Math.floor(i / size)]
-    for (let v = Math.max(y - 1, 0); v <= Math.min(y + 1, size - 1); v++)
-      for (let u = Math.max(x - 1, 0); u <= Math.min(x + 1, size - 1); u++) visit(v * size + u)
-  }
-  let holes = 0
-  for (let i = 0; i < size * size; i++) if (isOpen(i) && !seen[i]) holes++
-  return holes
-}
+/** Counts the pixels of the background that are inside of objects. */
+export const countHoles = (picture) => countOpen(size, (i) => picture[4 * i + 3] === 0)

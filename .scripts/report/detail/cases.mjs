@@ -1,0 +1,120 @@
+// The warps of the gallery, meshes and views by which the option `detail` is measured.
+import teapot from 'teapot'
+import * as THREE from 'three'
+import { compileWarp } from '../../../dist/warpjet.js'
+import { quantile, screenErrors, splitUniformly } from '../../../tests/support/screen-error.js'
+import { sketchWarps } from '../../../tests/warps/sketches.js'
+
+/** Pictures are square. */
+export const pixels = 600
+/** The max number of triangles of a uniform mesh. */
+const maxUniform = 3e5
+
+/** Half of the size of the meshes, as in each sketch, and the inputs at a moment at which it bends strongly. */
+const cases = {
+  'airplane-twist': [[100, 34, 98], { millis: 1885 }],
+  'bunny-twist': [[100, 100, 100], { millis: 1414 }],
+  'coarse-and-fine': [[90, 90, 90], { millis: 1571 }],
+  'deformer-melt': [[100, 100, 100], { millis: 1000 }],
+  'deformer-noise': [[125, 125, 125], { millis: 1000 }],
+  'domain-warping-3d-plain': [[1, 1, 1], { millis: 1000 }],
+  fingers: [[128, 200, 42], { millis: 300 }],
+  'glsl-waves': [[0.5, 0.5, 0.5], { millis: 1000, choppiness: 0.9 }],
+  lotus: [[1, 1, 1], { bend: 1.2 }],
+  'sine-cube': [[100, 100, 100], { millis: 500 }],
+  'sine-sphere': [[1, 1, 1], { millis: 500 }],
+  spoon: [[100, 12.5, 20.6], { millis: 2356 }],
+}
+
+/** Returns the warps with their cases → [{ name, offset, options, warp, sizes, uniforms }]; `warp` computes no normals. */
+export async function galleryWarps() {
+  const found = await sketchWarps()
+  return found
+    .filter(({ name }) => cases[name])
+    .map(({ name, warp: offset, options }) => {
+      const [sizes, uniforms] = cases[name]
+      return {
+        name,
+        offset,
+        options,
+        warp: compileWarp(offset, { normals: false }),
+        sizes,
+        uniforms,
+      }
+    })
+}
+
+function arraysOf(geometry) {
+  const { position, normal } = geometry.attributes
+  const vertices = Uint32Array.from({ length: position.count }, (_, i) => i)
+  const indices = geometry.index?.array ?? vertices
+  return { positions: position.array, normals: normal.array, indices }
+}
+
+function teapotGeometry() {
+  const geometry = new THREE.BufferGeometry()
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(teapot.positions.flat(), 3))
+  geometry.setIndex(teapot.cells.flat())
+  geometry.center()
+  geometry.computeBoundingBox()
+  geometry.scale(...Array(3).fill(1 / geometry.boundingBox.max.x))
+  geometry.computeVertexNormals()
+  return geometry
+}
+
+/** From -1 to 1. */
+export const meshes = {
+  box: arraysOf(new THREE.BoxGeometry(1.6, 1.6, 1.6)),
+  plane: arraysOf(new THREE.PlaneGeometry(2, 2)),
+  sphere: arraysOf(new THREE.SphereGeometry(1, 24, 16)),
+  icosahedron: arraysOf(new THREE.IcosahedronGeometry(1, 3)),
+  teapot: arraysOf(teapotGeometry()),
+}
+
+/** Makes a view of a mesh of this size from a place, in a square picture. */
+export function viewFrom(place, size) {
+  const camera = new THREE.PerspectiveCamera(60, 1, 0.03 * size, 20 * size)
+  camera.position.copy(place)
+  camera.lookAt(0, 0, 0)
+  camera.updateMatrixWorld()
+  const matrix = new THREE.Matrix4().multiplyMatrices(
+    camera.projectionMatrix,
+    camera.matrixWorldInverse,
+  )
+  return { matrix: matrix.elements, width: pixels, height: pixels }
+}
+
+/** Returns the numbers of `max` triangles, or of all if there are no more. */
+export function chooseTriangles(random, { indices }, max) {
+  const count = indices.length / 3
+  if (count <= max) return Array.from({ length: count }, (_, i) => i)
+  return Array.from({ length: max }, () => Math.floor(random() * count))
+}
+
+/**
+ * Returns into how many pieces the sides of all triangles are split in the coarsest uniform mesh whose error is not larger; as many as
+ * `maxUniform` triangles allow if there is none.
+ */
+export function findUniform(mesh, warpPositions, view, error, random) {
+  const isFine = (n) => {
+    const split = splitUniformly(mesh, n)
+    const triangles = chooseTriangles(random, split, 10_000)
+    return worstOf(screenErrors(split, warpPositions, view, triangles)) <= error
+  }
+  let [low, high] = [1, Math.ceil(Math.sqrt((3 * maxUniform) / mesh.indices.length))]
+  while (low < high) {
+    const middle = (low + high) >> 1
+    if (isFine(middle)) high = middle
+    else low = middle + 1
+  }
+  return low
+}
+
+/** The largest error, but for one of 10,000 points: single points say little. */
+export const worstOf = (errors) => quantile(errors, 0.9999)
+
+/** Scales a mesh. Its normals stay: they are as good as any others. */
+export const scale = ({ positions, ...others }, sizes) => ({
+  ...others,
+  positions: positions.map((x, i) => x * sizes[i % 3]),
+})

@@ -1,0 +1,140 @@
+// Measures how far drawn surfaces jump on the screen when a mesh is divided anew.
+import { pixelsOf } from './screen-error.js'
+
+/** Points of a triangle: corners, quarters of the sides, and points inside, as weights of the corners. */
+const places = []
+for (let i = 0; i <= 4; i++)
+  for (let j = 0; i + j <= 4; j++) places.push([1 - (i + j) / 4, i / 4, j / 4])
+
+/**
+ * Gives each triangle of a mesh vertices of its own, whose colors are its number and two weights of its corners, so that divided vertices
+ * show where in the given mesh they are.
+ */
+export function markPlaces({ positions, normals, indices }) {
+  const count = indices.length
+  const gather = (values) =>
+    Float32Array.from(
+      { length: 3 * count },
+      (_, i) => values[3 * indices[Math.floor(i / 3)] + (i % 3)],
+    )
+  const colors = Array.from({ length: count }, (_, v) => [
+    Math.floor(v / 3),
+    Number(v % 3 === 1),
+    Number(v % 3 === 2),
+    1,
+  ])
+  return { positions: gather(positions), normals: gather(normals), colors: colors.flat() }
+}
+
+/** Copies the arrays of a divided mesh, which the next update overwrites. */
+export const copyDivision = ({ positions, normals, colors, indices }) => ({
+  positions: positions.slice(),
+  normals: normals.slice(),
+  colors: colors.slice(),
+  indices: indices.slice(),
+})
+
+/** Finds the triangle of a division at a place of the given mesh, by the triangles that overlap each cell of a grid. */
+class Locator {
+  constructor({ colors, indices }) {
+    this.colors = colors
+    this.indices = indices
+    const count = indices.length / 3
+    const counts = []
+    for (let t = 0; t < count; t++) {
+      const given = this.givenOf(t)
+      counts[given] = (counts[given] ?? 0) + 1
+    }
+    this.grids = counts.map((each) => {
+      const size = Math.ceil(Math.sqrt(each))
+      return { size, cells: Array.from({ length: size * size }, () => []) }
+    })
+    for (let t = 0; t < count; t++) {
+      const { size, cells } = this.grids[this.givenOf(t)]
+      const [fromX, toX] = this.cellsAlong(t, 1, size)
+      const [fromY, toY] = this.cellsAlong(t, 2, size)
+      for (let x = fromX; x <= toX; x++)
+        for (let y = fromY; y <= toY; y++) cells[x * size + y].push(t)
+    }
+  }
+
+  givenOf = (t) => Math.round(this.corner(t, 0, 0))
+  corner = (t, i, k) => this.colors[4 * this.indices[3 * t + i] + k]
+
+  /** Returns the first and the last cell that a triangle overlaps. */
+  cellsAlong(t, k, size) {
+    const all = [this.corner(t, 0, k), this.corner(t, 1, k), this.corner(t, 2, k)]
+    return [cellAt(Math.min(...all), size), cellAt(Math.max(...all), size)]
+  }
+
+  /** Returns the triangle and the weights of its corners. Rounding may put a place outside of all of them, then the nearest counts. */
+  find(given, x, y) {
+    const { size, cells } = this.grids[given]
+    const best = { least: -Infinity, t: -1, weights: [0, 0, 0] }
+    for (const t of cells[cellAt(x, size) * size + cellAt(y, size)]) {
+      const [ax, ay] = [this.corner(t, 0, 1), this.corner(t, 0, 2)]
+      const [ux, uy] = [this.corner(t, 1, 1) - ax, this.corner(t, 1, 2) - ay]
+      const [vx, vy] = [this.corner(t, 2, 1) - ax, this.corner(t, 2, 2) - ay]
+      const area = ux * vy - vx * uy
+      const b = ((x - ax) * vy - vx * (y - ay)) / area
+      const c = (ux * (y - ay) - (x - ax) * uy) / area
+      const least = Math.min(1 - b - c, b, c)
+      if (least > best.least) Object.assign(best, { least, t, weights: [1 - b - c, b, c] })
+    }
+    return best
+  }
+}
+
+const cellAt = (x, size) => Math.min(size - 1, Math.max(0, Math.floor(x * size)))
+
+const locators = new WeakMap()
+
+/** The division after a change is that before the next one. */
+function locatorOf(division) {
+  if (!locators.has(division)) locators.set(division, new Locator(division))
+  return locators.get(division)
+}
+
+/**
+ * Returns the distances on the screen, in pixels, between points of the surface that was drawn and of that which is drawn now, with the
+ * same view and warp: the same places of the given mesh, in the triangles of both divisions. `chosen` are the triangles of each to look
+ * at; places outside of the picture are left out. The other arguments are as for `screenErrors`.
+ */
+export function popsBetween(before, after, warpPositions, view, chosen = allOf) {
+  const [a, b] = [before, after].map((division) => ({
+    ...division,
+    warped: warpPositions(division),
+    locator: locatorOf(division),
+  }))
+  return [...popsAt(a, b, view, chosen(a)), ...popsAt(b, a, view, chosen(b))]
+}
+
+const allOf = ({ indices }) => Array.from({ length: indices.length / 3 }, (_, t) => t)
+
+/** Returns the distances at the points of triangles of `from`. */
+function popsAt(from, to, view, triangles) {
+  const pops = []
+  for (const t of triangles) {
+    const given = Math.round(from.colors[4 * from.indices[3 * t]])
+    for (const weights of places) {
+      const [x, y] = [1, 2].map((k) => blend(from.colors, 4, k, from.indices, t, weights))
+      const found = to.locator.find(given, x, y)
+      // A place that no triangle covers would be a defect of its own.
+      if (!(found.least > -1e-3)) throw new Error(`no triangle at ${given}, ${x}, ${y}`)
+      const [a, b] = [
+        pixelsOf(pointOf(from, t, weights), 0, view),
+        pixelsOf(pointOf(to, found.t, found.weights), 0, view),
+      ]
+      if (a && b) pops.push(Math.hypot(a[0] - b[0], a[1] - b[1]))
+    }
+  }
+  return pops
+}
+
+function blend(values, size, k, indices, t, [a, b, c]) {
+  const at = (i) => values[size * indices[3 * t + i] + k]
+  return a * at(0) + b * at(1) + c * at(2)
+}
+
+const pointOf = ({ warped, indices }, t, weights) =>
+  [0, 1, 2].map((k) => blend(warped, 3, k, indices, t, weights))
