@@ -7,6 +7,7 @@ import { blockSize, constantsOf } from './common-wgsl.js'
 import { choosePass, placePass, totalPass, writePass } from './divide-wgsl.js'
 import { evaluatePass, measurePass, worldNumbers, type SampleInput } from './measure-wgsl.js'
 import { tessellationTable } from './table.js'
+import { VertexLayout } from './vertex-layout.js'
 import { PackedNumbers, warpInWgsl } from './warp-wgsl.js'
 import { usage, type GpuBuffer, type GpuDevice, type GpuPipeline } from './webgpu.js'
 
@@ -16,15 +17,25 @@ export interface Passes {
   readonly pipelines: Readonly<Record<PassName, GpuPipeline>>
   readonly numbers: PackedNumbers
   readonly inputs: readonly SampleInput[]
+  readonly layout: VertexLayout
   readonly table: GpuBuffer
   /** The counts of pieces, by level. */
   readonly pieceCounts: readonly number[]
 }
 
-/** The matrices that bring samples into the world. */
+/** The matrices that bring samples into the space of the offset. */
 export interface World {
   readonly position: () => readonly number[]
   readonly normal: () => readonly number[]
+  /** `true` if normals have length 1 there. */
+  readonly hasUnitNormals: boolean
+}
+
+export interface PassOptions {
+  /** Missing if the offset is in the space of the mesh. */
+  readonly world?: World | undefined
+  /** `true` if each attribute of the divided mesh is an array of its own. Default: `false` */
+  readonly isPlanar?: boolean
 }
 
 interface OfDevice {
@@ -39,7 +50,7 @@ export async function compilePasses(
   device: GpuDevice,
   warp: HostWarp,
   { attributes }: Pick<DetailBase, 'attributes'>,
-  world: World | undefined,
+  { world, isPlanar = false }: PassOptions,
 ): Promise<Passes> {
   const { maxStorageBuffersPerShaderStage, maxComputeInvocationsPerWorkgroup } = device.limits
   if (maxStorageBuffersPerShaderStage < 8 || maxComputeInvocationsPerWorkgroup < blockSize)
@@ -62,12 +73,15 @@ export async function compilePasses(
       return name && warp.reads(name) ? [{ input: name, size }] : []
     }),
   ]
-  const layout = [
-    { size: 3, isUnit: false },
-    ...attributes.map(({ size, isUnit = false }) => ({ size, isUnit })),
-  ]
+  const layout = new VertexLayout(
+    [
+      { size: 3, isUnit: false },
+      ...attributes.map(({ size, isUnit = false }) => ({ size, isUnit })),
+    ],
+    isPlanar,
+  )
   const codes: Record<PassName, string> = {
-    evaluate: evaluatePass(text, numbers, inputs, world !== undefined),
+    evaluate: evaluatePass(text, numbers, inputs, world),
     measure: measurePass(constants),
     choose: choosePass(constants),
     place: placePass(constants),
@@ -87,6 +101,7 @@ export async function compilePasses(
     pipelines: Object.fromEntries(names.map((name, i) => [name, pipelines[i]])) as never,
     numbers,
     inputs,
+    layout,
     table,
     pieceCounts,
   }
