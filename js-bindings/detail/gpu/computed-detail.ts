@@ -1,7 +1,7 @@
 // Decides in each frame whether compute passes divide a mesh or the CPU has to: until the passes are compiled, and wherever they cannot do it.
 import type { HostWarp } from '../../compile/host-warp.js'
 import type { DrawValues } from '../../compile/offset-warp.js'
-import type { DetailedMesh, DetailViews, ToSpace } from '../detailed-mesh.js'
+import type { DetailViews, DetailedMesh, ToSpace } from '../detailed-mesh.js'
 import { ComputeDivision } from './compute-division.js'
 import { CutWatch } from './cut-watch.js'
 import type { Passes } from './passes.js'

@@ -1,4 +1,4 @@
-// How the numbers of vertices follow each other in the buffer that compute passes write and a draw call reads.
+// `VertexLayout`: the order of the numbers in the buffer of vertices that compute passes write and a draw call reads.
 
 export interface VertexAttribute {
   /** Numbers per vertex. */
@@ -23,7 +23,7 @@ export class VertexLayout {
     this.stride = stride
   }
 
-  /** The place of an attribute's first number in a buffer for so many vertices. */
+  /** The place of an attribute's first number in a buffer with room for `vertices`. */
   startOf(attribute: number, vertices: number): number {
     return this.before[attribute]! * (this.isPlanar ? vertices : 1)
   }
