@@ -57,6 +57,7 @@ const sharedFiles = [
   },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'detailed-mesh', test: /\/js-bindings\/(detail\/(?!option|gpu)|wasm\/detail)/ },
+  { name: 'detail-passes', test: /\/js-bindings\/detail\/gpu\// },
   {
     name: 'meshes',
     test: /\/js-bindings\/(mesh|wasm\/(mesh|mikktspace)|p5\/geometry\/(model|subdivide-geometry|vary-geometry|with-mesh))[/.-]|\/node_modules\/(fast-png|iobuffer|fflate)\//,

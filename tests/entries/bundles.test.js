@@ -39,6 +39,7 @@ test('names of files do not change between releases', () => {
   const shared = [
     'basics',
     'compiler',
+    'detail-passes',
     'detailed-mesh',
     'evaluation',
     'front-end',
