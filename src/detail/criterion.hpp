@@ -16,6 +16,9 @@ struct Criterion {
   // The bend between samples can exceed that of all cells. This estimates by how much, as a share
   // of the difference of their maximum and mean; `npm run report -- detail` shows what it leads to.
   float beyondCells = 0.3f;
+  // The error of an undivided triangle, as a multiple of that at its 15 samples. If the surface
+  // bends alike in all directions, it is 16/15.
+  float beyondFlat = 1.1f;
   // A piece of length h errs by h^2 / 8 of the second derivative; a triangle errs most in its
   // middle, by 4/3 of that.
   float error = 4.0f / 3 / 8;

@@ -185,7 +185,8 @@ std::uint32_t Detail::chooseUniform() {
 
 bool Detail::update(std::span<const float> numbers, float tolerance) {
   const std::vector<ScreenView> views = readViews(numbers);
-  const bool isChanged = needs_.update(*base_, patches_, warped_, views, tolerance);
+  const std::span<const Patch> patches = cuts_.empty() ? std::span<const Patch>() : patches_;
+  const bool isChanged = needs_.update(*base_, patches, warped_, views, tolerance);
   const std::uint32_t uniform = chooseUniform();
   const bool isSame = uniform == uniform_ && (uniform != 0 || !isChanged);
   if (isSame && !indices_.empty()) return false;

@@ -3,22 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
 #include "detail/base_mesh.hpp"
 #include "detail/interpolation.hpp"
+#include "detail/triangle_on_screen.hpp"
 
 namespace warpjet {
-
-// A view of the mesh. If it is drawn several times in a frame, there are several.
-struct ScreenView {
-  glm::mat4 clip;      // from the space of warped positions to clip space
-  glm::vec2 halfSize;  // of the viewport, in pixels
-  // 1: triangles that face away are not drawn. -1: triangles that face the eye are not. 0: all are.
-  float facing = 0;
-};
 
 // The numbers of pieces that edges have. They keep more than the surface needs until it needs
 // much less, so that the mesh rarely changes.
@@ -26,7 +18,7 @@ class Needs {
  public:
   // `warped` has three numbers for each sample of the mesh (BaseMesh::samples). Returns true if a
   // number of pieces changed. Samples that are not finite need nothing.
-  // `patches` are by triangle, and may be empty.
+  // `patches` are by triangle. Without them, the mesh is the given one.
   bool update(const BaseMesh& base, std::span<const Patch> patches, std::span<const float> warped,
               std::span<const ScreenView> views, float tolerance);
 

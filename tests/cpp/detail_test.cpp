@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -143,6 +144,20 @@ TEST(Detail, ABendNeedsNoPiecesAcross) {
                std::array{viewAlongX()}, 1);
   EXPECT_EQ(piecesBetween(base, needs, 0, 1), 6u);
   EXPECT_EQ(piecesBetween(base, needs, 1, 2), 1u);
+}
+
+// A wave of 0.3 pixels up and down, between whose samples the second differences are 1.2 pixels.
+// These alone would ask for the root of 16 * 1.2 / 6 / 0.8 pieces: 2.
+TEST(Detail, ATriangleThatIsCloseToAllSamplesIsNotDivided) {
+  const BaseMesh base = square();
+  const auto ripple = [&](float height) {
+    return warpedSamples(base, [height](float* p) {
+      p[2] = height * std::cos(4 * std::numbers::pi_v<float> * p[0]);
+    });
+  };
+  Needs needs;
+  EXPECT_FALSE(needs.update(base, {}, ripple(0.003f), std::array{viewAlongX()}, 1));
+  EXPECT_TRUE(needs.update(base, {}, ripple(0.006f), std::array{viewAlongX()}, 1));
 }
 
 TEST(Detail, ErrorsAlongTheSightNeedNoPieces) {

@@ -32,6 +32,7 @@ const criterionNames = [
   'aside',
   'away',
   'beyondCells',
+  'beyondFlat',
   'error',
   'aim',
   'hysteresis',

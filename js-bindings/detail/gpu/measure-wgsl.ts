@@ -161,6 +161,31 @@ fn nearestOf(clips: ptr<function, Clips>) -> vec4f {
   return vec4f(clamp(found.xy, vec2f(-limit), vec2f(limit)), found.zw);
 }
 
+/** The Jacobian of the place on the screen, in pixels. */
+fn jacobianOf(view: View, near: vec4f) -> mat3x2f {
+  var jacobian: mat3x2f;
+  for (var k = 0; k < 3; k++) {
+    let change = view.clip[k];
+    jacobian[k] = view.halfSize * (change.xy - near.xy * (change.w / near.w)) / near.w;
+  }
+  return jacobian;
+}
+
+fn flatError(samples: ptr<function, Samples>, jacobian: mat3x2f) -> f32 {
+  let start = (*samples)[0];
+  let toFirst = ((*samples)[${sampleAt(4, 0)}] - start) / 4;
+  let toSecond = ((*samples)[${sampleAt(4, 4)}] - start) / 4;
+  var square = 0.0;
+  for (var row = 1u; row <= 4; row++) {
+    for (var i = 0u; i <= row; i++) {
+      let flat = start + f32(row - i) * toFirst + f32(i) * toSecond;
+      let distance = jacobian * ((*samples)[row * (row + 1) / 2 + i] - flat);
+      square = max(square, dot(distance, distance));
+    }
+  }
+  return sqrt(square);
+}
+
 /** Returns xx, xy and yy of the bend. */
 fn bendOf(width: f32, apex: vec2f, first: vec2f, second: vec2f, third: vec2f) -> vec3f {
   let mixed = 0.5 * (first + third - second);
@@ -199,26 +224,29 @@ fn isFinite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7f800000u) != 0x7f8000
     var clips: Clips;
     for (var i = 0; i < 15; i++) { clips[i] = view.clip * vec4f(samples[i], 1); }
     if (!isVisible(&clips, view)) { continue; }
-    let near = nearestOf(&clips);
-    var most = vec3f(0);
+    let jacobian = jacobianOf(view, nearestOf(&clips));
+    let flat = flatError(&samples, jacobian) * beyondFlat / (aim * parameters.tolerance);
+    if (flat <= 1) {
+      squares = max(squares, vec3f(flat));
+      continue;
+    }
+    var largest = vec3f(0);
     var sum = vec3f(0);
     for (var i = 0; i < 6; i++) {
       let cell = cells[i];
       var bends: array<vec2f, 3>;
       for (var j = 0u; j < 3; j++) {
-        let change = samples[cell[j]] + samples[cell[(j + 1) % 3]] - 2 * samples[cell[j + 3]];
-        let clip = view.clip * vec4f(16 * change, 0);
-        bends[j] = view.halfSize * (clip.xy - near.xy * (clip.w / near.w)) / near.w;
+        bends[j] = jacobian * (16 * (samples[cell[j]] + samples[cell[(j + 1) % 3]] - 2 * samples[cell[j + 3]]));
       }
       let bend = bendOf(width, apex, bends[0], bends[1], bends[2]);
       let here = vec3f(along(bend, vec2f(width, 0)), along(bend, apex - vec2f(width, 0)), along(bend, apex));
       if (!isFinite(here.x + here.y + here.z)) { continue; }
-      most = max(most, here);
+      largest = max(largest, here);
       sum += here;
     }
-    squares = max(squares, (most + beyondCells * (most - sum / 6)) * error);
+    let byBends = (largest + beyondCells * (largest - sum / 6)) * error / (aim * parameters.tolerance);
+    squares = max(squares, byBends);
   }
-  squares /= aim * parameters.tolerance;
   for (var i = 0u; i < 3; i++) {
     let side = topology[first + 3 + i] >> 1;
     let edge = topology[6 * parameters.triangles + 3 * side + 2];

@@ -104,6 +104,9 @@ async function divide({ frames = 6, ...options }) {
       warped.update(40 * i)
       if (options.space === 'world') mesh.rotation.z = i / 20
     }
+    // There may be too little room at first.
+    await byPasses.draw(view)
+    await wait(20)
     const [picture, expectedPicture] = [await byPasses.draw(view), await byCpu.draw(view)]
     const { indices, numbers } = await byPasses.read()
     const { index, attributes, drawRange } = byCpu.drawn()
@@ -178,9 +181,12 @@ async function life() {
   const one = start(passes, { shape: 'box', name: 'twist', material })
   await one.begin()
   const [near, far] = [camera(), camera()]
+  near.position.setLength(2)
   far.position.setLength(30)
   const triangles = async () => (await one.read()).indices.length / 3
   const counts = { held: buffers.size - before, pairs: [] }
+  // The first picture starts from the pieces that the CPU chose.
+  await one.draw(far)
   for (let i = 0; i < 2; i++)
     for (const view of [near, far]) {
       await one.draw(view)
