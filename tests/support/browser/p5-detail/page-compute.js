@@ -162,8 +162,10 @@ async function divide({ frames = 6, hasPlaces, ...given }) {
   const found = []
   for (let i = 0; i < frames; i++) {
     // There may be too little room at first.
-    await byPasses.picture(i)
-    await wait(10)
+    for (let k = 0; k < 3; k++) {
+      await byPasses.picture(i)
+      await wait(30)
+    }
     const picture = await byPasses.picture(i)
     const expected = await byCpu.picture(i)
     if (picture.draws.length !== expected.draws.length)
@@ -320,12 +322,12 @@ async function leave({ kind }) {
   }
 }
 
-/** Draws pictures for as long as passes need to begin with a box → whether they do with other shapes. */
+/** Draws pictures for longer than passes need to begin with a box of another canvas → whether they do with other shapes. */
 async function begin({ kind }) {
   const box = await startSketch(sketch({ shape: 'box', name: 'twist' }))
   const one = await startSketch(sketch({ shape: 'box', name: 'twist', ...kinds[kind] }))
   let found
-  for (let k = 0, later = 0; later < 5; k++) {
+  for (let later = 0; later < 40 && !found?.every(Boolean);) {
     if (areIndirect(await box.picture()).every(Boolean)) later++
     found = areIndirect(await one.picture())
     await wait(10)
