@@ -101,6 +101,11 @@ export class OffsetWarp {
       : option
   }
 
+  /** Returns the numbers of a uniform, by its name in the shader: those of a value that the draw call gives, or the present ones. */
+  uniformNumbers(label: string, given: DrawValues): readonly number[] {
+    return this.numbersNow(this.userName(label), label, given)
+  }
+
   text(target: Target, results: readonly Result[], options: TextOptions = {}): HostText {
     return writeWarp(this.recorded, target, results, {
       ...options,
@@ -181,7 +186,10 @@ export class OffsetWarp {
   }
 
   private stateOf({ number, name: label }: Variable, given: DrawValues): readonly number[] {
-    const name = this.drawNames().get(number) ?? this.userName(label)
+    return this.numbersNow(this.drawNames().get(number) ?? this.userName(label), label, given)
+  }
+
+  private numbersNow(name: string, label: string, given: DrawValues): readonly number[] {
     const value = own(given, name)
     if (value === undefined) return this.byLabel().get(label)?.numbers() ?? []
     return this.uniforms.declared.has(name)

@@ -74,6 +74,10 @@ function applyOnV1(
 
 export const isStrokeShader = (shader: Shader | null | undefined) => !!shader && ours.has(shader)
 
+/** Returns whether our shader draws the lines of the next shape. */
+export const drawsWarpedLines = (renderer: Renderer) =>
+  areLinesVisible(renderer) && isStrokeShader(stateOf(renderer).userStrokeShader)
+
 /** Returns whether our shaders draw lines and points already. */
 export const hasStrokes = (canvas: Canvas) =>
   isStrokeShader(stateOf(rendererOf(canvas)!).userStrokeShader)

@@ -12,12 +12,11 @@ export type BaseBuffers = Readonly<
   >
 >
 
-/** `sizes` are the numbers per vertex of the attributes. Returns `undefined` if a buffer would be too large. */
+/** Returns `undefined` if a buffer would be too large. */
 export function makeBaseBuffers(
   device: GpuDevice,
-  { inputs, pieceCounts }: Passes,
+  { inputs, pieceCounts, layout }: Passes,
   parts: DetailParts,
-  sizes: readonly number[],
 ): BaseBuffers | undefined {
   const { triangles, sides, topology, pieces, samples, attribute } = parts
   const count = samples.positions.length / 3
@@ -25,7 +24,7 @@ export function makeBaseBuffers(
   const arrays = {
     samples: concatenate(inputs.map(({ input }) => samples[arrayNames[input]]!)),
     topology,
-    base: concatenate(sizes.map((size, i) => attribute(i - 1, size))),
+    base: concatenate(layout.attributes.map(({ size }, i) => attribute(i - 1, size))),
     pieces: pieces.map((each) => pieceCounts.indexOf(each)),
   }
   const bytes = {

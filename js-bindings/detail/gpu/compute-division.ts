@@ -60,18 +60,12 @@ export class ComputeDivision {
     this.reading = this.make('counts', base.state.size, usage.mapRead | usage.copyTo)
   }
 
-  /** `sizes` are the numbers per vertex of the attributes, of which the first one is positions. Returns `undefined` if the mesh is too large, empty or curved. */
-  static of(
-    device: GpuDevice,
-    passes: Passes,
-    mesh: DetailedMesh,
-    parts: DetailParts,
-    sizes: readonly number[],
-  ) {
+  /** Returns `undefined` if the mesh is too large, empty or curved. */
+  static of(device: GpuDevice, passes: Passes, mesh: DetailedMesh, parts: DetailParts) {
     const { vertices, triangles, sides, pieces, samples } = parts
     if (parts.isCurved || triangles === 0) return undefined
-    const base = makeBaseBuffers(device, passes, parts, sizes)
-    const divided = base && DividedBuffers.copyOf(device, mesh, sizes)
+    const base = makeBaseBuffers(device, passes, parts)
+    const divided = base && DividedBuffers.copyOf(device, mesh, passes.layout)
     if (!divided) {
       if (base) destroyAll(base)
       return undefined
@@ -120,6 +114,7 @@ export class ComputeDivision {
     if (!this.isReading)
       encoder.copyBufferToBuffer(this.base.state, 0, this.reading, 0, this.reading.size)
     this.device.queue.submit([encoder.finish()])
+    this.divided.destroyOutgrown()
     this.isUnread = this.isReading
     if (!this.isReading) void this.readCounts()
   }

@@ -1,11 +1,6 @@
 // The passes that write the divided mesh for the pieces of the edges, in the order of src/detail/division.cpp.
 import { blockSize, groupSize, lanes, parameters, startOf, state } from './common-wgsl.js'
-
-/** An attribute of the base; its numbers follow those of the attributes before in each vertex of the divided mesh. */
-export interface Layout {
-  readonly size: number
-  readonly isUnit: boolean
-}
+import type { VertexLayout } from './vertex-layout.js'
 
 const plainState = state.replace('ATOMIC', 'u32')
 
@@ -102,7 +97,7 @@ ${sumOfBlock}
 }`
 
 /** Writes vertices and triangles. The vertices of the base are there already. */
-export const writePass = (constants: string, layout: readonly Layout[]) => `${parameters}
+export const writePass = (constants: string, layout: VertexLayout) => `${parameters}
 ${constants}
 ${plainState}
 @group(0) @binding(1) var<storage, read> topology: array<u32>;
@@ -208,12 +203,11 @@ fn sumUp(local: u32, count: vec2u) -> vec2u {
 }`
 
 /** Writes a vertex between others. */
-function blendOf(layout: readonly Layout[]) {
-  const stride = layout.reduce((sum, { size }) => sum + size, 0)
-  let before = 0
-  const parts = layout.map(({ size, isUnit }) => {
-    const at = before
-    before += size
+function blendOf(layout: VertexLayout) {
+  const parts = layout.attributes.map(({ size, isUnit }, attribute) => {
+    const at = layout.before[attribute]!
+    const start = layout.isPlanar ? `${at}u * parameters.maxVertices` : `${at}u`
+    const place = `${start} + ${layout.stepOf(attribute)}u * vertex`
     const numbers = Array.from({ length: size }, (_, i) => {
       const of = (corner: string) =>
         `weights.${corner} * base[${at}u * parameters.vertices + ${size}u * ends.${corner} + ${i}u]`
@@ -229,7 +223,7 @@ function blendOf(layout: readonly Layout[]) {
             ...names.map((name) => `${name} *= scale${at};`),
           ]
         : []),
-      ...names.map((name, i) => `vertices[${stride}u * vertex + ${at + i}u] = ${name};`),
+      ...names.map((name, i) => `vertices[${place} + ${i}u] = ${name};`),
     ].join('\n  ')
   })
   return `/** Zero vectors and those that are not finite stay as they are. */

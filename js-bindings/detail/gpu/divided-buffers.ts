@@ -1,5 +1,6 @@
 // The buffers that compute passes write and an indirect call draws: the divided mesh.
 import type { DetailedMesh } from '../detailed-mesh.js'
+import type { VertexLayout } from './vertex-layout.js'
 import { usage, type GpuBuffer, type GpuDevice, type GpuEncoder } from './webgpu.js'
 
 export interface Room {
@@ -12,25 +13,23 @@ const spare = 2
 
 export class DividedBuffers {
   room: Room = { vertices: 0, triangles: 0 }
-  /** The numbers of all attributes of a vertex, then those of the next one. */
   vertices!: GpuBuffer
   indices!: GpuBuffer
   /** The five numbers of `drawIndexedIndirect`. */
   readonly drawn: GpuBuffer
-  private readonly stride: number
+  /** Buffers that larger ones have replaced. */
+  private outgrown: GpuBuffer[] = []
 
   private constructor(
     private readonly device: GpuDevice,
-    /** The numbers per vertex of each attribute; the first one is positions. */
-    private readonly sizes: readonly number[],
+    readonly layout: VertexLayout,
   ) {
-    this.stride = sizes.reduce((sum, size) => sum + size, 0)
     this.drawn = this.make('draw call', 20, usage.indirect)
   }
 
   /** Copies a mesh that the CPU has divided; `undefined` if it is too large. */
-  static copyOf(device: GpuDevice, mesh: DetailedMesh, sizes: readonly number[]) {
-    const buffers = new DividedBuffers(device, sizes)
+  static copyOf(device: GpuDevice, mesh: DetailedMesh, layout: VertexLayout) {
+    const buffers = new DividedBuffers(device, layout)
     const indices = mesh.indices()
     const vertices = mesh.values(-1).length / 3
     if (!buffers.grow({ vertices, triangles: indices.length / 3 })) {
@@ -38,7 +37,7 @@ export class DividedBuffers {
       return undefined
     }
     device.queue.writeBuffer(buffers.indices, 0, indices)
-    device.queue.writeBuffer(buffers.vertices, 0, buffers.interleave(mesh, vertices))
+    device.queue.writeBuffer(buffers.vertices, 0, buffers.arrange(mesh))
     device.queue.writeBuffer(buffers.drawn, 0, new Uint32Array([indices.length, 1, 0, 0, 0]))
     return buffers
   }
@@ -50,20 +49,37 @@ export class DividedBuffers {
       vertices: Math.max(spare * vertices, this.room.vertices),
       triangles: Math.max(spare * triangles, this.room.triangles),
     }
-    const bytes = [4 * this.stride * room.vertices, 12 * room.triangles] as const
+    const bytes = [4 * this.layout.stride * room.vertices, 12 * room.triangles] as const
     if (Math.max(...bytes) > Math.min(maxStorageBufferBindingSize, maxBufferSize)) return false
-    const before = [this.vertices, this.indices]
+    const before = { vertices: this.vertices, indices: this.indices, room: this.room }
     this.vertices = this.make('vertices', bytes[0], usage.vertex)
     this.indices = this.make('indices', bytes[1], usage.index)
-    const after = [this.vertices, this.indices]
-    if (encoder)
-      before.forEach((from, i) => encoder.copyBufferToBuffer(from, 0, after[i]!, 0, from.size))
     this.room = room
+    if (encoder) this.copy(before, encoder)
     return true
+  }
+
+  /** Destroys the buffers that `grow` has replaced, once its commands are submitted. */
+  destroyOutgrown() {
+    for (const buffer of this.outgrown.splice(0)) buffer.destroy()
   }
 
   destroy() {
     for (const buffer of [this.vertices, this.indices, this.drawn]) buffer.destroy()
+  }
+
+  private copy(
+    { vertices, indices, room }: Pick<DividedBuffers, 'vertices' | 'indices' | 'room'>,
+    encoder: GpuEncoder,
+  ) {
+    const { layout } = this
+    encoder.copyBufferToBuffer(indices, 0, this.indices, 0, indices.size)
+    const parts = layout.isPlanar ? layout.attributes : [{ size: layout.stride }]
+    parts.forEach(({ size }, i) => {
+      const [from, to] = [room, this.room].map((each) => 4 * layout.startOf(i, each.vertices))
+      encoder.copyBufferToBuffer(vertices, from!, this.vertices, to!, 4 * size * room.vertices)
+    })
+    this.outgrown.push(vertices, indices)
   }
 
   private make(name: string, size: number, flag: number) {
@@ -71,14 +87,16 @@ export class DividedBuffers {
     return this.device.createBuffer({ label: `warpjet detail: ${name}`, size, usage: flags })
   }
 
-  private interleave(mesh: DetailedMesh, vertices: number) {
-    const array = new Float32Array(this.stride * vertices)
-    let offset = 0
-    this.sizes.forEach((size, attribute) => {
+  /** Returns the numbers of a mesh as the buffer of vertices has them. */
+  private arrange(mesh: DetailedMesh) {
+    const { layout, room } = this
+    const array = new Float32Array(layout.stride * room.vertices)
+    layout.attributes.forEach(({ size }, attribute) => {
       const values = mesh.values(attribute - 1)
-      for (let i = 0, at = offset; i < values.length; i += size, at += this.stride)
+      const step = layout.stepOf(attribute)
+      let at = layout.startOf(attribute, room.vertices)
+      for (let i = 0; i < values.length; i += size, at += step)
         for (let k = 0; k < size; k++) array[at + k] = values[i + k]!
-      offset += size
     })
     return array
   }

@@ -8,10 +8,12 @@ export interface SampleInput {
   readonly size: number
 }
 
-/** The matrices that transform positions and normals of samples to world space. */
+/** The matrices that transform positions and normals of samples into the space of the offset. */
 export interface World {
   readonly position: () => readonly number[]
   readonly normal: () => readonly number[]
+  /** `true` if normals have length 1 there. */
+  readonly hasUnitNormals: boolean
 }
 
 /** Names of these matrices in WGSL. */
@@ -33,7 +35,7 @@ export function evaluatePass(
   warp: Warp,
   numbers: PackedNumbers,
   inputs: readonly SampleInput[],
-  isWorld: boolean,
+  world: { readonly hasUnitNormals: boolean } | undefined,
 ): string {
   let before = 0
   const reads = inputs.map(({ input, size }) => {
@@ -56,8 +58,8 @@ ${warp.declarations}
   _ = warpjetInputs[0];
   ${reads.join('\n  ')}
   ${numbers.code}
-  ${isWorld ? toWorld(has('normal')) : `let ${position} = positionHere;`}
-  ${has('normal') && !isWorld ? `let ${normal} = normalHere;` : ''}
+  ${world ? toWorld(has('normal'), world.hasUnitNormals) : `let ${position} = positionHere;`}
+  ${has('normal') && !world ? `let ${normal} = normalHere;` : ''}
   ${has('uv') ? `let ${uv} = uvHere;` : ''}
   ${has('color') ? `let ${color} = colorHere;` : ''}
   ${warp.code}
@@ -65,12 +67,12 @@ ${warp.declarations}
 }`
 }
 
-const toWorld = (hasNormal: boolean) =>
+const toWorld = (hasNormal: boolean, isUnit: boolean) =>
   `let ${sampleNames.position} = (${worldNames.position} * vec4f(positionHere, 1.0)).xyz;${
     hasNormal
       ? `
   let normalThere = ${worldNames.normal} * normalHere;
-  let ${sampleNames.normal} = normalThere / max(length(normalThere), 1e-30);`
+  let ${sampleNames.normal} = normalThere${isUnit ? ' / max(length(normalThere), 1e-30)' : ''};`
       : ''
   }`
 

@@ -13,6 +13,7 @@ import {
   type World,
 } from './measure-wgsl.js'
 import { tessellationTable } from './table.js'
+import { VertexLayout } from './vertex-layout.js'
 import { PackedNumbers, warpInWgsl } from './warp-wgsl.js'
 import { usage, type GpuBuffer, type GpuDevice, type GpuPipeline } from './webgpu.js'
 
@@ -22,9 +23,17 @@ export interface Passes {
   readonly pipelines: Readonly<Record<PassName, GpuPipeline>>
   readonly numbers: PackedNumbers
   readonly inputs: readonly SampleInput[]
+  readonly layout: VertexLayout
   readonly table: GpuBuffer
   /** The counts of pieces, by level. */
   readonly pieceCounts: readonly number[]
+}
+
+export interface PassOptions {
+  /** Missing if the offset is in the space of the mesh. */
+  readonly world?: World | undefined
+  /** `true` if each attribute of the divided mesh is an array of its own. Default: `false` */
+  readonly isPlanar?: boolean
 }
 
 /** The pipelines and the table of a device, which all meshes share. */
@@ -40,7 +49,7 @@ export async function compilePasses(
   device: GpuDevice,
   warp: HostWarp,
   { attributes }: Pick<DetailBase, 'attributes'>,
-  world: World | undefined,
+  { world, isPlanar = false }: PassOptions,
 ): Promise<Passes> {
   const { maxStorageBuffersPerShaderStage, maxComputeInvocationsPerWorkgroup } = device.limits
   if (maxStorageBuffersPerShaderStage < 8 || maxComputeInvocationsPerWorkgroup < blockSize)
@@ -60,12 +69,15 @@ export async function compilePasses(
       return name && warp.reads(name) ? [{ input: name, size }] : []
     }),
   ]
-  const layout = [
-    { size: 3, isUnit: false },
-    ...attributes.map(({ size, isUnit = false }) => ({ size, isUnit })),
-  ]
+  const layout = new VertexLayout(
+    [
+      { size: 3, isUnit: false },
+      ...attributes.map(({ size, isUnit = false }) => ({ size, isUnit })),
+    ],
+    isPlanar,
+  )
   const codes: Record<PassName, string> = {
-    evaluate: evaluatePass(text, numbers, inputs, world !== undefined),
+    evaluate: evaluatePass(text, numbers, inputs, world),
     measure: measurePass(constants),
     choose: choosePass(constants),
     place: placePass(constants),
@@ -85,6 +97,7 @@ export async function compilePasses(
     pipelines: Object.fromEntries(names.map((name, i) => [name, pipelines[i]])) as never,
     numbers,
     inputs,
+    layout,
     table,
     pieceCounts,
   }

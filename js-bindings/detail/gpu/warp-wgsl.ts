@@ -80,7 +80,7 @@ export function warpInWgsl(warp: HostWarp) {
     const read: NamedNumbers['read'] = inFrame.has(name)
       ? (given) => warp.frame(given)[name]!
       : uniformsByLabel.has(name)
-        ? () => uniformsByLabel.get(name)!.numbers()
+        ? (given) => warp.uniformNumbers(name, given)
         : (given) => [given[name] as number | number[]].flat()
     return { name: name in drawInputs ? drawName(name) : name, type, read }
   })

@@ -1,10 +1,14 @@
 /** The buffers of a divided shape on the GPU. */
 import type { DetailedMesh } from '../../detail/detailed-mesh.js'
+import { usage, type GpuBuffer, type GpuDevice } from '../../detail/gpu/webgpu.js'
 import type { Renderer } from '../host.js'
 import { drawnIndices, type ShapeBase } from './shape.js'
 
 /** The buffers that p5 keeps for a shape, by their name `dst`, and those of indices. */
 export type ShapeBuffers = Record<string, unknown>
+
+/** Returns the GPUDevice of a WEBGPU canvas. */
+export const deviceOf = ({ device }: Renderer) => device as unknown as GpuDevice | undefined
 
 /** Writes arrays into buffers, which it makes if they are missing or too small. */
 interface Writer {
@@ -27,7 +31,7 @@ export function upload(
 }
 
 const writerOf = (renderer: Renderer) =>
-  renderer.device ? writerOfGpu(renderer.device as Device) : writerOfGl(renderer)
+  renderer.device ? writerOfGpu(deviceOf(renderer)!) : writerOfGl(renderer)
 
 /** Uploads arrays of lines, by the names of their buffers. */
 export function uploadLines(
@@ -55,30 +59,17 @@ function writerOfGl(renderer: Renderer): Writer {
   }
 }
 
-/** The members of a GPUDevice that are used here. */
-interface Device {
-  createBuffer(settings: { size: number; usage: number }): Buffer
-  readonly queue: { writeBuffer(buffer: Buffer, at: number, values: ArrayBufferView): void }
-}
-
-interface Buffer {
-  readonly size: number
-  destroy(): void
-}
-
-/** The bits of GPUBufferUsage. */
-const usage = { copyTo: 8, index: 16, vertex: 32 }
-
-function writerOfGpu(device: Device): Writer {
+function writerOfGpu(device: GpuDevice): Writer {
   const write = (buffers: ShapeBuffers, name: string, values: ArrayBufferView, kind: number) => {
     const { byteLength } = values
-    let buffer = buffers[name] as Buffer | undefined
+    let buffer = buffers[name] as GpuBuffer | undefined
     if (!buffer || buffer.size < byteLength) {
       // p5 has submitted its draws when the next frame begins, and a buffer is written once per frame.
       buffer?.destroy()
       // Grows by half more than it must, so that it grows rarely.
       const size = 4 * Math.ceil((1.5 * byteLength) / 4)
-      buffers[name] = buffer = device.createBuffer({ size, usage: kind | usage.copyTo })
+      const label = `warpjet detail: ${name}`
+      buffers[name] = buffer = device.createBuffer({ label, size, usage: kind | usage.copyTo })
     }
     device.queue.writeBuffer(buffer, 0, values)
   }
@@ -89,5 +80,19 @@ function writerOfGpu(device: Device): Writer {
       // p5 2.3 writes `indexBufferType` and reads `indexFormat`.
       buffers.indexBufferType = buffers.indexFormat = 'uint32'
     },
+  }
+}
+
+/** Submits the present draws of p5 on WEBGPU, after which their buffers can be destroyed. */
+export function submitDraws(renderer: Renderer) {
+  if (deviceOf(renderer)) (renderer as { flushDraw?: () => void }).flushDraw?.()
+}
+
+/** Destroys buffers of WEBGPU, whose draws must be submitted. */
+export function destroyOnGpu(buffers: ShapeBuffers) {
+  for (const [name, buffer] of Object.entries(buffers)) {
+    if (name === 'geometry' || !(buffer as Partial<GpuBuffer>).destroy) continue
+    ;(buffer as GpuBuffer).destroy()
+    delete buffers[name]
   }
 }

@@ -2,49 +2,30 @@
  * The option `detail` of `createWarp`: while a warp's shader is in use, p5 draws shapes with as many triangles as their warped surface
  * needs on the screen. p5 draws a stand-in for the shape, whose buffers are written here; its shaders stay as they are.
  */
-import type { HostWarp } from '../../compile/hosts.js'
-import { DetailedMesh } from '../../detail/detailed-mesh.js'
-import type { DetailSettings } from '../../detail/option.js'
-import {
-  immediateShape,
-  sketchOf,
-  stateOf,
-  type Canvas,
-  type Renderer,
-  type Shader,
-} from '../host.js'
-import type { WarpSpace } from '../settings.js'
+import { immediateShape, stateOf, type Renderer, type Shader } from '../host.js'
 import { isStrokeShader } from '../strokes.js'
-import { upload, uploadLines, type ShapeBuffers } from './buffers.js'
-import { divideLines, linesOf, type LineBase } from './lines.js'
-import { baseOf, drawnIndices, type DrawnShape, type ShapeBase } from './shape.js'
-import { viewOf } from './views.js'
-
-/** The warp of a shader, for drawing it with detail. */
-export interface DetailOfWarp extends DetailSettings {
-  readonly canvas: Canvas
-  readonly warp: HostWarp
-  readonly space: WarpSpace
-  /** The values of the draw call. */
-  values: Readonly<Record<string, unknown>>
-}
-
-/** More draws of one shape in one frame keep the vertices that the shape has, as each has its own buffers. */
-const maxDrawsPerFrame = 100
+import { uploadLines, type ShapeBuffers } from './buffers.js'
+import { divide, freeDraws, type DetailOfWarp, type Divided, type Division } from './draws.js'
+import { drawIndirectly } from './indirect.js'
+import { divideLines, linesOf } from './lines.js'
+import type { DrawnShape } from './shape.js'
 
 const details = new WeakMap<Shader, DetailOfWarp>()
 
 /** Draws shapes with detail while this shader is in use. */
 export function useDetail(renderer: Renderer, shader: Shader, detail: DetailOfWarp) {
+  if (!shadersOf.has(renderer)) {
+    shadersOf.set(renderer, [])
+    const drawing = renderer as unknown as Drawing
+    if (drawing._drawGeometry) hookDrawGeometry(renderer, drawing as never)
+    else hookDrawBuffers(renderer, drawing as never)
+  }
+  if (!details.has(shader)) shadersOf.get(renderer)!.push(new WeakRef(shader))
   details.set(shader, detail)
-  if (hooked.has(renderer)) return
-  hooked.add(renderer)
-  const drawing = renderer as unknown as Drawing
-  if (drawing._drawGeometry) hookDrawGeometry(renderer, drawing as never)
-  else hookDrawBuffers(renderer, drawing as never)
 }
 
-const hooked = new WeakSet<Renderer>()
+/** The shaders with detail of each renderer that is hooked. */
+const shadersOf = new WeakMap<Renderer, WeakRef<Shader>[]>()
 
 type Draw = (shape: DrawnShape, options?: { mode?: unknown; count?: number }) => void
 type DrawBuffers = (name: string) => unknown
@@ -54,26 +35,35 @@ interface Drawing {
   _drawGeometry?: Draw
   _drawFills?: Draw
   _drawStrokes?: Draw
-  readonly geometryBufferCache?: { readonly cache: Record<string, ShapeBuffers> }
+  readonly geometryBufferCache?: BufferCache
   /** 1.11 only. */
   drawBuffers?: DrawBuffers
 }
 
+interface BufferCache {
+  readonly cache: Record<string, ShapeBuffers>
+  /** Frees the buffers of a shape, which its name belongs to. */
+  freeBuffers(name: string): void
+}
+
 function hookDrawGeometry(renderer: Renderer, drawing: Required<Drawing>) {
-  const { _drawGeometry, _drawFills, _drawStrokes } = drawing
+  const { _drawGeometry, _drawFills, _drawStrokes, geometryBufferCache } = drawing
+  const { cache, freeBuffers } = geometryBufferCache
   /** The division of the shape that is drawn now, which its fill and its strokes share; `undefined` before both. */
-  let current: { readonly division: Divided | undefined } | undefined
+  let current: { readonly division: Division | undefined } | undefined
   const drawDivided = (draw: Draw, own: DrawnShape, options: Parameters<Draw>[1]) => {
     const isUndivided = own.gid === immediateShape || (options?.count ?? 1) > 1
-    current ??= { division: isUndivided ? undefined : divide(renderer, own) }
+    current ??= { division: isUndivided ? undefined : divideNow(renderer, own) }
     const { division } = current
-    if (!division || (draw === _drawStrokes && !divideStrokes(renderer, own, division)))
+    if (!division || (draw === _drawStrokes && !divideStrokes(renderer, own, division.divided)))
       return draw.call(renderer, own, options)
-    const { cache } = drawing.geometryBufferCache
-    const { standIn, buffers } = division
+    const { buffers, drawn } = division
+    const { standIn } = division.divided
+    const drawStandIn = () => draw.call(renderer, standIn, options)
     cache[standIn.gid!] = buffers
     try {
-      draw.call(renderer, standIn, options)
+      if (drawn) drawIndirectly(renderer, drawn, drawStandIn)
+      else drawStandIn()
     } finally {
       delete cache[standIn.gid!]
     }
@@ -84,6 +74,14 @@ function hookDrawGeometry(renderer: Renderer, drawing: Required<Drawing>) {
   }
   drawing._drawFills = (shape, options) => drawDivided(_drawFills, shape, options)
   drawing._drawStrokes = (shape, options) => drawDivided(_drawStrokes, shape, options)
+  geometryBufferCache.freeBuffers = (name) => {
+    const shape = cache[name]?.geometry as DrawnShape | undefined
+    for (const each of shape ? shadersOf.get(renderer)! : []) {
+      const shader = each.deref()
+      if (shader) freeDraws(renderer, shader, shape!)
+    }
+    freeBuffers.call(geometryBufferCache, name)
+  }
 }
 
 /** On 1.11, renderers map a shape's name to its buffers, of which one is called `model` and is the shape. */
@@ -94,14 +92,15 @@ function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
     const before = shapes[name]!
     // A GeometryBuilder collects shapes, and draws none.
     const isDrawn = before && !renderer.geometryBuilder
-    const division = isDrawn ? divide(renderer, before.model as DrawnShape) : undefined
+    const shape = before?.model as DrawnShape
+    const division = isDrawn ? divideNow(renderer, shape) : undefined
     if (!division) return draw.call(this, name)
-    const { standIn, buffers } = division
-    const shape = before.model as DrawnShape
+    const { divided, buffers } = division
+    const { standIn } = divided
     shapes[name] = Object.assign(Object.create(before), buffers, {
       model: standIn,
       vertexCount: 3 * standIn.faces.length,
-      ...(divideStrokes(renderer, shape, division) && {
+      ...(divideStrokes(renderer, shape, divided) && {
         lineVertexCount: (standIn.lineVertices as ArrayLike<number>).length / 3,
       }),
     })
@@ -113,106 +112,11 @@ function hookDrawBuffers(renderer: Renderer, drawing: Required<Drawing>) {
   }
 }
 
-/** A shape as it is divided for one of its draws in a frame. */
-interface Divided {
-  readonly mesh: DetailedMesh
-  readonly standIn: DrawnShape
-  readonly buffers: ShapeBuffers
-  /** Missing before strokes are drawn, `undefined` if they are not divided. */
-  lines?: LineBase | undefined
-  /** The version of the mesh that the lines are of. */
-  version: number
-}
-
-/** The draws of a shape with a shader. */
-interface Draws {
-  readonly base: ShapeBase
-  readonly vertices: number
-  /** The last frame, and the number of draws in it. */
-  frame: number
-  count: number
-  readonly divided: Divided[]
-}
-
-const drawsOf = new WeakMap<DrawnShape, WeakMap<Shader, Draws>>()
-
-/** Returns `undefined` if the shape is to be drawn as it is. */
-function divide(renderer: Renderer, shape: DrawnShape): Divided | undefined {
+/** Divides a shape for a draw with the present shader. Returns `undefined` if it is to be drawn as it is. */
+function divideNow(renderer: Renderer, shape: DrawnShape): Division | undefined {
   const shader = stateOf(renderer).userFillShader
   const detail = shader && details.get(shader)
-  if (!detail || !shape.faces?.length) return undefined
-  const { canvas, warp, space, tolerance, values } = detail
-  const draws = drawsFor(renderer, shader, shape, detail)
-  if (draws.count > maxDrawsPerFrame || !hasInputs(warp, draws.base)) return undefined
-  const division = (draws.divided[draws.count - 1] ??= makeDivided(warp, shape, draws.base))
-  const { views, toSpace, place } = viewOf(canvas, renderer, space)
-  if (division.mesh.update(values, views, tolerance, toSpace, place))
-    refresh(renderer, shape, draws.base, division)
-  return division
-}
-
-function drawsFor(
-  renderer: Renderer,
-  shader: Shader,
-  shape: DrawnShape,
-  { canvas, isCurved }: DetailOfWarp,
-): Draws {
-  const frame = sketchOf(canvas).frameCount ?? 0
-  let byShader = drawsOf.get(shape)
-  if (!byShader) drawsOf.set(shape, (byShader = new WeakMap<Shader, Draws>()))
-  let draws = byShader.get(shader)
-  // p5 sets a flag to `false` when it has read the array; a sketch sets it to `true` when it has changed the array.
-  const isChanged = Object.values(shape.dirtyFlags).includes(true)
-  if (!draws || isChanged || draws.vertices !== shape.vertices.length) {
-    for (const { mesh } of draws?.divided ?? []) mesh.dispose()
-    // Compiles the shader, which knows its attributes then.
-    ;(shader as { init?: () => void }).init?.()
-    const base = baseOf(renderer, shader, shape, isCurved)
-    draws = { base, vertices: shape.vertices.length, frame, count: 0, divided: [] }
-    byShader.set(shader, draws)
-  }
-  if (draws.frame !== frame) Object.assign(draws, { frame, count: 0 })
-  draws.count++
-  return draws
-}
-
-/** Tests whether the shape has all that the warp reads. */
-function hasInputs(warp: HostWarp, { positions, attributes }: ShapeBase): boolean {
-  const has = (input: string) => attributes.some((each) => each.input === input)
-  return (
-    positions.length > 0 &&
-    (has('normals') || !warp.reads('normal')) &&
-    (has('uvs') || !warp.reads('uv')) &&
-    (has('colors') || !warp.reads('color'))
-  )
-}
-
-let count = 0
-
-function makeDivided(warp: HostWarp, shape: DrawnShape, base: ShapeBase): Divided {
-  const standIn = Object.create(shape) as DrawnShape
-  standIn.gid = `warpjet detail ${count++}`
-  return { mesh: new DetailedMesh(warp, base), standIn, buffers: { geometry: standIn }, version: 0 }
-}
-
-/** Uploads a divided mesh, and gives its stand-in the lengths of its arrays. p5 reads no more of them, as they are not dirty. */
-function refresh(renderer: Renderer, shape: DrawnShape, base: ShapeBase, divided: Divided) {
-  const { mesh, standIn, buffers } = divided
-  upload(renderer, base, mesh, buffers)
-  const vertices = mesh.values(-1).length / 3
-  const own = {
-    dirtyFlags: { vertices: false } as DrawnShape['dirtyFlags'],
-    vertices: { length: vertices },
-    faces: { length: drawnIndices(base, mesh).length / 3 },
-  }
-  base.buffers.forEach(({ src, size }) => {
-    own.dirtyFlags[src] = false
-    Object.defineProperty(standIn, src, {
-      value: Object.assign({ length: size * vertices }, isDefault(shape[src])),
-      configurable: true,
-    })
-  })
-  Object.assign(standIn, own)
+  return detail && shape.faces?.length ? divide(renderer, shader, shape, detail) : undefined
 }
 
 /** Divides the lines of a shape as its mesh is, and returns `true`; `false` if lines are not drawn by the warp. */
@@ -238,7 +142,3 @@ function divideStrokes(renderer: Renderer, shape: DrawnShape, divided: Divided):
   )
   return true
 }
-
-/** p5 2.x marks colors that it has filled in itself. */
-const isDefault = (array: unknown) =>
-  (array as { isDefault?: boolean } | undefined)?.isDefault ? { isDefault: true } : {}

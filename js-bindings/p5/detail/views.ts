@@ -57,8 +57,8 @@ function product(matrices: readonly Matrix[]): number[] {
   )
 }
 
-/** Moves positions by the matrix, and normals by the inverse of its transpose. */
-function transform(m: readonly number[]): ToSpace {
+/** Returns the inverse of a matrix' transpose, by columns, without its last row and column. */
+export function normalMatrixOf(m: readonly number[]): number[] {
   const cofactors = [
     [5, 10, 6, 9],
     [6, 8, 4, 10],
@@ -71,7 +71,12 @@ function transform(m: readonly number[]): ToSpace {
     [0, 5, 1, 4],
   ].map(([a, b, c, d]) => m[a!]! * m[b!]! - m[c!]! * m[d!]!)
   const determinant = m[0]! * cofactors[0]! + m[1]! * cofactors[1]! + m[2]! * cofactors[2]!
-  const normalMatrix = cofactors.map((x) => x / determinant)
+  return cofactors.map((x) => x / determinant)
+}
+
+/** Moves positions by the matrix, and normals by the inverse of its transpose. */
+function transform(m: readonly number[]): ToSpace {
+  const normalMatrix = normalMatrixOf(m)
   return (samples, positions) => {
     const { positions: given, normals, ...others } = samples
     for (let i = 0; i < positions.length; i += 3)

@@ -5,102 +5,78 @@
 import { Matrix3, type BufferGeometry, type InstancedMesh, type Material, type Mesh } from 'three'
 import type { DetailViews } from '../../detail/detailed-mesh.js'
 import type { ComputeDivision } from '../../detail/gpu/compute-division.js'
-import type { CutWatch } from '../../detail/gpu/cut-watch.js'
+import type { ComputedDetail } from '../../detail/gpu/computed-detail.js'
 import type { World } from '../../detail/gpu/measure-wgsl.js'
-import type { Passes } from '../../detail/gpu/passes.js'
-import type { GpuDevice } from '../../detail/gpu/webgpu.js'
 import type { ComputeDetail, ComputeInput } from '../detail/compute.js'
 import type { Render } from '../detail/render.js'
 import { placeOf } from '../detail/views.js'
-import type * as ComputePasses from './compute-passes.js'
-import { disposeIndirect, indirectGeometry, sizesOf, type Backend } from './indirect-geometry.js'
+import { disposeIndirect, indirectGeometry, type Backend } from './indirect-geometry.js'
 
-interface Compiled {
+/** The mesh in a renderer. */
+interface Computed {
+  readonly renderer: object
   readonly backend: Backend
-  readonly device: GpuDevice
-  readonly passes: Passes
-  readonly code: typeof ComputePasses
+  /** Missing until the code of the passes is loaded. */
+  detail?: ComputedDetail
 }
 
 interface Drawn {
   readonly division: ComputeDivision
-  readonly geometry: BufferGeometry
   readonly version: number
-  /** The version of the mesh from which it was made. */
-  readonly baseVersion: number
-  readonly watch: CutWatch
+  readonly geometry: BufferGeometry
 }
 
 export class ComputedMesh implements ComputeDetail {
-  /** The renderer that compute passes are for. The CPU divides the mesh for others. */
-  private renderer: object | undefined
-  private compiled: Compiled | undefined
+  /** In the first renderer that can. The CPU divides the mesh for others. */
+  private computed: Computed | undefined
   private drawn: Drawn | undefined
 
   constructor(private readonly input: ComputeInput) {}
 
   geometryFor(render: Render, views: DetailViews): BufferGeometry | undefined {
-    const { warp, object, mesh, toWorld } = this.input
-    const { drawn } = this
-    if (!drawn || render.renderer !== this.renderer || !this.isPossible(render)) return undefined
-    const { division, baseVersion, watch } = drawn
-    // A ray can have cut the mesh.
-    if (mesh.baseVersion !== baseVersion) {
-      this.release()
+    const { warp, object, toWorld } = this.input
+    const { computed } = this
+    if (!computed?.detail || render.renderer !== computed.renderer || !this.isPossible(render))
       return undefined
-    }
-    const state = mesh.stateOf(warp.given, placeOf(warp, object))
-    if (watch.isCoarse(warp.given, state, toWorld)) return undefined
-    const { count = 1 } = object as InstancedMesh
-    division.update(warp.given, state, views, warp.settings.detail!.tolerance, count)
-    if (!division.isTooLarge) return this.geometryNow(drawn)
-    this.release()
-    this.compiled = undefined
-    return undefined
+    const division = computed.detail.divide({
+      given: warp.given,
+      views,
+      tolerance: warp.settings.detail!.tolerance,
+      toSpace: toWorld,
+      place: placeOf(warp, object),
+      instances: (object as InstancedMesh).count ?? 1,
+    })
+    return division && this.geometryOf(computed, division)
   }
 
   takeOver(render: Render) {
-    const { warp, object, mesh, base } = this.input
     if (!this.isPossible(render)) return
-    if (this.drawn && render.renderer === this.renderer) {
-      // The CPU has tried to cut the mesh. If it did not, there would be too many triangles.
-      if (this.drawn.baseVersion === mesh.baseVersion) return this.drawn.watch.stop()
-      this.release()
+    const { renderer } = render
+    const { backend } = renderer as { backend?: Backend }
+    if (!this.computed && backend?.isWebGPUBackend) {
+      this.computed = { renderer, backend }
+      void this.load(this.computed)
     }
-    const { backend: present } = render.renderer as { backend?: Backend }
-    if (!this.renderer && present?.isWebGPUBackend) {
-      this.renderer = render.renderer
-      void this.compile(present)
-    }
-    if (!this.compiled || render.renderer !== this.renderer) return
-    const { backend, device, passes, code } = this.compiled
-    const parts = mesh.parts()
-    const division = code.ComputeDivision.of(device, passes, mesh, parts, sizesOf(base))
-    if (!division) {
-      this.compiled = undefined
-      return
-    }
-    const geometry = indirectGeometry(backend, base, object.geometry, division.divided)
-    const watch = new code.CutWatch(warp.surfacePhases(), parts)
-    const { baseVersion } = mesh
-    this.drawn = { division, geometry, version: division.version, baseVersion, watch }
+    if (renderer === this.computed?.renderer) this.computed.detail?.takeOver()
   }
 
   dispose() {
-    this.release()
-    this.renderer = this.compiled = undefined
+    this.disposeDrawn()
+    this.computed?.detail?.release()
+    this.computed = undefined
   }
 
   /** A failure leaves everything to the CPU. */
-  private async compile(backend: Backend) {
-    const { renderer } = this
-    const { warp, base, toWorld } = this.input
-    const { device } = backend
+  private async load(computed: Computed) {
+    const { warp, mesh, base, toWorld } = this.input
+    const { device } = computed.backend
+    const world = toWorld && this.world()
     try {
-      const code = await import('./compute-passes.js')
-      const passes = await code.compilePasses(device, warp, base, toWorld && this.world())
-      // It may have been disposed of meanwhile.
-      if (this.renderer === renderer) this.compiled = { backend, device, passes, code }
+      const { ComputedDetail, compilePasses } = await import('./compute-passes.js')
+      // It may have been disposed of meanwhile: then nothing calls it any more.
+      computed.detail = new ComputedDetail(warp, mesh, device, () =>
+        compilePasses(device, warp, base, { world }),
+      )
     } catch {
       return
     }
@@ -112,6 +88,7 @@ export class ComputedMesh implements ComputeDetail {
     return {
       position: () => matrixWorld.elements,
       normal: () => matrix.getNormalMatrix(matrixWorld).elements,
+      hasUnitNormals: true,
     }
   }
 
@@ -125,20 +102,19 @@ export class ComputedMesh implements ComputeDetail {
     )
   }
 
-  private geometryNow(drawn: Drawn): BufferGeometry {
-    const { division, geometry, version } = drawn
-    if (version === division.version) return geometry
+  private geometryOf({ backend }: Computed, division: ComputeDivision): BufferGeometry {
+    const { drawn } = this
+    const { version } = division
+    if (drawn?.division === division && drawn.version === version) return drawn.geometry
+    this.disposeDrawn()
     const { base, object } = this.input
-    disposeIndirect(geometry, base)
-    const grown = indirectGeometry(this.compiled!.backend, base, object.geometry, division.divided)
-    this.drawn = { ...drawn, geometry: grown, version: division.version }
-    return grown
+    const geometry = indirectGeometry(backend, base, object.geometry, division.divided)
+    this.drawn = { division, version, geometry }
+    return geometry
   }
 
-  private release() {
-    if (!this.drawn) return
-    disposeIndirect(this.drawn.geometry, this.input.base)
-    this.drawn.division.destroy()
+  private disposeDrawn() {
+    if (this.drawn) disposeIndirect(this.drawn.geometry, this.input.base)
     this.drawn = undefined
   }
 }

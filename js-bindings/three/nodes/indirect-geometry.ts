@@ -17,26 +17,22 @@ export interface Backend {
   get(attribute: object): { buffer?: GpuBuffer }
 }
 
-/** The numbers per vertex of all attributes, in the order of their places. */
-export const sizesOf = ({ attributes }: GeometryBase) => [3, ...attributes.map(({ size }) => size)]
-
 /** `own` is the user's geometry. */
 export function indirectGeometry(
   backend: Backend,
   base: GeometryBase,
   own: BufferGeometry,
-  { vertices, indices, drawn }: DividedBuffers,
+  { layout, vertices, indices, drawn }: DividedBuffers,
 ): BufferGeometry {
   const geometry = new BufferGeometry()
   const { name, userData, boundingSphere, boundingBox } = own
   Object.assign(geometry, { name, userData, boundingSphere, boundingBox })
-  const sizes = sizesOf(base)
-  const stride = sizes.reduce((sum, size) => sum + size, 0)
+  const { stride, before } = layout
   // The arrays only tell three.js the types of numbers.
   const interleaved = new InterleavedBuffer(new Float32Array(stride), stride)
   backend.get(interleaved).buffer = vertices
   for (const { name, size, attribute } of base.buffers.flat()) {
-    const offset = sizes.slice(0, attribute + 1).reduce((sum, each) => sum + each, 0)
+    const offset = before[attribute + 1]!
     geometry.setAttribute(name, new InterleavedBufferAttribute(interleaved, size, offset))
   }
   for (const [name, attribute] of Object.entries(base.ofInstances))
