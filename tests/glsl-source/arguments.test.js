@@ -17,7 +17,7 @@ test('rejects arguments that are not source, and wrong options', () => {
   assert.throws(() => glslOffset(''), /the source has no function/)
   assert.throws(
     () => glslOffset(good, { function: 'other' }),
-    /no function "other"; there are offset/,
+    /no function "other"; it has offset/,
   )
   assert.throws(
     () => glslOffset(good, { returns: 'colour' }),
