@@ -18,13 +18,17 @@ export const inputsRead = (program: Program, wanted: readonly number[]): boolean
     Array.from(loaded.inputsRead(wanted, program.inputs.map(sizeOf)), Boolean),
   )
 
-/** Returns the range of each wanted result. `ranges` has the range of each component of the program's inputs. */
+/**
+ * Returns the range of each wanted result. `ranges` has the range of each component of the program's inputs. With a lower `budget`, the
+ * approximate number of instructions that may be run, ranges get wider.
+ */
 export const boundProgram = (
   program: Program,
   ranges: readonly Range[],
   wanted: readonly number[],
+  budget = Infinity,
 ): Range[] =>
   withProgram(program, (loaded) => {
-    const bounds = loaded.bounds(ranges.flat(), wanted)
+    const bounds = loaded.bounds(ranges.flat(), wanted, budget)
     return wanted.map((_, i) => [bounds[2 * i]!, bounds[2 * i + 1]!])
   })

@@ -14,6 +14,7 @@ export function bounds(
   warp: WarpProgram,
   box: Box,
   options: EvaluationOptions | undefined,
+  budget?: number,
 ): Bounds {
   const uniforms = uniformsOf(place, options)
   const program = programOf(place, warp)
@@ -29,6 +30,6 @@ export function bounds(
       // Inputs that only transform the normal have no range: they do not move the vertex.
       (input && ranges[input]) ?? numbers.map((x): Range => [x, x]),
   )
-  const found = boundProgram(program, given, positionsAlone.numbers)
+  const found = boundProgram(program, given, positionsAlone.numbers, budget)
   return { min: found.map(([low]) => low), max: found.map(([, high]) => high) }
 }

@@ -101,7 +101,7 @@ export class ThreeWarp extends HostWarp {
 
   /** Bounds of the places that the warp makes of a box now, or of how far it moves them. */
   boundsNow(place: 'position' | 'offset', box: Box) {
-    return this.cpu(place).bounds(box, { uniforms: this.given })
+    return this.quickBounds(place, box, this.given)
   }
 
   /** Warps with equal code have equal keys, if it was recorded equally. */

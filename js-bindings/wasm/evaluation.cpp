@@ -52,13 +52,17 @@ class CpuProgram {
   }
 
   // Returns a lower and an upper bound of each wanted result. `ranges` has the bounds of each
-  // component of the inputs.
-  std::vector<double> bounds(const std::vector<double>& ranges, const Words& wanted) const {
+  // component of the inputs. `budget` can only lower that of `BoundsOptions`.
+  std::vector<double> bounds(const std::vector<double>& ranges, const Words& wanted,
+                             double budget) const {
     std::vector<Range> given;
     for (std::size_t i = 0; i + 1 < ranges.size(); i += 2)
       given.push_back({ranges[i], ranges[i + 1]});
+    BoundsOptions options;
+    if (budget < static_cast<double>(options.budget))
+      options.budget = static_cast<std::uint64_t>(budget);
     std::vector<double> found;
-    for (const auto& [low, high] : warpjet::bounds(words_, instructions_, given, wanted))
+    for (const auto& [low, high] : warpjet::bounds(words_, instructions_, given, wanted, options))
       found.insert(found.end(), {low, high});
     return found;
   }

@@ -186,6 +186,11 @@ test('a bundle of warpjet/text cannot evaluate warps, and the message names the 
     })
 })
 
+test('a bundle that only warps in three.js has no front end of GLSL', async () => {
+  const file = await bundle('warp-in-three', "export { warp } from 'warpjet/three'", 'browser')
+  assert.deepEqual(inside(readFileSync(file, 'utf8')), ['core', 'evaluation'])
+})
+
 test('warpjet contains no code of warpjet/three; prints the size of the latter', async () => {
   const size = async (name, code) => {
     const text = readFileSync(await bundle(name, code, 'browser'), 'utf8')

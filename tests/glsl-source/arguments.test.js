@@ -15,10 +15,7 @@ test('rejects arguments that are not source, and wrong options', () => {
     /expected a string of GLSL .* is the name of a file; read the file first/,
   )
   assert.throws(() => glslOffset(''), /the source has no function/)
-  assert.throws(
-    () => glslOffset(good, { function: 'other' }),
-    /no function "other"; it has offset/,
-  )
+  assert.throws(() => glslOffset(good, { function: 'other' }), /no function "other"; it has offset/)
   assert.throws(
     () => glslOffset(good, { returns: 'colour' }),
     /expected 'offset' or 'position' for the option "returns", got the text "colour"/,

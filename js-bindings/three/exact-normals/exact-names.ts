@@ -4,10 +4,12 @@ import { inputTypes } from '../../glsl-source/bind.js'
 /** While a shader is read, its variables with the name of an input begin with this. */
 export const inputPrefix = 'warpjetInput_'
 
-const inputs = new Set([...Object.keys(inputTypes), 'tangent'])
-for (const name of ['position', 'normal', 'uv']) inputs.delete(name)
+/** The names of inputs that three.js has as attributes of geometries. */
+const attributes = ['position', 'normal', 'uv']
 
-export const isInputName = (name: string) => inputs.has(name)
+// A constant that is computed from `inputTypes` would bring the front end of GLSL into bundles that only use `warp`.
+export const isInputName = (name: string): boolean =>
+  name === 'tangent' || (Object.hasOwn(inputTypes, name) && !attributes.includes(name))
 
 /** Restores the names of the variables of a shader. */
 export const withNamesOfShader = (text: string) => text.replaceAll(inputPrefix, '')
