@@ -47,7 +47,7 @@ export const sections = [
         name: 'one-edge-per-side',
         figure: 'Figure 6',
         title: 'One edge per side',
-        text: 'A cube of 12 triangles, four times under one twist. Above, the twist has only corners to move. Below, the option detail divides the cube as finely as the screen shows. Left: normals at vertices. Right: exact normals at each pixel, which light the twist even where the shape misses it.',
+        text: 'A cube of 12 triangles, four times under one twist. Above, the twist has only corners to move. Below, the option detail divides the cube as finely as the picture needs. Left: normals at vertices. Right: exact normals at each pixel, which light the twist even where the shape misses it.',
       },
       {
         name: 'lotus',
