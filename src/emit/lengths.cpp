@@ -81,12 +81,12 @@ int Lengths::measureOperation(NodeId id, int levels) const {
 }
 
 int Lengths::depthOfOperation(NodeId id) const {
-  int maxDepth = 0;
+  int deepest = 0;
   for (int i = 0; i < graph_.arity(id); ++i) {
     const Text& operand = texts_[index(graph_.operand(id, i))];
-    if (!operand.isNamed) maxDepth = std::max<int>(maxDepth, operand.depth);
+    if (!operand.isNamed) deepest = std::max<int>(deepest, operand.depth);
   }
-  return std::min(maxDepth, maxLevels) + 1;
+  return std::min(deepest, maxLevels) + 1;
 }
 
 int Lengths::lengthOfInput(NodeId id) const {

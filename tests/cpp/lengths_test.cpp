@@ -41,7 +41,8 @@ class LengthsTest : public testing::Test {
     for (const NodeId id : nodes) {
       for (const int levels : {1, 2, 3, 7, Lengths::maxLevels}) {
         ASSERT_EQ(lengths.whereRead(id, levels), expectedWhereRead(id, levels)) << index(id);
-        ASSERT_EQ(lengths.ofOperation(id, levels), expectedOperation(id, levels)) << index(id);
+        ASSERT_EQ(lengths.lengthOfOperation(id, levels), expectedOperation(id, levels))
+            << index(id);
       }
     }
   }
@@ -107,9 +108,9 @@ TEST_F(LengthsTest, AreComputedWithoutRecursionForALongChain) {
   lengths.setName(nodes[1], Lengths::name);
   lengths.measure(nodes);
   lengths.setName(nodes[1], Lengths::name + Lengths::member);
-  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::maxLevels), 10);  // `sin(t12.x)`
+  EXPECT_EQ(lengths.lengthOfOperation(nodes[2], Lengths::maxLevels), 10);  // `sin(t12.x)`
   lengths.removeName(nodes[1]);
-  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::maxLevels), 11);  // `sin(sin(x))`
+  EXPECT_EQ(lengths.lengthOfOperation(nodes[2], Lengths::maxLevels), 11);  // `sin(sin(x))`
 }
 
 }  // namespace

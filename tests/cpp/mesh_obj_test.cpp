@@ -279,10 +279,10 @@ TEST(Obj, ParsesNumbersLikeTheStandardLibrary) {
        {"0", "-0", "1", "+1.5", ".5", "5.", "1e3", "1E+3", "1e-3", "0.1", "123456789",
         "3.4028234e38", "1.17549435e-38", "1e-45", "0.000000000000000000000001",
         "123456789012345678901234567890", "1e-400", "0e999999"})
-    EXPECT_EQ(parsedFloat(text), std::strtof(text, nullptr)) << text;
+    EXPECT_EQ(parseFloat(text), std::strtof(text, nullptr)) << text;
   for (const char* text :
        {"", "-", ".", "e5", "1e", "1e+", "1e5x", "1.2.3", "0x10", "inf", "--1", "1-"})
-    EXPECT_EQ(parsedFloat(text), std::nullopt) << text;
+    EXPECT_EQ(parseFloat(text), std::nullopt) << text;
   std::mt19937 random(1);
   for (int i = 0; i < 100000; ++i) {
     const float number =
@@ -290,7 +290,7 @@ TEST(Obj, ParsesNumbersLikeTheStandardLibrary) {
     char text[64];
     std::snprintf(text, sizeof text, i % 2 == 0 ? "%.9g" : "%.17f", static_cast<double>(number));
     const float expected = std::strtof(text, nullptr);
-    const float came = parsedFloat(text).value_or(NAN);
+    const float came = parseFloat(text).value_or(NAN);
     EXPECT_TRUE(came >= std::nextafter(expected, 0.0f) &&
                 came <= std::nextafter(expected, INFINITY))
         << text;
