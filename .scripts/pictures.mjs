@@ -1,6 +1,6 @@
 // npm run pictures: draws each example as web/posters/*.webp, which the gallery shows before any script runs; the first page's warp
-// (`hero`); and the picture of web/docs/composition.md (`composition.png`). Names after `--` draw only those. A picture shows a moment of
-// the sketch's own clock, so that a slow machine draws the same.
+// (`hero`); and the pictures of web/docs/composition.md (`composition.png`) and detail.md (`detail.webp`). Names after `--` draw only
+// those. A picture shows a moment of the sketch's own clock, so that a slow machine draws the same.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { createServer } from 'vite'
@@ -10,6 +10,7 @@ import { findBrowser } from './lib/browser.mjs'
 import { path } from './lib/files.mjs'
 import { softwareFlags } from './lib/flags.mjs'
 import { Stop, good, main } from './lib/terminal.mjs'
+import { drawDetail } from './pictures/detail.mjs'
 
 const [width, height] = [480, 360]
 /** Small enough that the whole gallery loads fewer bytes than one photograph. */
@@ -123,14 +124,24 @@ async function composition(browser, url) {
   good('web/docs/composition.png')
 }
 
+async function detail(browser, url) {
+  const page = await browser.newPage()
+  const bytes = await drawDetail(page, url)
+  await page.close()
+  writeFileSync(path('web/docs/detail.webp'), Buffer.from(bytes, 'base64'))
+  good('web/docs/detail.webp')
+}
+
 await main(async () => {
-  const others = { hero, 'composition.png': composition }
+  const others = { hero, 'composition.png': composition, 'detail.webp': detail }
   const examples = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
   const known = [...Object.keys(others), ...examples]
   const wanted = process.argv.slice(2)
   const unknown = wanted.find((name) => !known.includes(name))
   if (unknown)
-    throw new Stop(`Expected names of examples, hero or composition.png, got ${unknown}.`)
+    throw new Stop(
+      `Expected names of examples, ${Object.keys(others).join(' or ')}, got ${unknown}.`,
+    )
   await build()
   mkdirSync(path('web/posters'), { recursive: true })
   const server = await createServer({

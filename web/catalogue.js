@@ -44,6 +44,12 @@ export const sections = [
         text: 'The same twist on a cube with 8 squares per face and on one with 1,600. A warp moves only vertices, so a coarse mesh stays straight between them.',
       },
       {
+        name: 'one-edge-per-side',
+        figure: 'Figure 6',
+        title: 'One edge per side',
+        text: 'A cube of 12 triangles, four times under one twist. Above, the twist has only corners to move. Below, the option detail divides the cube as finely as the picture needs. Left: normals at vertices. Right: exact normals at each pixel, which light the twist even where the shape misses it.',
+      },
+      {
         name: 'lotus',
         figure: 'Figure 7a',
         title: 'Lotus',

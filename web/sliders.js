@@ -12,6 +12,7 @@ const ranges = {
   bunny: { Twist: ['y.mult(#)', 0, 0.04] },
   genie: { Length: ['.dist(spout).div(#)', 200, 900] },
   'coarse-and-fine': { Twist: ['y.mult(#)', 0, 0.03] },
+  'one-edge-per-side': { Waves: ['y.mult(#)', 0, 15], Twist: ['.sin().mult(#)', 0, 1.5] },
   lotus: { Width: ['position.x().mult(#)', 0.1, 0.7], Curl: ['x.mult(x).mult(#)', -1, 4] },
   spoon: { Bend: ['.sin().mult(#)', 0, 0.03] },
   fingers: { Waves: ['position.x().mult(#)', 0, 0.1], Height: ['.mult(wave).mult(#)', 0, 150] },

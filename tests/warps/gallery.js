@@ -196,6 +196,11 @@ export const gallery = {
 
   'shadow-map-fartower': swaying,
 
+  'one-edge-per-side': {
+    size: 0.5,
+    offset: (p, { millis }) => minus(rotateAboutY(p, 0.6 * sin(6 * p[1] + millis / 1500)), p),
+  },
+
   'sine-cube': { size: 100, offset: sinesByAxis(0.035, 800, 22) },
   'sine-sphere': { size: 1, offset: sinesByAxis(7, 700, 0.13, [0, 2, 4]) },
   'tangent-plane': { size: 75, offset: sinesByAxis(0.04, 800, 16) },

@@ -47,9 +47,9 @@ async function warpsOf(folder) {
     createWarp(warp, options = {}) {
       // Source that the sketch loads has no oracle here; the tests in tests/glsl cover source of packages.
       if (loads) return pretended
-      // The warp does not depend on the shader that it is added to.
-      const { shader, ...others } = options
-      const isKnown = shader && found.some((each) => each.warp === warp)
+      // The warp does not depend on the shader that it is added to, nor on where normals are computed.
+      const { shader, normals, detail, ...others } = options
+      const isKnown = (shader || normals || detail) && found.some((each) => each.warp === warp)
       if (!isKnown) found.push({ name: name(), warp, options: others })
       return pretended
     },

@@ -92,6 +92,12 @@ export const texts = {
     return [0, 0, height * 14]
   }`,
   'shadow-map-fartower': swaying,
+  'one-edge-per-side': `({ position, millis }) => {
+    const { x, y, z } = position
+    const angle = Math.sin(y * 6 + millis / 1500) * 0.6
+    const [sin, cos] = [Math.sin(angle), Math.cos(angle)]
+    return [x * cos - z * sin, y, x * sin + z * cos] - position
+  }`,
   'sine-cube': waves(0.035, 800, 22),
   'sine-sphere': `({ position, millis }) => {
     const time = millis / 700
