@@ -108,7 +108,7 @@ for (const host of hosts) {
     assert.ok(found.least > 1500, `${found.least} pixels are covered`)
     assert.ok(found.changes > 300, `${found.changes} divisions`)
     // At one pixel, most gaps of a broken edge would be narrower than a pixel.
-    const broken = await watchHoles(host, { frames: 40, isBroken: true, tolerance: 3 })
+    const broken = await watchHoles(host, { frames: 40, isBroken: true, tolerance: 6 })
     t.diagnostic(`broken: ${JSON.stringify(broken)}`)
     assert.ok(broken.framesWithHoles > 0, 'a broken edge is not seen')
   })
