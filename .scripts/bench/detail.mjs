@@ -9,9 +9,9 @@ import { detailMemoryInUse, details, evaluationMemoryInUse } from '../../dist/me
 import { compileWarp } from '../../dist/warpjet.js'
 import { median, time } from '../lib/median.mjs'
 import { say } from '../lib/terminal.mjs'
+import { arraysOf, viewFrom } from '../report/detail/cases.mjs'
 
 const edges = 10_000
-const pixels = 600
 const warmUp = 100
 const updates = 300
 /** Garbage is counted in series of this many updates. */
@@ -56,23 +56,12 @@ const warps = {
 /** A sphere has about three edges for each two triangles. */
 function sphere() {
   const rows = Math.round(Math.sqrt(edges / 6))
-  const { attributes, index } = new THREE.SphereGeometry(1, 2 * rows, rows)
-  return {
-    positions: attributes.position.array,
-    normals: attributes.normal.array,
-    indices: index.array,
-  }
+  return arraysOf(new THREE.SphereGeometry(1, 2 * rows, rows))
 }
 
 /** Returns the view in the frame `i`, in which the camera orbits and comes nearer. */
-function viewOf(i) {
-  const camera = new THREE.PerspectiveCamera(60, 1, 0.1, 20)
-  camera.position.setFromSphericalCoords(2.5 + Math.sin(i / 20), 1.2, i / 100)
-  camera.lookAt(0, 0, 0)
-  camera.updateMatrixWorld()
-  const { elements } = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse)
-  return { matrix: elements, width: pixels, height: pixels }
-}
+const viewOf = (i) =>
+  viewFrom(new THREE.Vector3().setFromSphericalCoords(2.5 + Math.sin(i / 20), 1.2, i / 100), 1)
 
 setFlagsFromString('--expose-gc')
 const collect = runInNewContext('gc')

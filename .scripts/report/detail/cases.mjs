@@ -44,7 +44,8 @@ export async function galleryWarps() {
     })
 }
 
-function arraysOf(geometry) {
+/** Returns the arrays of a geometry of three.js. */
+export function arraysOf(geometry) {
   const { position, normal } = geometry.attributes
   const vertices = Uint32Array.from({ length: position.count }, (_, i) => i)
   const indices = geometry.index?.array ?? vertices

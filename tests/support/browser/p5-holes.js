@@ -7,9 +7,8 @@ const size = 128
 
 /**
  * Draws frames → { holes, framesWithHoles, least, changes, broken }: the numbers of pixels and of frames with holes, the smallest number of
- * pixels that the shapes cover, how often indices were uploaded, and how often with an edge that was broken on purpose, if
- * `isBroken`. Behind the shapes and inside of them everything is
- * magenta, and they are white.
+ * pixels that the shapes cover, how often indices were uploaded, and how often with an edge that was broken on purpose, if `isBroken`.
+ * The shapes are white, and everything behind and inside of them is magenta.
  */
 export async function watchHoles(host, { frames, isBroken = false, tolerance = 1 }) {
   const { page, messages } = await host.open(`

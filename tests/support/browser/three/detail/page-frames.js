@@ -26,7 +26,7 @@ function start(mesh, offset, { options, millis, distance, extent, moves }) {
   const material = new THREE.MeshNormalMaterial({ side: THREE.DoubleSide })
   const scene = new THREE.Scene()
   const object = new THREE.Mesh(geometryOf(mesh), material)
-  // The bounds of the warped mesh would be computed in each frame in which it moves.
+  // Three.js computes the bounds of a mesh that moves in each frame nevertheless, to sort: the frames of both meshes contain that.
   object.frustumCulled = false
   scene.add(object)
   const warped = warp(object, offset, options)
