@@ -4,13 +4,16 @@ const kinds = { 0x7f: 'number', 0x7e: 'bigint', 0x7d: 'number', 0x7c: 'number' }
 
 const [typeSection, importSection, functionSection, exportSection] = [1, 2, 3, 7]
 
-/** Maps the name of each export → { given, result }, TypeScript types. Vectors, which JavaScript cannot hold, are `never`. */
+/**
+ * Maps the name of each export → { parameters, result }, TypeScript types. Wasm's vector types, for which JavaScript has none, are `never`.
+ */
 export function wasmSignatures(bytes) {
-  let at = 8
+  // Skips the magic number and the version.
+  let offset = 8
   const number = () => {
     let value = 0
     for (let shift = 0; ; shift += 7) {
-      const byte = bytes[at++]
+      const byte = bytes[offset++]
       value += (byte & 127) * 2 ** shift
       if (byte < 128) return value
     }
@@ -18,14 +21,14 @@ export function wasmSignatures(bytes) {
   const list = (read) => Array.from({ length: number() }, read)
   const text = () => {
     const size = number()
-    return new TextDecoder().decode(bytes.subarray(at, (at += size)))
+    return new TextDecoder().decode(bytes.subarray(offset, (offset += size)))
   }
-  const valueType = () => kinds[bytes[at++]] ?? 'never'
+  const valueType = () => kinds[bytes[offset++]] ?? 'never'
   const limits = () => {
     if (number() & 1) number()
     number()
   }
-  const skipImport = [number, () => (at++, limits()), limits, () => (at += 2)]
+  const skipImport = [number, () => (offset++, limits()), limits, () => (offset += 2)]
 
   let types = []
   const functions = []
@@ -33,17 +36,17 @@ export function wasmSignatures(bytes) {
   const read = {
     [typeSection]: () => {
       types = list(() => {
-        at++ // 0x60, a function
-        const given = list(valueType)
+        offset++ // 0x60, a function
+        const parameters = list(valueType)
         const [result = 'void'] = list(valueType)
-        return { given, result }
+        return { parameters, result }
       })
     },
     [importSection]: () =>
       list(() => {
         text()
         text()
-        const kind = bytes[at++]
+        const kind = bytes[offset++]
         const type = skipImport[kind]()
         if (kind === 0) functions.push(types[type])
       }),
@@ -51,16 +54,16 @@ export function wasmSignatures(bytes) {
     [exportSection]: () =>
       list(() => {
         const name = text()
-        const kind = bytes[at++]
+        const kind = bytes[offset++]
         const index = number()
         if (kind === 0) exported.set(name, functions[index])
       }),
   }
-  while (at < bytes.length) {
-    const section = bytes[at++]
-    const end = number() + at
+  while (offset < bytes.length) {
+    const section = bytes[offset++]
+    const end = number() + offset
     read[section]?.()
-    at = end
+    offset = end
   }
   return exported
 }

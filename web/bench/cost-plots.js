@@ -16,7 +16,7 @@ const endsOf = (points) =>
   methodNames.map((name) => points.filter(({ method }) => method === name).at(-1)).filter(Boolean)
 
 /** Puts each name beside the end of its line with a thin leader, and moves names apart if they would overlap. */
-function endLabels(points, x, y, [top, bottom]) {
+function labelEnds(points, x, y, [top, bottom]) {
   const ends = endsOf(points)
   const [scaleX, scaleY] = [Plot.scale({ x }), Plot.scale({ y })]
   const places = spread(
@@ -63,8 +63,8 @@ const legend = (points) =>
 function costPlot(points, { width, x, y, about }) {
   const isNarrow = width < NARROW
   const widest = Math.max(...points.map(({ method }) => widthOf(method)))
-  const beside = isNarrow ? 20 : LEADER + 12 + widest
-  const [left, right, top, bottom] = [46, beside, 30, HEIGHT - 42]
+  const labelSpace = isNarrow ? 20 : LEADER + 12 + widest
+  const [left, right, top, bottom] = [46, labelSpace, 30, HEIGHT - 42]
   const [low, high] = [minOf(points, 'x'), maxOf(points, 'x')]
   const scaleX = {
     type: x.type,
@@ -110,7 +110,7 @@ function costPlot(points, { width, x, y, about }) {
         r: 4.5,
         strokeWidth: 1,
       }),
-      ...(isNarrow ? [] : endLabels(points, scaleX, scaleY, [top, bottom])),
+      ...(isNarrow ? [] : labelEnds(points, scaleX, scaleY, [top, bottom])),
       Plot.tip(
         points,
         Plot.pointer({

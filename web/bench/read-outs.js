@@ -16,7 +16,7 @@ const outputs = {
   clock: ['clock of the frame', String],
 }
 
-/** @returns show(values): updates the given values, keyed by the names above, and leaves the others unchanged */
+/** @returns show(values): updates the read-outs that `values` names, and leaves the others unchanged */
 export function makeReadOuts(list) {
   const cells = {}
   for (const [name, [label]] of Object.entries(outputs)) {

@@ -20,7 +20,10 @@ const runs = runsOf(parseRecords(text))
 let run = runs[0]
 let row
 
-/** Redrawn whenever the width changes, so that letters keep the page's font size. */
+/**
+ * The plots: [selector, function that draws, its points]. They are redrawn whenever the width changes, so that letters keep the page's font
+ * size.
+ */
 const plots = [
   ['.nodes', plotAgainstNodes, () => costAgainstNodes(run.records)],
   ['.vertices', plotAgainstVertices, () => costAgainstVertices(run.records)],
@@ -53,7 +56,7 @@ const formatDate = (date, dateStyle) =>
   new Date(date).toLocaleString('en-GB', { dateStyle, timeStyle: 'short', timeZone: 'UTC' })
 
 /** Describes p5's own rows, in which the warp is a part of a whole sketch. */
-function aboutP5(records) {
+function describeP5(records) {
   const frameOf = (method) => records.find((record) => record.method === method)?.frameMs
   const versions = records
     .map(({ method }) => /^(p5 .*), warpjet$/.exec(method)?.[1])
@@ -87,7 +90,7 @@ function showRun(date) {
     }),
   )
   find('.wide').replaceChildren(makeTable(records))
-  find('.p5-share').textContent = aboutP5(records)
+  find('.p5-share').textContent = describeP5(records)
   showRow(rows.includes(row) ? row : rows.includes(DEFAULT_ROW) ? DEFAULT_ROW : rows[0])
 }
 

@@ -4,7 +4,7 @@ import { degrees, plain, short, times, whole } from './figures.js'
 import { notes } from './method-notes.js'
 import { rowsOf } from './series.js'
 
-/** [heading of a group, ...its columns: [heading, key in the record, formatter]] */
+/** Groups of columns: [heading, ...columns], where a column is [heading, key in the record, formatter]. */
 const groups = [
   [
     'frame, ms',
@@ -89,14 +89,14 @@ export function makeTable(records) {
     const title = make(
       'th',
       { colSpan: columns.length + 1, scope: 'rowgroup' },
-      make('div', {}, make('b', { textContent: row }), ` ${aboutRow(lines[0])}`),
+      make('div', {}, make('b', { textContent: row }), ` ${describeRow(lines[0])}`),
     )
     return make('tbody', {}, make('tr', { className: 'title' }, title), ...lines.map(line))
   })
   return make('table', {}, head, ...bodies)
 }
 
-const aboutRow = ({ vertices, nodes, jsHeapMb, wasmHeapMb }) =>
+const describeRow = ({ vertices, nodes, jsHeapMb, wasmHeapMb }) =>
   [
     vertices !== undefined && `${whole(vertices)} vertices`,
     nodes !== undefined && `${whole(nodes)} nodes`,

@@ -32,23 +32,23 @@ const rowsOf = (page) => page.match(/^\|.*\|$/gm) ?? []
 
 for (const row of rowsOf(operationsPage)) {
   const [first, second, third] = cellsOf(row)
-  const isBoth = /^\S*\.\w+\(/.test(second ?? '')
-  const meaning = isBoth ? third : second
-  const forms = (isBoth ? [first, second] : first.split(/, (?=glsl\.)/)).filter((form) =>
+  const hasMethodForm = /^\S*\.\w+\(/.test(second ?? '')
+  const meaning = hasMethodForm ? third : second
+  const forms = (hasMethodForm ? [first, second] : first.split(/, (?=glsl\.)/)).filter((form) =>
     /^[\w]+\.\w+\(/.test(form),
   )
   for (const [i, form] of forms.entries()) {
     const [, name] = /\.(\w+)\(/.exec(form)
-    if (!isBoth || i === 0) add(name, isBoth ? forms : [form], meaning)
+    if (!hasMethodForm || i === 0) add(name, hasMethodForm ? forms : [form], meaning)
   }
 }
 
 for (const row of rowsOf(noisePage)) {
-  const [form, of, range, smooth] = cellsOf(row)
+  const [form, points, range, smooth] = cellsOf(row)
   const [, name, options] = /^(\w+)\(p, (.*)\)/.exec(form) ?? []
   if (!name) continue
   const forms = [`glsl.${name}(p, ${options})`, `p.${name}(${options})`]
-  add(name, forms, `Noise of ${of}: ${range}. Without jumps: ${smooth}.`)
+  add(name, forms, `Noise of ${points}: ${range}. Without jumps: ${smooth}.`)
 }
 
 /* The formula of each operation. */
@@ -79,7 +79,7 @@ const entryOf = ({ name, form, meaning, ...more }) => [
 ]
 
 /** Collects a host's { inputs, functions } from the declarations, each by name; functions also have `options` by name. */
-function ownOf(host) {
+function collectEntries(host) {
   const isOfHost = (each) => each.host === host || each.host === 'both'
   const functions = types.functions
     .filter(isOfHost)
@@ -89,10 +89,12 @@ function ownOf(host) {
     functions: new Map(functions),
   }
 }
-export const own = { p5: ownOf('p5'), three: ownOf('three') }
+export const hostEntries = { p5: collectEntries('p5'), three: collectEntries('three') }
 
 /** Functions that are members of the global `warpjet` on pages with p5. */
-export const ofLibrary = new Map(types.functions.filter(({ host }) => host === 'both').map(entryOf))
+export const libraryFunctions = new Map(
+  types.functions.filter(({ host }) => host === 'both').map(entryOf),
+)
 
 export { operations, deformers }
 

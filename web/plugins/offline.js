@@ -25,16 +25,16 @@ function worker({ name, files, models, same }) {
     if (response.ok) await cache.put(scope + file, await withoutRedirect(response))
   }
 
-  /** Caches the files. One that fails is cached at its first request. */
+  /** Caches the files. A file whose download fails is cached at its first request. */
   async function cacheAll(files) {
     const cache = await caches.open(name)
-    const left = [...files]
-    // A few at a time, so that the visitor's own requests need not wait.
-    const take = async () => {
-      for (let file = left.shift(); file; file = left.shift())
+    const remaining = [...files]
+    // Only four at a time, so that the visitor's own requests need not wait.
+    const cacheNext = async () => {
+      for (let file = remaining.shift(); file; file = remaining.shift())
         if (!(await cache.match(scope + file))) await fetchInto(cache, file).catch(() => {})
     }
-    await Promise.all([take(), take(), take(), take()])
+    await Promise.all([cacheNext(), cacheNext(), cacheNext(), cacheNext()])
   }
 
   async function answer(request) {

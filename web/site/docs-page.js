@@ -3,14 +3,14 @@ import { plain } from './html.js'
 import { renderPage } from './layout.js'
 import { groups, pages } from './navigation.js'
 
-const entry = (here) => (page) =>
+const listEntry = (here) => (page) =>
   `<li><a href="${page.file}.html"${page.file === here ? ' aria-current="page"' : ''}>${page.title}</a></li>`
 
-const contents = (here) =>
+const listPages = (here) =>
   groups
     .map(
       ({ title, pages }) =>
-        `<section><h2>${title}</h2><ul>${pages.map(entry(here)).join('')}</ul></section>`,
+        `<section><h2>${title}</h2><ul>${pages.map(listEntry(here)).join('')}</ul></section>`,
     )
     .join('')
 
@@ -43,7 +43,7 @@ export function docsPage({ file, url, html }) {
     `<div class="columns">
       <details class="contents" open>
         <summary>All pages</summary>
-        <nav aria-label="Docs">${contents(file)}</nav>
+        <nav aria-label="Docs">${listPages(file)}</nav>
       </details>
       <main id="main" tabindex="-1">
         ${html}
@@ -59,6 +59,6 @@ export const overview = () => `<h1>Docs</h1>
 <div class="overview">${groups
   .map(
     ({ title, pages }) =>
-      `<section><h2>${title}</h2><ul>${pages.map(entry()).join('')}</ul></section>`,
+      `<section><h2>${title}</h2><ul>${pages.map(listEntry()).join('')}</ul></section>`,
   )
   .join('')}</div>`

@@ -2,16 +2,16 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
-import { converted } from '../playground/convert.js'
+import { convert } from '../playground/convert.js'
 import { escapeForScript } from '../playground/document.js'
 import { guardLoops } from '../playground/guard.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
 import { evaluatedOf, maskOf, readMessage, shapesOf } from '../playground/messages.js'
 import { modulesAsData } from '../playground/modules.js'
 import { completeSketch } from '../playground/offset.js'
-import { plain, withOrigins } from '../playground/origins.js'
-import { across, down, normalErrors, spherePoints } from '../playground/sphere.js'
-import { namesOfFiles, quote, stringsIn, withFiles } from '../playground/strings.js'
+import { removeOrigins, withOrigins } from '../playground/origins.js'
+import { columns, normalErrors, rows, spherePoints } from '../playground/sphere.js'
+import { namesOfFiles, quote, replaceFileNames, stringsIn } from '../playground/strings.js'
 import { zip } from '../playground/zip.js'
 
 describe('a sketch converted for another p5', () => {
@@ -27,28 +27,28 @@ function draw() {}
 `
   test('awaits its canvas on WEBGPU', () => {
     const plain = 'function setup() {\n  createCanvas(9, 9, WEBGL)\n}\n'
-    const there = converted(plain, 'p5-webgpu')
+    const there = convert(plain, 'p5-webgpu')
     assert.equal(there, 'async function setup() {\n  await createCanvas(9, 9, WEBGPU)\n}\n')
-    assert.equal(converted(there, 'p5'), plain)
+    assert.equal(convert(there, 'p5'), plain)
   })
 
   test('loads in preload in p5 1.11, and converts back', () => {
-    const there = converted(sketch, 'p5-1')
+    const there = convert(sketch, 'p5-1')
     assert.match(there, /function preload\(\) \{\n  hand = loadModel\('hand\.obj'\)\n\}/)
     assert.match(there, /\nfunction setup\(\) \{\n  createCanvas/)
     assert.doesNotMatch(there, /await/)
-    const back = converted(there, 'p5')
+    const back = convert(there, 'p5')
     assert.match(back, /async function setup\(\) \{\n  hand = await loadModel\('hand\.obj'\)\n/)
     assert.doesNotMatch(back, /preload/)
   })
 
   test('declares local variables of setup for both functions', () => {
-    const there = converted(sketch.replace('hand = await', 'const font = await'), 'p5-1')
+    const there = convert(sketch.replace('hand = await', 'const font = await'), 'p5-1')
     assert.match(there, /^let font\nfunction preload\(\) \{\n  font = /m)
   })
 
   test('is unchanged if nothing applies', () => {
-    for (const host of ['p5', 'p5-1', 'p5-webgpu']) assert.equal(converted('let x', host), 'let x')
+    for (const host of ['p5', 'p5-1', 'p5-webgpu']) assert.equal(convert('let x', host), 'let x')
   })
 })
 
@@ -89,7 +89,7 @@ describe('a loop in a sketch', () => {
   const rounds = (text) => {
     const playground = {
       count: 0,
-      goOn() {
+      checkLoop() {
         if (++this.count === 50) throw new Error('stopped')
       },
     }
@@ -178,7 +178,7 @@ describe('the strings of a sketch', () => {
   test('name files that can be changed', () => {
     const text = 'load("a.obj", "b.obj", "c")'
     assert.equal(
-      withFiles(text, (name) => name.replace('b.', "it's.")),
+      replaceFileNames(text, (name) => name.replace('b.', "it's.")),
       `load("a.obj", 'it\\'s.obj', "c")`,
     )
   })
@@ -276,7 +276,7 @@ describe('the check of normals', () => {
   test('accepts the normals of a warp, also if its offset depends on the normal and on uv', () => {
     const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
     const errors = normalErrors(evaluate(spherePoints(1)))
-    assert.equal(errors.length, across * down)
+    assert.equal(errors.length, columns * rows)
     assert.ok(largest(errors) < 1e-3, `${largest(errors)}`)
   })
 
@@ -314,7 +314,7 @@ test('origins give each line its source line, and removing them restores the cod
     { text: '  a = b;', from: [7, 2] },
     { text: '}', from: [] },
   ])
-  assert.equal(plain(code), 'vec3 a;\n  a = b;\n}')
+  assert.equal(removeOrigins(code), 'vec3 a;\n  a = b;\n}')
 })
 
 test('debug names the line of the offset in each statement, of derivatives too', () => {

@@ -12,7 +12,7 @@ import { pages as listed } from '../site/navigation.js'
 import { sitePages } from '../site/pages.js'
 import { linkTo, runnable } from '../site/runnable.js'
 import { makeSearch } from '../site/search.js'
-import { sliders } from '../sliders.js'
+import { findSliders } from '../sliders.js'
 
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFileSync(new URL(path, root), 'utf8')
@@ -155,7 +155,7 @@ test('the HTML copied from an example has the script tags that the sketch needs'
 test('each example has a slider for a number of its sketch, which starts within its range', () => {
   for (const name of names) {
     const sketch = read(`examples/${name}/sketch.js`)
-    const found = sliders(name, sketch)
+    const found = findSliders(name, sketch)
     assert.ok(found.length, `${name} has none`)
     for (const { label, value, from, to, at, length } of found) {
       assert.equal(Number(sketch.slice(at, at + length)), value, `${name}: ${label}`)
