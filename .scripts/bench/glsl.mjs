@@ -55,7 +55,7 @@ async function measureInBrowser(shaders) {
   // Reads the sketch's own variables; `panel` waits for the GPU.
   const frames = await field.page.evaluate(`{
     noLoop()
-    const all = Array.from({ length: 9 }, () => [panel(-160, usual), panel(160, exact)])
+    const all = Array.from({ length: 9 }, () => [panel(-160, sampled), panel(160, exact)])
     all
   }`)
   const [four, one] = [0, 1].map((i) => median(frames.map((pair) => pair[i])))
