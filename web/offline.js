@@ -1,6 +1,6 @@
 /** Registers the service worker, which makes the site work offline, some time after the page loads. Only a built site has one. */
 
-/** How long to wait after a page has loaded, in milliseconds, so that network and CPU are free for what the visitor sees first. */
+/** Milliseconds to wait after a page has loaded, so that network and CPU are free for what the visitor sees first. */
 const delay = 5000
 
 const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds))

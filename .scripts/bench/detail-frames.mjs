@@ -49,12 +49,14 @@ async function measureAll(page, warps, normals) {
       const distance = 3.2 * size
       const mesh = scale(meshes[shape], sizes)
       const pieces = countPieces(mesh, warp, uniforms, distance, size)
-      const plain = Object.fromEntries(Object.entries(mesh).map(([key, list]) => [key, [...list]]))
+      const plainMesh = Object.fromEntries(
+        Object.entries(mesh).map(([key, list]) => [key, [...list]]),
+      )
       const results = {}
       for (const moves of [false, true])
         results[moves] = await page.evaluate((settings) => measureFrames(settings), {
           name,
-          mesh: plain,
+          mesh: plainMesh,
           ...{ pieces, sizes, uniforms, normals, distance, moves },
         })
       const [still, moving] = [results.false, results.true]

@@ -46,7 +46,7 @@ export async function measure() {
 function measureRow({ name, vertices, rounds }, interpreted) {
   const { warp: offset, byHand } = warps[name]
   const warp = compileWarp(offset)
-  const plain = interpreted.compileWarp(offset)
+  const interpretedWarp = interpreted.compileWarp(offset)
   const mesh = createSphere(vertices)
   const uniforms = { millis: 1234 }
   const arrays = () => ({
@@ -60,7 +60,7 @@ function measureRow({ name, vertices, rounds }, interpreted) {
   const methods = {
     evaluate: () => time(() => (moved = warp.evaluate(mesh, { uniforms }))),
     'into out': () => time(() => warp.evaluate(mesh, { uniforms, out })),
-    interpreter: () => time(() => plain.evaluate(mesh, { uniforms })),
+    interpreter: () => time(() => interpretedWarp.evaluate(mesh, { uniforms })),
     'by hand': () => time(() => byHand(mesh, 1234, results)),
     native: native.time,
   }

@@ -31,12 +31,16 @@ function readOptions(args) {
 
 /** Compiles all warps → [{ name, shaders, characters, auto }]. */
 async function compileAll(names) {
-  const plain = Object.entries(plainWarps).map(([name, source]) => [name, (0, eval)(source), {}])
+  const plainEntries = Object.entries(plainWarps).map(([name, source]) => [
+    name,
+    (0, eval)(source),
+    {},
+  ])
   const gallery = [...(await sketchWarps()), ...threeWarps()]
   const galleryWarps = gallery
     .filter(({ warp }) => warp)
     .map(({ name, warp, options }) => [name, warp, options?.uniforms])
-  const all = [...plain, ...galleryWarps].map(([name, offset, uniforms]) => {
+  const all = [...plainEntries, ...galleryWarps].map(([name, offset, uniforms]) => {
     const options = { perFrame: true, surfaceVariation: true, uniforms }
     const warp = compileWarp(offset, { ...options, normals: 'vertex' })
     const plain = compileWarp(offset, { ...options, normals: false })
@@ -51,7 +55,7 @@ async function compileAll(names) {
     }
   })
   // After the plain warps, the gallery's are in order of cost: if time is short, most of them are still measured.
-  const first = all.splice(0, plain.length)
+  const first = all.splice(0, plainEntries.length)
   const sorted = [...first, ...all.sort((a, b) => a.characters - b.characters)]
   const unknown = names?.filter((name) => !sorted.some((each) => each.name === name)) ?? []
   if (unknown.length) throw new Stop(`Expected names of warps for --warp, got ${unknown}.`)
@@ -235,9 +239,9 @@ export async function measure(args) {
   const all = await compileAll(names)
   const rows = {}
   for (const [i, warp] of all.entries()) {
-    const left = 1000 * seconds - (performance.now() - start)
-    if (left < 0) break
-    const budget = left / (all.length - i)
+    const remaining = 1000 * seconds - (performance.now() - start)
+    if (remaining < 0) break
+    const budget = remaining / (all.length - i)
     const results = await page.evaluate(
       ([shaders, ms]) => measureWarp(shaders, ms),
       [warp.shaders, budget],

@@ -4,7 +4,7 @@ import { declared, importsIn } from './entries.mjs'
 import { path } from './files.mjs'
 import { run } from './run.mjs'
 
-/** Where the compiler writes one declaration per source file. */
+/** The folder into which the compiler writes one declaration per source file. */
 const unbundled = '.build/types'
 
 /** globals.d.ts only refers to exports of the entries. It is copied, not bundled. */

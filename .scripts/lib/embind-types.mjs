@@ -13,7 +13,7 @@ const typedArrays = [
   'Float64',
 ].map((kind) => `${kind}Array`)
 
-/** Reads the matchPairs of short and full names that match `pattern` in minified glue. */
+/** Reads the pairs of short and full names that match `pattern` in minified glue. */
 const matchPairs = (glue, pattern) =>
   Object.fromEntries([...glue.matchAll(pattern)].map(([, key, value]) => [key, value]))
 
@@ -125,7 +125,7 @@ export function embindTypes(glue, wasm) {
     return `export interface ${name} {\n${members.join('')}  delete(): void\n}`
   })
   const signatures = wasmSignatures(wasm)
-  const plain = Object.entries(exportNames(glue))
+  const plainExports = Object.entries(exportNames(glue))
     .filter(([name, short]) => /^_[a-z]/.test(name) && signatures.has(short))
     .map(([name, short]) => {
       const { parameters: types, result } = signatures.get(short)
@@ -144,7 +144,7 @@ export function embindTypes(glue, wasm) {
     ),
     ...functions.map(([name, signature]) => `  ${name}${writeCall(signature)}`),
     ...constants.map(([name, type]) => `  readonly ${name}: ${writeType(type)}`),
-    ...plain,
+    ...plainExports,
   ]
   return [
     ...values,

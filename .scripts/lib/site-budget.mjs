@@ -44,8 +44,8 @@ export function filesOf(folder, start) {
     if (!compressible.test(file)) continue
     const text = readFileSync(path(folder, file), 'utf8')
     for (const url of loadedBy(file, text)) {
-      const found = join(dirname(file), url.split(/[?#]/)[0])
-      if (existsSync(path(folder, found))) files.add(found)
+      const target = join(dirname(file), url.split(/[?#]/)[0])
+      if (existsSync(path(folder, target))) files.add(target)
       else throw new Stop(`${folder}/${file} refers to ${url}, which does not exist.`)
     }
   }

@@ -10,7 +10,7 @@ const [typeSection, importSection, functionSection, exportSection] = [1, 2, 3, 7
 export function wasmSignatures(bytes) {
   // Skips the magic number and the version.
   let offset = 8
-  const number = () => {
+  const readNumber = () => {
     let value = 0
     for (let shift = 0; ; shift += 7) {
       const byte = bytes[offset++]
@@ -18,51 +18,51 @@ export function wasmSignatures(bytes) {
       if (byte < 128) return value
     }
   }
-  const list = (read) => Array.from({ length: number() }, read)
-  const text = () => {
-    const size = number()
+  const readList = (readItem) => Array.from({ length: readNumber() }, readItem)
+  const readText = () => {
+    const size = readNumber()
     return new TextDecoder().decode(bytes.subarray(offset, (offset += size)))
   }
-  const valueType = () => kinds[bytes[offset++]] ?? 'never'
-  const limits = () => {
-    if (number() & 1) number()
-    number()
+  const readValueType = () => kinds[bytes[offset++]] ?? 'never'
+  const skipLimits = () => {
+    if (readNumber() & 1) readNumber()
+    readNumber()
   }
-  const skipImport = [number, () => (offset++, limits()), limits, () => (offset += 2)]
+  const skipImport = [readNumber, () => (offset++, skipLimits()), skipLimits, () => (offset += 2)]
 
   let types = []
   const functions = []
   const exported = new Map()
-  const read = {
+  const readSection = {
     [typeSection]: () => {
-      types = list(() => {
+      types = readList(() => {
         offset++ // 0x60, a function
-        const parameters = list(valueType)
-        const [result = 'void'] = list(valueType)
+        const parameters = readList(readValueType)
+        const [result = 'void'] = readList(readValueType)
         return { parameters, result }
       })
     },
     [importSection]: () =>
-      list(() => {
-        text()
-        text()
+      readList(() => {
+        readText()
+        readText()
         const kind = bytes[offset++]
         const type = skipImport[kind]()
         if (kind === 0) functions.push(types[type])
       }),
-    [functionSection]: () => functions.push(...list(() => types[number()])),
+    [functionSection]: () => functions.push(...readList(() => types[readNumber()])),
     [exportSection]: () =>
-      list(() => {
-        const name = text()
+      readList(() => {
+        const name = readText()
         const kind = bytes[offset++]
-        const index = number()
+        const index = readNumber()
         if (kind === 0) exported.set(name, functions[index])
       }),
   }
   while (offset < bytes.length) {
     const section = bytes[offset++]
-    const end = number() + offset
-    read[section]?.()
+    const end = readNumber() + offset
+    readSection[section]?.()
     offset = end
   }
   return exported

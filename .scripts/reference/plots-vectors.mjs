@@ -67,14 +67,14 @@ function derivativeSection({ name, meaning }) {
   const { plot, line } = derivatives[name]
   const formula = vectorFormulas[name]
   const text = formula ? `${formulaText(formula)} ${formula.remark}` : derivatives[name].text
-  const shown = plot ? `<!-- plot ${plot[0]} from ${plot[1]} to ${plot[2]} -->\n\n` : ''
+  const plotComment = plot ? `<!-- plot ${plot[0]} from ${plot[1]} to ${plot[2]} -->\n\n` : ''
   return `### ${name}
 
 ${sentence(meaning)}
 
 ${text}
 
-${shown}<!-- prettier-ignore -->
+${plotComment}<!-- prettier-ignore -->
 \`\`\`js
 createWarp(({ glsl, position${line.includes('normal,') ? ', normal' : ''} }) => {
 ${line.replaceAll(/^/gm, '  ')}

@@ -1,12 +1,12 @@
-// Writes js-bindings/core/types/methods.ts: every operation as a methodSignatures of its first operand and as a function of the builder.
+// Writes js-bindings/core/types/methods.ts: every operation as a method of its first operand and as a function of the builder.
 
 import { readFileSync } from 'node:fs'
 import { path } from '../lib/files.mjs'
 
-// Every signature contains its own comment: an editor shows no comment for a property whose type contains several signatures.
+// Every signature has its own comment: an editor shows no comment for a property whose type has several signatures.
 
 /**
- * The signatures of `mult` as a methodSignatures of a number and as a function of the builder. A vector times square matrices is a vector.
+ * The signatures of `mult` as a method of a number and as a function of the builder. A vector times square matrices is a vector.
  */
 const productSignatures = [
   '(...numbers: Operand[]): Scalar',
@@ -178,7 +178,7 @@ function interfaceText(head, description, operations, signaturesOf, commentOf) {
   return `${description ? comment(description) : ''}export interface ${head} {\n${members.join('')}}\n`
 }
 
-/** Returns the comment of a methodSignatures. If the meaning names the receiver, the comment begins with a call that shows it. */
+/** Returns the comment of a method. If the meaning names the receiver, the comment begins with a call that shows it. */
 function methodComment({ forms }) {
   const texts = forms.map(({ name, operands: [receiver, ...others], meaning, isChained }) => {
     if (!RegExp(`(?<![\\w'])${receiver}\\b`).test(meaning)) return meaning

@@ -71,7 +71,7 @@ const inGLSL = {
     ),
 }
 
-// The same for WEBGPU, in a hook of p5. warpjet translates the field into WGSL.
+// On WEBGPU, a hook of p5 does the same. warpjet translates the field into WGSL.
 const inWGSL = {
   target: 'wgsl',
   fourTimes: `fn slope(p: vec3f) -> vec3f {

@@ -1,7 +1,7 @@
 /** The plots of frame cost. Each takes points of series.js and a width in pixels, and returns an element. */
 import * as Plot from '@observablehq/plot'
 import { make } from './dom.js'
-import { plain, short, whole } from './figures.js'
+import { formatExact, formatInteger, formatShort } from './figures.js'
 import { spread } from './labels.js'
 import { methodNames, notes } from './method-notes.js'
 import { LINE, axisX, axisY, common, decimalTicks, maxOf, minOf, widthOf } from './plot-parts.js'
@@ -115,7 +115,7 @@ function costPlot(points, { width, x, y, about }) {
         points,
         Plot.pointer({
           ...place,
-          title: (point) => `${point.method}\n${about(point)}: ${short(point.y)} ms`,
+          title: (point) => `${point.method}\n${about(point)}: ${formatShort(point.y)} ms`,
         }),
       ),
     ],
@@ -135,9 +135,9 @@ export function plotAgainstNodes(points, width) {
   const high = 1.05 * maxOf(points, 'y')
   return costPlot(points, {
     width,
-    x: { type: 'linear', label: 'nodes of the warp →', write: whole },
-    y: { type: 'linear', domain: [0, high], ticks: linearTicks(high), write: plain },
-    about: ({ x }) => `${whole(x)} nodes`,
+    x: { type: 'linear', label: 'nodes of the warp →', write: formatInteger },
+    y: { type: 'linear', domain: [0, high], ticks: linearTicks(high), write: formatExact },
+    about: ({ x }) => `${formatInteger(x)} nodes`,
   })
 }
 
@@ -150,7 +150,7 @@ export function plotAgainstVertices(points, width) {
   return costPlot(points, {
     width,
     x: { type: 'log', label: 'vertices, logarithmic →', write: thousands },
-    y: { type: 'log', domain, ticks: decimalTicks(domain), write: plain },
-    about: ({ x }) => `${whole(x)} vertices`,
+    y: { type: 'log', domain, ticks: decimalTicks(domain), write: formatExact },
+    about: ({ x }) => `${formatInteger(x)} vertices`,
   })
 }

@@ -62,7 +62,7 @@ export function probeVertices(scene, program, sample, uniforms) {
 }
 
 /**
- * Reads the normals that light the pixels, for a method that computes them in the fragment stage. Returns at most about `limit`
+ * Reads the normals that light the pixels, for a method that computes them in the fragment stage. Returns up to `limit`
  * [{ position, normal, measured }], where `position` and `normal` are interpolated from the unwarped mesh.
  */
 export function probePixels(scene, parts, millis, limit) {

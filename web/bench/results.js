@@ -5,7 +5,7 @@ import { keepForOffline } from '../offline.js'
 import { plotAgainstNodes, plotAgainstVertices } from './cost-plots.js'
 import { make } from './dom.js'
 import { plotErrorAgainstCost } from './error-plot.js'
-import { short } from './figures.js'
+import { formatShort } from './figures.js'
 import { listMethods } from './method-list.js'
 import { deviceOf, parseRecords, runsOf } from './records.js'
 import { costAgainstNodes, costAgainstVertices, errorAgainstCost, rowsOf } from './series.js'
@@ -62,8 +62,8 @@ function describeP5(records) {
     .map(({ method }) => /^(p5 .*), warpjet$/.exec(method)?.[1])
     .filter((version) => version && frameOf(`${version}, no warp`) !== undefined)
     .map((version) => {
-      const [warped, plain] = [frameOf(`${version}, warpjet`), frameOf(`${version}, no warp`)]
-      return `${short(warped)} ms a frame with ${version} (${short(plain)} ms without the warp)`
+      const [warped, unwarped] = [frameOf(`${version}, warpjet`), frameOf(`${version}, no warp`)]
+      return `${formatShort(warped)} ms a frame with ${version} (${formatShort(unwarped)} ms without the warp)`
     })
   return versions.length ? `A whole p5 sketch takes ${versions.join(', and ')}.` : ''
 }

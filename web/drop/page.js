@@ -128,8 +128,11 @@ const refineAgain = () =>
 
 /** Updates the read-outs beside the picture. */
 function showReadOuts() {
-  const [before, after] = [model.mesh, drawnMesh].map((mesh) => whole.format(trianglesOf(mesh)))
-  find('.triangles').textContent = drawnMesh === model.mesh ? before : `${before} → ${after}`
+  const [original, subdivided] = [model.mesh, drawnMesh].map((mesh) =>
+    whole.format(trianglesOf(mesh)),
+  )
+  find('.triangles').textContent =
+    drawnMesh === model.mesh ? original : `${original} → ${subdivided}`
   countFolded()
 }
 

@@ -122,7 +122,7 @@ export class View {
     }
   }
 
-  /** Resizes the canvas to the screen's resolution, but to at most two pixels per CSS pixel in each direction. */
+  /** Resizes the canvas to the screen's resolution, but to no more than two pixels per CSS pixel in each direction. */
   resize() {
     const { canvas, gl } = this
     const scale = Math.min(devicePixelRatio, 2)

@@ -82,10 +82,10 @@ function surfaceNormal(section, s, t, sharp) {
 
 /** Returns the normal of a pole: ∂/∂t vanishes there, so it is the mean of the normals just beside the pole. */
 function poleNormal(section, s) {
-  const beside = s === 0 ? 4 * STEP : 1 - 4 * STEP
+  const nearby = s === 0 ? 4 * STEP : 1 - 4 * STEP
   const sum = [0, 0, 0]
   for (let k = 0; k < 12; k++) {
-    const n = surfaceNormal(section, beside, (k + 0.5) / 12, false)
+    const n = surfaceNormal(section, nearby, (k + 0.5) / 12, false)
     for (let axis = 0; axis < 3; axis++) sum[axis] += n[axis]
   }
   return normalize(sum)

@@ -57,13 +57,13 @@ async function check({ index, maker, reads, surfaceVariation, declared = [] }, p
   const title = make('h2', { textContent: maker })
   try {
     // Uniforms of the option `uniforms` have their values in the frame.
-    const read = reads.filter((name) => !declared.includes(name))
-    const unknown = read.find((name) => !(name in all))
+    const inputNames = reads.filter((name) => !declared.includes(name))
+    const unknown = inputNames.find((name) => !(name in all))
     if (unknown)
       throw new Error(
         `The sketch sets “${unknown}” only when it draws, so its value is unknown here: pass it to createWarp, as in { uniforms: { ${unknown}: 1 } }.`,
       )
-    const uniforms = Object.fromEntries(read.map((name) => [name, all[name]]))
+    const uniforms = Object.fromEntries(inputNames.map((name) => [name, all[name]]))
     const { positions, normals, uvs, colors } = points
     // Without surface variation the shader treats normal and uv as constant, so the check does, too.
     const mesh = surfaceVariation === false ? { positions, normals, uvs, colors } : points

@@ -62,7 +62,7 @@ export function makeChoices(editor, onError) {
   host.addEventListener('change', () => {
     const { text, host: before } = editor.sketch()
     const now = host.value
-    // A p5 sketch cannot be convert to three.js, so a starter replaces it; undo brings it back.
+    // A p5 sketch cannot be converted to three.js, so a starter replaces it; undo brings it back.
     if (isThree(now)) editor.set({ host: now, text: starters.three })
     else if (isOffset(now)) editor.set({ host: now, text: starter })
     else if (isOffset(before))

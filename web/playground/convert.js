@@ -5,8 +5,8 @@
 
 /** Returns `text` converted for `host`, one of the p5 hosts in hosts.js. */
 export function convert(text, host) {
-  const plain = host === 'p5-1' ? toPreload(text) : fromPreload(text)
-  return host === 'p5-webgpu' ? toWebGPU(plain) : toWebGL(plain)
+  const converted = host === 'p5-1' ? toPreload(text) : fromPreload(text)
+  return host === 'p5-webgpu' ? toWebGPU(converted) : toWebGL(converted)
 }
 
 const canvasPattern = (kind) =>

@@ -54,8 +54,8 @@ export async function glbOf(made, frame, uniforms) {
     )
   if (warp.space === 'camera')
     throw new Error('A warp in space: "camera" depends on the camera and cannot be saved.')
-  const read = warp.reads.filter((name) => Object.hasOwn(uniforms, name))
-  const values = Object.fromEntries(read.map((name) => [name, uniforms[name]]))
+  const inputNames = warp.reads.filter((name) => Object.hasOwn(uniforms, name))
+  const values = Object.fromEntries(inputNames.map((name) => [name, uniforms[name]]))
   const { exportGLB } = await import('../../dist/mesh.js')
   const evaluate = (mesh) => frame.evaluate(warp.index, mesh, { uniforms: values })
   return exportGLB(

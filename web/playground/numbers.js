@@ -10,8 +10,8 @@ const PIXELS_PER_STEP = 4
 export function numberAt(state, at) {
   let node
   for (const side of [1, -1]) {
-    const found = syntaxTree(state).resolveInner(at, side)
-    if (found.name === 'Number') node = found
+    const candidate = syntaxTree(state).resolveInner(at, side)
+    if (candidate.name === 'Number') node = candidate
   }
   if (!node) return
   const text = state.sliceDoc(node.from, node.to)

@@ -70,11 +70,11 @@ export async function partsOf(sketch, dropped) {
     ...tagsOf(sketch),
     ...frameScripts(isModule ? ['clock', 'record'] : ['clock', 'record', 'warps']),
   ]
-  const named = namesOfFiles(text).filter((name) => !dropped.has(name))
+  const siteNames = namesOfFiles(text).filter((name) => !dropped.has(name))
   const [scripts, imports, found] = await Promise.all([
     Promise.all(paths.map((path) => loadScript(path))),
     importsOf(sketch),
-    Promise.all(named.map(async (name) => [name, await siteFile(name).catch(() => undefined)])),
+    Promise.all(siteNames.map(async (name) => [name, await siteFile(name).catch(() => undefined)])),
   ])
   return {
     scripts,

@@ -10,21 +10,21 @@ import vectorsPage from '../docs/plots-vectors.md?raw'
 import plotsPage from '../docs/plots.md?raw'
 
 /** Converts a Markdown table cell to plain text. */
-const plain = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
+const toPlainText = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
 const cellsOf = (row) =>
   row
     .slice(1, -1)
     .split(/(?<!\\)\|/)
-    .map(plain)
+    .map(toPlainText)
 
 /** Maps name → { forms, meanings }. A name can appear in several rows, as `atan` does. */
 const operations = new Map()
 
 function add(name, forms, meaning) {
-  const known = operations.get(name) ?? { forms: [], meanings: [] }
+  const entry = operations.get(name) ?? { forms: [], meanings: [] }
   operations.set(name, {
-    forms: [...known.forms, ...forms.filter((form) => !known.forms.includes(form))],
-    meanings: known.meanings.includes(meaning) ? known.meanings : [...known.meanings, meaning],
+    forms: [...entry.forms, ...forms.filter((form) => !entry.forms.includes(form))],
+    meanings: entry.meanings.includes(meaning) ? entry.meanings : [...entry.meanings, meaning],
   })
 }
 
@@ -57,19 +57,19 @@ for (const row of rowsOf(noisePage)) {
   if (formula.startsWith('Σ')) add(name, [], `Value: ${formula}.`)
 }
 for (const [, name, formula] of plotsPage.matchAll(/^### (\w+)(?:(?!^###)[^])*?^(Value: .*)$/gm))
-  add(name, [], plain(formula))
+  add(name, [], toPlainText(formula))
 // Noise is covered by its own page above.
 const [vectors] = vectorsPage.split('## Kinds of noise')
 for (const [, name, formula] of vectors.matchAll(
   /^### (\w+)(?:(?!^###)[^])*?^(`\1\([^]*?)\n\n<!--/gm,
 ))
-  add(name, [], plain(formula.replaceAll('\n\n', ' ')))
+  add(name, [], toPlainText(formula.replaceAll('\n\n', ' ')))
 
 /** Maps each deformer to the first paragraph under its heading. */
 const deformers = new Map(
   [...deformersPage.matchAll(/^## (\w+)\n\n([^\n]+)/gm)].map(([, name, text]) => [
     name,
-    { forms: [`warpjet.${name}({ … })`], meanings: [plain(text)] },
+    { forms: [`warpjet.${name}({ … })`], meanings: [toPlainText(text)] },
   ]),
 )
 

@@ -67,7 +67,7 @@ export function normalErrors({ positions, normals }) {
   return Float32Array.from({ length: count }, (_, k) => {
     const at = 5 * k
     const along = difference(positions, at + 2, at + 1)
-    // v increases with p5's y, which points rows, so the cross product points outwards.
+    // v increases with p5's y, which points down, so the cross product points outwards.
     const expected = cross(along, difference(positions, at + 4, at + 3))
     const normal = [...normals.subarray(3 * at, 3 * at + 3)]
     const sine = Math.hypot(...cross(expected, normal))

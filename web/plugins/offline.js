@@ -11,7 +11,7 @@ import { createHash } from 'node:crypto'
 function worker({ name, files, models, same }) {
   const scope = self.registration.scope
 
-  const known = new Set([...files, ...models, ...Object.keys(same)])
+  const sitePaths = new Set([...files, ...models, ...Object.keys(same)])
 
   /** Copies a response without its `redirected` flag, since a navigation rejects it. Some servers redirect x.html to x. */
   async function withoutRedirect(response) {
@@ -41,9 +41,10 @@ function worker({ name, files, models, same }) {
     const url = new URL(request.url)
     url.search = url.hash = ''
     const path = url.href.slice(scope.length)
-    const file = [path, `${path}.html`, `${path}index.html`].find((file) => known.has(file)) ?? path
+    const file =
+      [path, `${path}.html`, `${path}index.html`].find((file) => sitePaths.has(file)) ?? path
     // Without the slash, the page's relative addresses would be resolved against the parent folder.
-    if (known.has(`${path}/index.html`)) {
+    if (sitePaths.has(`${path}/index.html`)) {
       const folder = new URL(request.url)
       folder.pathname += '/'
       return Response.redirect(folder)

@@ -70,10 +70,10 @@ export async function ownTypes() {
       const type = member.type.getText()
       // Show the definition of a type alias, which says more than its name, and omit generic types, which say nothing here.
       const alias = findNamed(file, ts.isTypeAliasDeclaration, type)
-      const shown = (alias?.type.getText() ?? type).replaceAll(/\s+/g, ' ')
+      const typeText = (alias?.type.getText() ?? type).replaceAll(/\s+/g, ' ')
       return {
         name,
-        form: shown.includes('<') ? name : `${name}: ${shown}`,
+        form: typeText.includes('<') ? name : `${name}: ${typeText}`,
         meaning: [member, alias].filter(Boolean).map(meaningOf).join(' ').trim(),
       }
     })

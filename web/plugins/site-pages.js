@@ -49,11 +49,11 @@ async function contentOf(path) {
 
 /** Lists the files that the site serves unchanged. */
 async function listUnchanged() {
-  const found = Object.keys(staticFiles)
+  const paths = Object.keys(staticFiles)
   for (const [folder, matches] of Object.entries(folders))
     for (const file of await readdir(new URL(`web/${folder}`, root)))
-      if (matches.test(file)) found.push(folder + file)
-  return found
+      if (matches.test(file)) paths.push(folder + file)
+  return paths
 }
 
 async function compileHero() {

@@ -1,5 +1,5 @@
 /** Lays out a page of the docs, with links to all pages at the side and to the previous and next one below. */
-import { plain } from './html.js'
+import { toPlainText } from './html.js'
 import { renderPage } from './layout.js'
 import { groups, pages } from './navigation.js'
 
@@ -14,7 +14,7 @@ const listPages = (here) =>
     )
     .join('')
 
-function beside(file) {
+function linkNeighbours(file) {
   const index = pages.findIndex((page) => page.file === file)
   const [before, after] = [pages[index - 1], index < 0 ? pages[0] : pages[index + 1]]
   const link = (page, rel, word) =>
@@ -27,11 +27,11 @@ function beside(file) {
 /** Returns the beginning of a page's text, which search engines show as its description. */
 const descriptionOf = (html) => {
   const [, first = ''] = /<p>([^]*?)<\/p>/.exec(html) ?? []
-  return plain(first).slice(0, 160)
+  return toPlainText(first).slice(0, 160)
 }
 
 export function docsPage({ file, url, html }) {
-  const title = plain(/<h1[^>]*>([^]*?)<\/h1>/.exec(html)?.[1] ?? file)
+  const title = toPlainText(/<h1[^>]*>([^]*?)<\/h1>/.exec(html)?.[1] ?? file)
   return renderPage(
     {
       url,
@@ -47,7 +47,7 @@ export function docsPage({ file, url, html }) {
       </details>
       <main id="main" tabindex="-1">
         ${html}
-        ${beside(file)}
+        ${linkNeighbours(file)}
       </main>
     </div>`,
   )

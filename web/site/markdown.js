@@ -23,9 +23,9 @@ const languages = {
 }
 
 function highlightCode(text, language) {
-  const known = hljs.getLanguage(languages[language] ?? language)
-  return known
-    ? hljs.highlight(text, { language: known.name.toLowerCase().split(',')[0] }).value
+  const grammar = hljs.getLanguage(languages[language] ?? language)
+  return grammar
+    ? hljs.highlight(text, { language: grammar.name.toLowerCase().split(',')[0] }).value
     : escapeHtml(text)
 }
 

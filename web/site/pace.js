@@ -5,7 +5,7 @@
 
 export const sleep = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds))
 
-/** A frame of at most this many milliseconds does not hinder the page. */
+/** Max milliseconds of a frame that does not hinder the page. */
 const maxFrame = 12
 /** Max milliseconds of a pause. After a slower frame, the pause is three times its excess over `maxFrame`. */
 const maxPause = 400

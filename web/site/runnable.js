@@ -86,10 +86,10 @@ export function runnable(text, language, directive = '') {
     whole = `${frame.replace(/^( *)…$/m, (_, spaces) => indent(block, spaces))}\n`
   }
   if (/from 'three'/.test(whole)) return { text: whole, host: 'three', chosen: [] }
-  const plain = withoutImports(whole)
-  const isSketch = /\bfunction setup\(\)/.test(plain)
-  if (!isSketch && !/\bcreateWarp\(/.test(plain)) return undefined
-  const sketch = isSketch ? plain : wrapInSketch(plain)
+  const code = withoutImports(whole)
+  const isSketch = /\bfunction setup\(\)/.test(code)
+  if (!isSketch && !/\bcreateWarp\(/.test(code)) return undefined
+  const sketch = isSketch ? code : wrapInSketch(code)
   const named = kind ? [] : first.split(' ').filter(Boolean)
   return { text: sketch, host: 'p5', chosen: [...new Set([...named, ...scriptsOf(sketch)])] }
 }

@@ -1,5 +1,5 @@
 // The tables for the terminal: one for each row, and one that compares all rows with the aims.
-import { degrees, plain, whole } from '../../../web/bench/figures.js'
+import { formatDegrees, formatExact, formatInteger } from '../../../web/bench/figures.js'
 import { paint } from '../../lib/terminal.mjs'
 import { sameDecimals, table, withDecimals } from './table.mjs'
 
@@ -54,11 +54,11 @@ const rowColumns = (records) => [
   figureColumn('first', 'ms', 'firstMs', formatterOf(records, 'firstMs')),
   figureColumn('×', 'positions', 'firstToPositions', withDecimals(2)),
   figureColumn('×', 'by hand', 'firstToByHand', withDecimals(2)),
-  figureColumn('text', 'characters', 'characters', whole),
+  figureColumn('text', 'characters', 'characters', formatInteger),
   figureColumn('×', 'by hand', 'charactersToByHand', withDecimals(2)),
-  figureColumn('generate', 'ms', 'generationMs', plain),
-  figureColumn('error', '°', 'errorDegrees', degrees),
-  figureColumn('', 'h', 'h', plain),
+  figureColumn('generate', 'ms', 'generationMs', formatExact),
+  figureColumn('error', '°', 'errorDegrees', formatDegrees),
+  figureColumn('', 'h', 'h', formatExact),
 ]
 
 const p5Columns = (records) => [
@@ -68,10 +68,11 @@ const p5Columns = (records) => [
 ]
 
 const describeRow = ({ vertices, nodes, clock, jsHeapMb, wasmHeapMb }) => [
-  `${whole(vertices)} vertices`,
-  `${whole(nodes)} nodes`,
+  `${formatInteger(vertices)} vertices`,
+  `${formatInteger(nodes)} nodes`,
   `clock: ${clock}`,
-  jsHeapMb && `peak heap: ${whole(jsHeapMb)} MB of JavaScript, ${whole(wasmHeapMb)} of WebAssembly`,
+  jsHeapMb &&
+    `peak heap: ${formatInteger(jsHeapMb)} MB of JavaScript, ${formatInteger(wasmHeapMb)} of WebAssembly`,
 ]
 
 /** Formats the records of a row, or of p5's sketches. */

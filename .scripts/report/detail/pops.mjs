@@ -9,7 +9,7 @@ import { chooseTriangles, scale, viewFrom } from './cases.mjs'
 const frames = 200
 /** The number of random triangles of each division that are measured. */
 const maxTriangles = 300
-/** By how much the inputs of warps change per frame. */
+/** The change of the inputs of warps per frame. */
 const steps = { millis: 16, bend: 0.005 }
 
 /**

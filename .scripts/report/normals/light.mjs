@@ -36,7 +36,7 @@ const reference = [1600, 625]
 
 const countOf = ([columns, rows]) => (2 * columns * rows).toLocaleString('en-US')
 
-/** Pixels at most this far from the edge of the sphere belong to the outline. */
+/** The outline consists of the pixels within this distance of the edge of the sphere. */
 const margin = 2
 
 const html = `<!doctype html><meta charset="utf-8"><body>

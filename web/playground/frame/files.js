@@ -20,8 +20,8 @@
   window.fetch = async (from, options) => {
     const data = dataOf(from)
     if (data) return fetch(data)
-    const found = await playground?.findFile(resolveAddress(from?.url ?? String(from)))
-    return found ?? fetch(from, options)
+    const response = await playground?.findFile(resolveAddress(from?.url ?? String(from)))
+    return response ?? fetch(from, options)
   }
 
   window.FontFace = class extends FontFace {

@@ -130,11 +130,11 @@ function copyOwnProperties(normals, material) {
 
 /** Makes the meshes of an object show normals. Returns a function that must be called after the warp is applied. */
 function showNormals(object) {
-  const made = new Map()
+  const normalMaterials = new Map()
   const meshes = []
   const normalsFor = (material) => {
-    if (!made.has(material)) made.set(material, normalsOf(material))
-    return made.get(material)
+    if (!normalMaterials.has(material)) normalMaterials.set(material, normalsOf(material))
+    return normalMaterials.get(material)
   }
   object?.traverse?.((part) => {
     const { isMesh, material } = part
