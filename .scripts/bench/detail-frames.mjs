@@ -1,6 +1,6 @@
 // npm run bench -- detail-frames [--warp name] [--normals vertex]: compares frames of meshes with the option `detail`, updates included,
-// with frames of a uniformly subdivided mesh of the same error: in three.js on WebGL in software, for the warps of `npm run report --
-// detail`, 600 x 600 pixels.
+// with frames of a uniformly subdivided mesh of the same error: in three.js on WebGL in software, at 600 x 600 pixels, for the warps
+// of `npm run report -- detail`.
 import { readdirSync } from 'node:fs'
 import { loadavg } from 'node:os'
 import { parseArgs } from 'node:util'

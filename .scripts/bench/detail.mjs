@@ -1,5 +1,5 @@
-// npm run bench -- detail: what the option `detail` costs on the CPU in a frame in which camera and time move, at about 10,000 edges: how
-// long an update takes, and what memory it uses.
+// npm run bench -- detail: measures what the option `detail` costs on the CPU in a frame in which camera and time move, at about 10,000
+// edges: how long an update takes, and what memory it uses.
 import { cpus, loadavg } from 'node:os'
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'

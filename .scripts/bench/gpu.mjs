@@ -1,5 +1,5 @@
-// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: frames with normals at vertices, at pixels, and by
-// four evaluations at each pixel, for the warps of the gallery. `pixel` does not fade noise; `faded`, the default, does, and is
+// npm run bench -- gpu [--size 1200] [--seconds 480] [--software] [--warp NAME …]: times frames with normals at vertices, at pixels, and
+// by four evaluations at each pixel, for the warps of the gallery. `pixel` does not fade noise; `faded`, the default, does, and is
 // measured if it differs. Without a GPU, or with --software, SwiftShader draws, for which a smaller --size suffices.
 import { parseArgs } from 'node:util'
 import { compileWarp } from '../../dist/warpjet.js'

@@ -47,7 +47,8 @@ const yieldToPage = () => new Promise((later) => setTimeout(later))
  * { method, frame, toPositions, toWarpjet, first, firstToPositions, firstToByHand, characters, charactersToByHand, generation,
  * error: { largest, median, h } }. `characters` counts the method's own source. `frame` and `first` are times
  * in milliseconds, { median, low, high }, with half of the values between low and high; `first` is the time from source to the first
- * finished frame; ratios are taken within a round; errors are degrees; `generation` is null if nothing is generated.
+ * finished frame; ratios are taken within a round; errors are degrees; `generation`, in
+ * milliseconds, is null if nothing is generated.
  */
 export async function measureRow(scene, workload, settings, progress = () => {}) {
   const memory = watchMemory()
