@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { walk } from '../../.scripts/lib/files.mjs'
 import { sections } from '../../web/catalogue.js'
-import { converted } from '../../web/playground/convert.js'
+import { convert } from '../../web/playground/convert.js'
 import { tagsOf } from '../../web/playground/hosts.js'
 import { blocksOf } from '../../web/site/markdown.js'
 import { path } from '../support/browser/bench.js'
@@ -102,7 +102,7 @@ ${tagsOf({ host, chosen })
   .map((file) => `<script src="${file}"></script>`)
   .join('\n')}
 <script>${still}</script>
-<script>${converted(text, host)}
+<script>${convert(text, host)}
 {
   const own = setup
   window.setup = () => (window.ready = own())

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { sections } from '../../web/catalogue.js'
-import { converted } from '../../web/playground/convert.js'
+import { convert } from '../../web/playground/convert.js'
 import { path } from '../support/browser/bench.js'
 import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
 import { addCookie, coarseShapes, cookie, replaceResponses } from '../support/browser/examples.js'
@@ -44,7 +44,7 @@ async function openFor(host) {
 function forHost(request, path, content) {
   const host = cookie(request, 'host')
   if (/^\/examples\/[\w-]+\/sketch\.js$/.test(path))
-    return `${converted(String(content), host)}${still}{${coarseShapes}}`
+    return `${convert(String(content), host)}${still}{${coarseShapes}}`
   const isP5 = host === 'p5-webgpu' && path.endsWith('/p5.min.js')
   return isP5 ? `${content}\n${webgpu}` : content
 }

@@ -22,9 +22,9 @@ const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name
 
 /** Examples tested on their page in every run: a model, a shader from a file, and one with a second script. */
 const everyday = ['airplane-twist', 'text-bulge', 'deformer-bend']
-const shown = isRun('every example in the gallery') ? names : everyday
-/** The example drawn with all its pixels. By default not the model, whose edges take p5 seconds to compute. */
-const asItIs = isRun('every example in the gallery') ? 'airplane-twist' : 'deformer-bend'
+const testedOnPage = isRun('every example in the gallery') ? names : everyday
+/** The example that is drawn with all its pixels. In the everyday run not the model, whose edges take p5 seconds to compute. */
+const fullExample = isRun('every example in the gallery') ? 'airplane-twist' : 'deformer-bend'
 
 // Without a GPU, a frame can take seconds on a busy machine.
 const patience = { timeout: 180_000 }
@@ -32,7 +32,10 @@ const patience = { timeout: 180_000 }
 const desktop = { viewport: { width: 1280, height: 900 } }
 const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
 
-/** Examples opened on a phone: those whose sketches read the window's size, and a few more. For the others the page is resized. */
+/**
+ * Returns whether an example is opened on a phone: if its sketch reads the window's size, and a few more. For the others the page is
+ * resized.
+ */
 const isOpenedOnPhone = (name) =>
   name === names[0] || everyday.includes(name) || name.startsWith('three-')
 
@@ -81,7 +84,7 @@ describe('the gallery of npm start', () => {
 
     // Skip the examples that are drawn on their page.
     const isDrawn = (name) =>
-      !shown.includes(name) &&
+      !testedOnPage.includes(name) &&
       (name !== 'domain-warping-3d' || isRun('deep domain warping')) &&
       (!['three-glass', 'three-lanterns'].includes(name) || isRun('glass and lanterns'))
     for (const name of names.filter(isDrawn))
@@ -97,7 +100,7 @@ describe('the gallery of npm start', () => {
     let page, messages, session
     before(async () => {
       const context = await browser.newContext(desktop)
-      await reduceSketches(context, url, { exceptions: [asItIs], before: plain })
+      await reduceSketches(context, url, { exceptions: [fullExample], before: plain })
       for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
@@ -117,7 +120,7 @@ describe('the gallery of npm start', () => {
       assert.equal(await page.locator('.tiles img').count(), names.length)
     })
 
-    for (const name of shown)
+    for (const name of testedOnPage)
       test(`shows ${name}`, async () => {
         const frame = await openPlaying(page, url, name)
         await page.getByText(/^frame \d+ · [\d.]+ fps$/).waitFor(patience)

@@ -1,4 +1,4 @@
-// Opens every example of the gallery in the playground by its link: it draws the same as in the gallery, without errors.
+// Opens every example of the gallery in the playground by its link, and checks that it draws as in the gallery, without errors.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop } from '../../tests/support/browser/bench.js'
