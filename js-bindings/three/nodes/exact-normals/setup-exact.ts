@@ -91,7 +91,7 @@ function moveExactly(
 
 /**
  * Maps the option `normals` and the code of a position without textures → the warp that it is, or the message why it cannot be one. Materials
- * with the same displacement share its warp, since making it takes as long as a frame.
+ * with the same displacement share its warp, since making it takes several milliseconds.
  */
 const sharedWarps = new Map<string, ExactWarp | string>()
 const maxShared = 32
