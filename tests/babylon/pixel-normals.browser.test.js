@@ -62,7 +62,7 @@ async function compare(backend, what) {
   const toWorld = fromBabylon(world)
   const clip = m.product(fromBabylon(toClip), toWorld)
   const toScreen = (p) => {
-    const [x, y, z] = m.movePoint(clip, p)
+    const [x, y, z] = m.transformPoint(clip, p)
     return [(size * (x + 1)) / 2, (size * (1 - y)) / 2, z]
   }
   const described = {
@@ -80,7 +80,7 @@ async function compare(backend, what) {
   })
   const inWorld = exact.map(({ pixel, normal }) => ({
     pixel,
-    normal: m.turnNormal(toWorld, normal),
+    normal: m.transformNormal(toWorld, normal),
   }))
   return { ...anglesOf(inWorld, (pixel) => at(pictures.normal, pixel)), share, normals }
 }
@@ -173,7 +173,7 @@ for (const backend of ['webgl', 'webgpu'])
           const tangent = m.normalize(turnDirection(toWorld, columns[0]))
           // Babylon.js's plane looks along -z, and v grows along y.
           const n = m.cross(columns[0], columns[1]).map((each) => -each)
-          const normal = m.turnNormal(toWorld, n)
+          const normal = m.transformNormal(toWorld, n)
           const across = m.cross(normal, tangent)
           return {
             pixel,
@@ -293,7 +293,7 @@ for (const backend of ['webgl', 'webgl without uniform buffers', 'webgpu'])
         const place = at(pictures.restPosition, pixel)
         const columns = jacobian((p) => m.add(p, offset(p)), place, 1e-4)
         const n = m.cross(columns[0], columns[1]).map((each) => -each)
-        return { pixel, normal: m.turnNormal(fromBabylon(world), n) }
+        return { pixel, normal: m.transformNormal(fromBabylon(world), n) }
       })
     const { max, count } = anglesOf(exact, (pixel) => at(pictures.normal, pixel))
     assert.ok(count > 200 && max < bound, `${max} degrees off at ${count} pixels`)

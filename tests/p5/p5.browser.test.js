@@ -57,11 +57,11 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
         const { offset, identityPlusJacobian } = waves(unit)
         const seen = directions(120)
           .map((direction) => {
-            const p = m.movePoint(before, direction)
-            const [x, y, z] = m.movePoint(after, m.add(p, offset(p)))
+            const p = m.transformPoint(before, direction)
+            const [x, y, z] = m.transformPoint(after, m.add(p, offset(p)))
             const moved = m.product(after, identityPlusJacobian(p), before)
             return {
-              normal: m.turnNormal(moved, direction),
+              normal: m.transformNormal(moved, direction),
               toEye: m.normalize([-x, -y, -z]),
               screen: [x, y].map((c) => ((1 + (focal * c) / -z) * size) / 2),
             }

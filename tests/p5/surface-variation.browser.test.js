@@ -62,10 +62,10 @@ const spaces = {
 /** Returns the warped position of a point of the unit sphere, and the normal there from finite differences, in view space. */
 function seenAt(p, { offset, before, after }) {
   const move = (q) => {
-    const position = m.movePoint(before, q)
+    const position = m.transformPoint(before, q)
     // As in p5: transformed by the inverse transpose, of any length.
-    const normal = m.turnNormal(before, q)
-    return m.movePoint(after, m.add(position, offset(position, normal)))
+    const normal = m.transformNormal(before, q)
+    return m.transformPoint(after, m.add(position, offset(position, normal)))
   }
   const side = m.normalize(m.cross(p, Math.abs(p[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]))
   const slope = (t) => {

@@ -52,7 +52,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     const measure = (table, name, normals) =>
       page.evaluate((row) => exact.measure(...row), [table, name, normals])
 
-    for (const table of ['chunks', 'ofCustomShaderMaterial', 'ofShaderMaterial', 'objects'])
+    for (const table of ['chunks', 'customShaderMaterials', 'shaderMaterials', 'objects'])
       test(`every displacement of ${table}`, async (t) => {
         for (const name of names[table])
           await t.test(name, async (t) => {
@@ -69,7 +69,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
               assert.ok(worst < 0.03, `${worst}°`)
               assert.ok(farthest < 1e-3, `the position is off by ${farthest}`)
               const isNoted =
-                normals === 'pixel' && (table === 'ofShaderMaterial' || name in atVertices)
+                normals === 'pixel' && (table === 'shaderMaterials' || name in atVertices)
               assert.equal(messages.length, Number(isNoted), messages.join('\n'))
               if (isNoted) assert.match(messages[0], /at vertices, although/)
               if (isNoted && name in atVertices) assert.match(messages[0], atVertices[name])
@@ -84,10 +84,10 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
           const {
             own,
             exact: error,
-            isSamePlace,
+            hasSamePositions,
           } = await page.evaluate((name) => exact.measureHabit(name), name)
           t.diagnostic(`${error}° at 95%; without exactNormals ${own}°`)
-          assert.ok(isSamePlace)
+          assert.ok(hasSamePositions)
           const note = notes[name]
           assert.equal(messages.length, Number(note !== undefined), messages.join('\n'))
           if (note) assert.match(messages[0], note)

@@ -80,7 +80,10 @@ for (const backend of ['webgl', 'webgpu'])
     })
 
     test('facets stay facets', async () => {
-      assert.equal(await page.evaluate((backend) => pixels.facets(backend, 'simplex'), backend), 0)
+      assert.equal(
+        await page.evaluate((backend) => pixels.countFacetDifferences(backend, 'simplex'), backend),
+        0,
+      )
     })
 
     test('a surface that collapses is lit as its triangles are', async (t) => {

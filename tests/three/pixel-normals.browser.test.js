@@ -86,7 +86,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     })
 
     test('facets stay facets', async () => {
-      assert.equal(await page.evaluate(() => pixels.facets('simplex')), 0)
+      assert.equal(await page.evaluate(() => pixels.countFacetDifferences('simplex')), 0)
     })
 
     test('a surface that collapses is lit as its triangles are', async (t) => {

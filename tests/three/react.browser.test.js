@@ -16,7 +16,7 @@ import { createElement as e, Suspense, StrictMode, act } from 'react'
 import { createRoot, extend, useFrame } from '@react-three/fiber'
 import * as THREE from 'three'
 import { Warp } from 'warpjet/react'
-import { settledHeap } from '../../tests/support/browser/three/heap.js'
+import { measureHeap } from '../../tests/support/browser/three/heap.js'
 
 extend(THREE)
 globalThis.IS_REACT_ACT_ENVIRONMENT = true
@@ -92,7 +92,7 @@ window.cycle = async (times) => {
     else await act(async () => root.render(e(StrictMode, null, e(Spy), e(pages.around, { amount: i / times }))))
     await show('plain')
   }
-  const heap = await settledHeap()
+  const heap = await measureHeap()
   const { memory, programs } = state.gl.info
   return { ...memory, programs: programs.length, heap }
 }

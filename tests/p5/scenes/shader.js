@@ -44,8 +44,8 @@ const sphere = sphereMesh(32, 24)
 const stretch = m.scaling(1, 1.5, 0.6)
 const plain = {
   ...sphere,
-  vertices: sphere.vertices.map((p) => m.movePoint(stretch, p)),
-  normals: sphere.normals.map((n) => m.turnNormal(stretch, n)),
+  vertices: sphere.vertices.map((p) => m.transformPoint(stretch, p)),
+  normals: sphere.normals.map((n) => m.transformNormal(stretch, n)),
 }
 const turn = ([x, y, z]) => [-y, x, z]
 const turned = { ...plain, vertices: plain.vertices.map(turn), normals: plain.normals.map(turn) }
