@@ -111,7 +111,10 @@ const rows = {
         mesh.material = new THREE.MeshPhongMaterial({ color: 0x40ff80 })
     },
   }),
-  'an override material': () => ({ ...makeMeshes(() => makeStandard()), prepare: overrideMaterials }),
+  'an override material': () => ({
+    ...makeMeshes(() => makeStandard()),
+    prepare: overrideMaterials,
+  }),
   'an unwarped mesh with the same geometry and material': () => {
     const all = {}
     const [geometry, material] = [makeKnot(), new THREE.MeshStandardMaterial()]

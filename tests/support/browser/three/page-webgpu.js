@@ -29,9 +29,9 @@ async function compare(name, { backend, light = 'directional', space, sabotage, 
   const renderer = await rendererFor(backend)
   const make = scenes.shapes[name]
   renderer.shadowMap.type = THREE[`${map}ShadowMap`]
-  const before = await draw(renderer, scenes.sceneOf(scenes.unmoved(make), light))
+  const before = await draw(renderer, scenes.sceneOf(scenes.makeUnmoved(make), light))
   const expected = await draw(renderer, scenes.sceneOf(scenes.makeMoved(make, space), light))
-  const object = scenes.unmoved(make)
+  const object = scenes.makeUnmoved(make)
   const scene = scenes.sceneOf(object, light)
   const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
   warped.update(1000)
@@ -52,9 +52,9 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
   const make = scenes.shapes[name]
   const { mirroredMotion, makeDoubleSided } = scenes
   const drawObject = (object) => draw(renderer, scenes.sceneOf(object, light))
-  const before = await drawObject(makeDoubleSided(scenes.unmoved(make)))
+  const before = await drawObject(makeDoubleSided(scenes.makeUnmoved(make)))
   const expected = await drawObject(makeDoubleSided(scenes.makeMoved(make, space, mirroredMotion)))
-  const object = makeDoubleSided(scenes.unmoved(make))
+  const object = makeDoubleSided(scenes.makeUnmoved(make))
   const warped = isKnown
     ? warp(object, scenes.constantOffset(mirroredMotion), { space })
     : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
@@ -67,7 +67,7 @@ async function mirror(name, { backend, light = 'directional', space, isKnown = f
 /** Does the same as `normals` in page.js, with a float target, for which three.js converts colours to linear ones. */
 async function normals({ backend, asNode }) {
   const renderer = await rendererFor(backend)
-  const { scene, camera, mesh, size } = wave.waveScene(
+  const { scene, camera, mesh, size } = wave.makeWaveScene(
     asNode ? new THREE.MeshNormalNodeMaterial() : undefined,
   )
   const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
@@ -79,7 +79,7 @@ async function normals({ backend, asNode }) {
     const shown = Array.from(numbers, (x) =>
       x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055,
     )
-    return wave.worstOf(shown, { isUpwards: backend === 'webgl', millis })
+    return wave.maxError(shown, { isUpwards: backend === 'webgl', millis })
   }
   const unwarped = await read()
   let update
@@ -99,7 +99,7 @@ async function normals({ backend, asNode }) {
 /** Does the same as `image` in page.js. */
 async function image({ backend }) {
   const renderer = await rendererFor(backend)
-  const object = scenes.unmoved(scenes.shapes.plain)
+  const object = scenes.makeUnmoved(scenes.shapes.plain)
   const scene = scenes.sceneOf(object, 'directional')
   const warped = warp(object, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
     uniforms: { map: scenes.shiftMap() },
@@ -183,8 +183,8 @@ async function both({ backend }) {
     gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, bytes)
     return bytes
   }
-  const object = scenes.unmoved(scenes.shapes.plain)
-  const [before, scene] = [makeScene(scenes.unmoved(scenes.shapes.plain)), makeScene(object)]
+  const object = scenes.makeUnmoved(scenes.shapes.plain)
+  const [before, scene] = [makeScene(scenes.makeUnmoved(scenes.shapes.plain)), makeScene(object)]
   const expected = makeScene(scenes.makeMoved(scenes.shapes.plain))
   const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
   warped.update(1000)

@@ -75,13 +75,13 @@ export function compare(
   const make = scenes.shapes[name]
   renderer = sabotage ? getSabotagedRenderer(sabotage) : rendererFor(options)
   renderer.shadowMap.type = THREE[`${map}ShadowMap`]
-  const still = scenes.sceneOf(scenes.unmoved(make), light)
+  const still = scenes.sceneOf(scenes.makeUnmoved(make), light)
   const before = draw(still)
   free(still)
   const reference = scenes.sceneOf(scenes.makeMoved(make, space), light)
   const expected = draw(reference)
   free(reference)
-  const object = scenes.unmoved(make)
+  const object = scenes.makeUnmoved(make)
   const scene = scenes.sceneOf(object, light)
   const warped = warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms() })
   warped.update(1000)
@@ -108,10 +108,10 @@ export function mirror(name, { light = 'directional', space, normals, isKnown = 
     return picture
   }
   const { mirroredMotion, makeDoubleSided } = scenes
-  const before = drawObject(makeDoubleSided(scenes.unmoved(make)))
+  const before = drawObject(makeDoubleSided(scenes.makeUnmoved(make)))
   const reference = scenes.makeMoved(make, space, mirroredMotion)
   const expected = drawObject(scenes.flipBitangents(makeDoubleSided(reference)))
-  const object = makeDoubleSided(scenes.unmoved(make))
+  const object = makeDoubleSided(scenes.makeUnmoved(make))
   const warped = isKnown
     ? warp(object, scenes.constantOffset(mirroredMotion), { space, normals })
     : warp(object, scenes.offset, { space, normals, uniforms: scenes.uniforms(mirroredMotion) })
@@ -124,7 +124,7 @@ export function mirror(name, { light = 'directional', space, normals, isKnown = 
 /** Measures the max error of the drawn normals of a wave, in units of 1/255 → { worst, unwarped }: at each moment, and without the warp. */
 export function normals() {
   renderer = rendererFor({})
-  const { scene, camera, mesh, size } = wave.waveScene()
+  const { scene, camera, mesh, size } = wave.makeWaveScene()
   const target = new THREE.WebGLRenderTarget(size, size)
   const read = (millis) => {
     renderer.setRenderTarget(target)
@@ -132,7 +132,7 @@ export function normals() {
     const bytes = new Uint8Array(4 * size * size)
     renderer.readRenderTargetPixels(target, 0, 0, size, size, bytes)
     renderer.setRenderTarget(null)
-    return wave.worstOf(
+    return wave.maxError(
       Array.from(bytes, (byte) => byte / 255),
       { millis },
     )
@@ -152,7 +152,7 @@ export function normals() {
 export function image() {
   renderer = rendererFor({})
   const make = { warped: scenes.shapes.plain, moved: scenes.shapes.plain }
-  const object = scenes.unmoved(make)
+  const object = scenes.makeUnmoved(make)
   const scene = scenes.sceneOf(object, 'directional')
   const warped = warp(object, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
     uniforms: { map: scenes.shiftMap() },
@@ -194,7 +194,7 @@ export async function custom() {
         .sub(position),
     { names: { millis: 'uTime' } },
   )
-  const object = scenes.unmoved(scenes.shapes.plain)
+  const object = scenes.makeUnmoved(scenes.shapes.plain)
   const scene = scenes.sceneOf(object, 'directional')
   const before = draw(scene)
   object.material = new CustomShaderMaterial({

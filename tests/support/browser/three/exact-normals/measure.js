@@ -154,7 +154,9 @@ function compare(row, mesh, { at, space, shown, clips }) {
       }
       const start = 4 * (k * position.count + i)
       angles.push(angle(expected, [...shown.subarray(start, start + 3)]))
-      const clip = new THREE.Vector4(...positionAt(u, v).view, 1).applyMatrix4(camera.projectionMatrix)
+      const clip = new THREE.Vector4(...positionAt(u, v).view, 1).applyMatrix4(
+        camera.projectionMatrix,
+      )
       farthest = Math.max(farthest, ...clip.toArray().map((x, j) => Math.abs(x - clips[start + j])))
     }
   }

@@ -2,7 +2,7 @@
 import * as THREE from 'three/webgpu'
 import { exactNormals } from 'warpjet/three/webgpu'
 import { degreesBetween, exactVertex, quantile } from '../pixel-normals/exact.js'
-import { camera, objectFor, parts, restPart, size } from '../pixel-normals/scenes.js'
+import { attributeNames, camera, makeObject, readUnwarped, size } from '../pixel-normals/scenes.js'
 import { rendererFor } from '../webgpu-renderer.js'
 import { displacements, unsupported } from './displacements.js'
 import { countHeights } from './heights.js'
@@ -51,7 +51,7 @@ async function drawCase(
   const material = new THREE.MeshNormalNodeMaterial()
   material.positionNode = (first ?? position)()
   if (isExact) exactNormals(material, { normals })
-  const { object, geometry } = objectFor(kind, shape, material)
+  const { object, geometry } = makeObject(kind, shape, material)
   prepare?.(object)
   const view = camera()
   if (first) {
@@ -75,13 +75,13 @@ async function measure(name, settings) {
   const nodes = withVaryings(material.positionNode, ignoresPose)
   object.material = new THREE.MeshBasicNodeMaterial()
   object.material.positionNode = nodes.positionNode
-  for (const part of parts) {
-    if (part === 'tangent') continue
-    object.material.fragmentNode = nodes[part] ?? attribute('seen', 'vec4')
+  for (const attributeName of attributeNames) {
+    if (attributeName === 'tangent') continue
+    object.material.fragmentNode = nodes[attributeName] ?? attribute('seen', 'vec4')
     object.material.needsUpdate = true
-    const numbers = restPart('plain', geometry, part)
+    const numbers = readUnwarped('plain', geometry, attributeName)
     object.geometry.setAttribute('seen', new THREE.BufferAttribute(numbers, 4))
-    seen[part] = await draw(renderer, object, view)
+    seen[attributeName] = await draw(renderer, object, view)
   }
   const { matrixWorld } = object
   const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
@@ -89,10 +89,12 @@ async function measure(name, settings) {
   let skipped = 0
   for (let i = 0; i < 4 * size * size; i += 4) {
     if (shown[i + 3] === 0 || seen.position[i + 3] === 0) continue
-    const read = (part, count) => Array.from(seen[part].slice(i, i + count))
+    const read = (attributeName, count) => Array.from(seen[attributeName].slice(i, i + count))
     const [x, y, z, length] = read('normal', 4)
     const normal = [x, y, z].map((k) => (k * length) / Math.hypot(x, y, z))
-    const gradients = parts.filter((part) => part.endsWith('Gradient')).map((part) => read(part, 3))
+    const gradients = attributeNames
+      .filter((attributeName) => attributeName.endsWith('Gradient'))
+      .map((attributeName) => read(attributeName, 3))
     const instance = Number((i / 4) % size >= size / 2)
     const vertex = { position: read('position', 3), normal, uv: read('uv', 2), gradients }
     const exact = exactVertex((...vectors) => move(...vectors, { instance, matrixWorld }), vertex)

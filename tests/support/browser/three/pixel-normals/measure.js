@@ -4,7 +4,7 @@
 import * as THREE from 'three'
 import { addSurfaceVariation, warp } from 'warpjet/three'
 import { degreesBetween, exactVertex, makeMover, quantile } from './exact.js'
-import { camera, kinds, objectFor, parts, restPart, size } from './scenes.js'
+import { attributeNames, camera, kinds, makeObject, readUnwarped, size } from './scenes.js'
 import { heights, warps } from './warps.js'
 
 /** Makes a normal map of one direction, in floats. */
@@ -36,7 +36,7 @@ export async function measure(
 ) {
   const offset = shape === 'plane' ? heights[name] : warps[name]
   const options = { side: THREE[side] }
-  const { object, geometry } = objectFor(
+  const { object, geometry } = makeObject(
     kind,
     shape,
     normalMaterial({ ...options, ...(map && { normalMap: makeNormalMap(map) }) }),
@@ -56,13 +56,14 @@ export async function measure(
   const shown = decode(await draw(scene, view))
   object.material = attributeMaterial(options)
   const drawnAttributes = {}
-  for (const part of parts) {
-    if (!geometry.attributes[part] && !(varies && part.endsWith('Gradient'))) continue
+  for (const attributeName of attributeNames) {
+    if (!geometry.attributes[attributeName] && !(varies && attributeName.endsWith('Gradient')))
+      continue
     const all = new Float32Array(4 * object.geometry.attributes.position.count)
-    const numbers = restPart(kind, geometry, part)
-    all.set(space === 'world' ? transformToWorld(part, numbers, object) : numbers)
+    const numbers = readUnwarped(kind, geometry, attributeName)
+    all.set(space === 'world' ? transformToWorld(attributeName, numbers, object) : numbers)
     object.geometry.setAttribute('shownAttribute', new THREE.BufferAttribute(all, 4))
-    drawnAttributes[part] = await draw(scene, view)
+    drawnAttributes[attributeName] = await draw(scene, view)
   }
   warped.dispose()
   return compare({ object, kind, view, offset, shown, drawnAttributes, side, map, space })
@@ -78,7 +79,7 @@ function getMatrix({ object, kind, view, space }, column) {
 }
 
 /** Transforms an attribute, with four numbers per vertex, to world space, for warps in that space. */
-function transformToWorld(part, numbers, { matrixWorld }) {
+function transformToWorld(attributeName, numbers, { matrixWorld }) {
   const normalMatrix = new THREE.Matrix3().getNormalMatrix(matrixWorld)
   const linear = new THREE.Matrix3().setFromMatrix4(matrixWorld)
   const transforms = {
@@ -87,8 +88,8 @@ function transformToWorld(part, numbers, { matrixWorld }) {
     tangent: (vector) => vector.applyMatrix3(linear),
   }
   const vector = new THREE.Vector3()
-  for (let i = 0; transforms[part] && i < numbers.length; i += 4)
-    transforms[part](vector.fromArray(numbers, i)).toArray(numbers, i)
+  for (let i = 0; transforms[attributeName] && i < numbers.length; i += 4)
+    transforms[attributeName](vector.fromArray(numbers, i)).toArray(numbers, i)
   return numbers
 }
 
@@ -99,12 +100,13 @@ function compare(all) {
   let [skipped, facing] = [0, 0]
   for (let i = 0; i < 4 * size * size; i += 4) {
     if (shown[i + 3] === 0 || drawnAttributes.position[i + 3] === 0) continue
-    const read = (part, count) => Array.from((drawnAttributes[part] ?? []).slice(i, i + count))
+    const read = (attributeName, count) =>
+      Array.from((drawnAttributes[attributeName] ?? []).slice(i, i + count))
     const [x, y, z, length] = read('normal', 4)
     const normal = [x, y, z].map((k) => (k * length) / Math.hypot(x, y, z))
-    const gradients = parts
-      .filter((part) => part.endsWith('Gradient'))
-      .map((part) => (drawnAttributes[part] ? read(part, 3) : [0, 0, 0]))
+    const gradients = attributeNames
+      .filter((attributeName) => attributeName.endsWith('Gradient'))
+      .map((attributeName) => (drawnAttributes[attributeName] ? read(attributeName, 3) : [0, 0, 0]))
     const tangent = map && read('tangent', 4)
     const vertex = { position: read('position', 3), normal, uv: read('uv', 2), gradients, tangent }
     const exact = exactVertex(move, vertex)
