@@ -13,7 +13,7 @@ import { launchBrowser, leavePage, openPage } from '../support/browser/browser.j
 import { coarseShapes } from '../support/browser/examples.js'
 import { beyondEdges, readPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
-import { pngOf } from '../support/png.js'
+import { encodeImage } from '../support/png.js'
 
 // The sketch reads the address of its page.
 globalThis.location ??= new URL('http://localhost/playground/index.html')
@@ -116,7 +116,7 @@ ${tagsOf({ host, chosen })
   await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
   await page.evaluate('redraw()')
   const image = await readPixels(page)
-  writeFileSync(`${screenshots}/${place.replaceAll(/\W/g, '-')}.${host}.png`, pngOf(image))
+  writeFileSync(`${screenshots}/${place.replaceAll(/\W/g, '-')}.${host}.png`, encodeImage(image))
   await leavePage(page)
   return { image, messages }
 }

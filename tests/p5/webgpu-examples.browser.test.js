@@ -9,7 +9,7 @@ import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js
 import { addCookie, coarseShapes, cookie, replaceResponses } from '../support/browser/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
-import { pngOf } from '../support/png.js'
+import { encodeImage } from '../support/png.js'
 
 const screenshots = path('.build/screenshots/webgpu')
 
@@ -91,7 +91,7 @@ async function pictureOf(name, host) {
     host === 'p5-webgpu'
       ? await readWebGPUPixels(page, draw)
       : (await page.evaluate(draw), await readPixels(page))
-  writeFileSync(`${screenshots}/${name}.${host}.png`, pngOf(image))
+  writeFileSync(`${screenshots}/${name}.${host}.png`, encodeImage(image))
   assert.deepEqual(messages.splice(0), [])
   return image
 }
