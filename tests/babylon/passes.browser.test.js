@@ -1,4 +1,5 @@
-// Tests 'warpjet/babylon' in all passes of Babylon.js, with copies of materials, and with a warp along normals: pictures must equal those of
+// Tests 'warpjet/babylon' in all passes of Babylon.js, with copies of materials, and with a warp along normals: pictures must equal those
+// of
 // the same motion without a warp.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'

@@ -1,4 +1,5 @@
-// Normals at pixels in Babylon.js: compares the normal that a material uses for light, drawn in floats, with the exact one, which is computed
+// Normals at pixels in Babylon.js: compares the normal that a material uses for light, drawn in floats, with the exact one, which is
+// computed
 // from the unwarped position of each pixel.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'

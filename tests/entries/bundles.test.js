@@ -195,7 +195,8 @@ test('a bundle that only imports warp from warpjet/three has no GLSL front end',
 test('warpjet contains no code of warpjet/three; prints the size that the latter adds', async () => {
   const measure = async (name, code) => {
     const text = readFileSync(await bundle(name, code, 'browser'), 'utf8')
-    // Leaves out the inlined WebAssembly, which all of these bundles contain: with it, the difference would depend on where gzip's blocks end.
+    // Leaves out the inlined WebAssembly, which all of these bundles contain: with it, the difference would depend on where gzip's blocks
+    // end.
     const script = text
       .split('"')
       .filter((part) => part.length < 50_000)

@@ -1,5 +1,6 @@
 // node tests/firefox/site.mjs [parts of paths]: opens the pages of the built site in Firefox, in the sizes of a desktop and of a phone, and
-// reports console messages, pages that are too wide, and missing pictures. By default, opens all pages. Run it by hand, after `npm run site`.
+// reports console messages, pages that are too wide, and missing pictures. By default, opens all pages. Run it by hand, after `npm run
+// site`.
 import { mkdirSync } from 'node:fs'
 import { preview } from 'vite'
 import { path, walk } from '../../.scripts/lib/files.mjs'

@@ -7,11 +7,12 @@ import { drawScenes, openHosts, p5HostsInThisRun, p5InThisRun } from '../support
 const size = 120
 const { browsers, server } = await openHosts(p5HostsInThisRun)
 
-// Tests warps whose domain ends at the border of their mesh, on antialiased canvases: the centers of some pixels at the border are outside of
+// Tests warps whose domain ends at the border of their mesh, on antialiased canvases: the centers of some pixels at the border are outside
+// of
 // the mesh, where the offset is undefined. Not on WEBGPU: SwiftShader showed no defects there, even before we reflected points at borders.
 /**
- * At the right edge of the plane, where x is 0.5, slopes are infinite or, if the domain ends 0.004 beyond the edge, steep: the normal is nearly
- * the x axis there. It is nearly the z axis on the left and, if undefined values are not handled, outside.
+ * At the right edge of the plane, where x is 0.5, slopes are infinite or, if the domain ends 0.004 beyond the edge, steep: the normal is
+ * nearly the x axis there. It is nearly the z axis on the left and, if undefined values are not handled, outside.
  */
 const offsets = {
   sqrt: ({ glsl, position }) => glsl.vec3(0, 0, glsl.val(0.5).sub(position.x()).sqrt().mult(2)),
@@ -36,7 +37,10 @@ const border = Array.from({ length: size * size }, (_, pixel) => {
   return { pixel, x: (cosine * x + sine * y) / 60, y: (cosine * y - sine * x) / 60 }
 }).filter(({ x, y }) => Math.abs(x - 0.5) < 0.7 / 60 && Math.abs(y) < 0.45)
 
-/** Draws the plane with each offset, rotated so that its edges pass pixel centers at all distances. The background has the color of the border. */
+/**
+ * Draws the plane with each offset, rotated so that its edges pass pixel centers at all distances. The background has the color of the
+ * border.
+ */
 function drawBorders(version, p5, attributes) {
   const draw = (name) => `background(249, 165, 128); warps.${name}(); noStroke()
     ${lookFromAfar(size)}

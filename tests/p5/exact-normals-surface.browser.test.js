@@ -1,4 +1,5 @@
-// exactNormals for hooks that move vertices along the normal, by texture coordinates or by an image: compares the light with that of the same
+// exactNormals for hooks that move vertices along the normal, by texture coordinates or by an image: compares the light with that of the
+// same
 // warp by createWarp. Also tests messages about unsupported hooks.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'

@@ -1,4 +1,5 @@
-// Offsets that read normal and uv, on p5's own shapes, in sketches that do not call for gradients: compares the light at each vertex with the
+// Offsets that read normal and uv, on p5's own shapes, in sketches that do not call for gradients: compares the light at each vertex with
+// the
 // normal of the warped surface, which is computed by finite differences, in double, from p5's documented shapes.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
@@ -24,7 +25,10 @@ const webglHosts = hosts.filter(({ isWebGPU }) => !isWebGPU)
 
 const { PI, sin } = Math
 
-/** Offsets as code, and as functions of numbers. Their `grain` divides positions by `length`, and multiplies heights by `height` and normals by `normals`. */
+/**
+ * Offsets as code, and as functions of numbers. Their `grain` divides positions by `length`, and multiplies heights by `height` and normals
+ * by `normals`.
+ */
 const offsets = {
   'a blob along the normal': {
     code: ({
@@ -53,14 +57,18 @@ const word = {
   grain: { height: radius, length: radius, normals: 1 },
 }
 
-/** Returns the shapes for a host. p5 1.11 has no text models, and on WebGPU p5 2.3.4 itself fails to draw them: "flat is not a function". */
+/**
+ * Returns the shapes for a host. p5 1.11 has no text models, and on WebGPU p5 2.3.4 itself fails to draw them: "flat is not a function".
+ */
 const shapesOn = ({ isV1, isWebGPU }) =>
   Object.entries({
     ...surfaces,
     ...(!isV1 && !isWebGPU && { 'a word': word }),
   })
 
-/** Rotations about x and y. The normal material shows only positive components; with these rotations, all three are positive in many places. */
+/**
+ * Rotations about x and y. The normal material shows only positive components; with these rotations, all three are positive in many places.
+ */
 const turns = [
   [-0.6, 0.8],
   [-0.6, 3.9],

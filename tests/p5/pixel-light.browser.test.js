@@ -1,4 +1,5 @@
-// Normals at pixels with p5's materials, spaces and shaders. Compares the light of a coarse shape with that of a dense one; and noise that is
+// Normals at pixels with p5's materials, spaces and shaders. Compares the light of a coarse shape with that of a dense one; and noise that
+// is
 // finer than a pixel, which must fade, with the mean of 64 exact normals per pixel.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
@@ -11,7 +12,10 @@ const hosts = await openP5Hosts()
 /** The hosts whose shaders are GLSL. */
 const glslHosts = hosts.filter(({ isWebGPU }) => !isWebGPU)
 
-/** Returns the source of an offset with bumps that are smaller than the triangles of p5's sphere. `length` is their size in the warp's space. */
+/**
+ * Returns the source of an offset with bumps that are smaller than the triangles of p5's sphere. `length` is their size in the warp's
+ * space.
+ */
 const bumps = (length, height) => `({ glsl, position, normal }) => {
   const bump = glsl.simplex(position.div(${length}))
   return ${length === 1 / 3 ? 'position' : 'glsl.vec3(0, 0, 1)'}.mult(bump.mult(${height})) }`
@@ -164,7 +168,9 @@ for (const { open } of hosts.filter(({ isV1 }) => isV1))
 // Tests of noise that is finer than a pixel.
 
 const size = 120
-/** The length of the plane's edges, in pixels. Waves of the coarsest octave are 3.7 pixels long, those of the finest a quarter of a pixel. */
+/**
+ * The length of the plane's edges, in pixels. Waves of the coarsest octave are 3.7 pixels long, those of the finest a quarter of a pixel.
+ */
 const edge = 80
 
 const offset = ({ glsl, position }) => glsl.vec3(0, 0, glsl.fbm(position.mult(30)).mult(0.02))

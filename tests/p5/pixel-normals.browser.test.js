@@ -1,5 +1,7 @@
-// Normals at pixels: compares pictures of normals with the exact normals that follow from the unwarped position, normal and uv of each pixel.
-// On WebGL, pictures consist of floats. On WebGPU, p5's framebuffers of floats cannot be read, so each number is drawn as three bytes on the
+// Normals at pixels: compares pictures of normals with the exact normals that follow from the unwarped position, normal and uv of each
+// pixel.
+// On WebGL, pictures consist of floats. On WebGPU, p5's framebuffers of floats cannot be read, so each number is drawn as three bytes on
+// the
 // canvas.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'

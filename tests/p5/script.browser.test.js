@@ -1,4 +1,5 @@
-// Tests the script p5.warpjet.min.js on real pages: from another origin, with other scripts in any order, and under a content security policy.
+// Tests the script p5.warpjet.min.js on real pages: from another origin, with other scripts in any order, and under a content security
+// policy.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
@@ -19,7 +20,9 @@ const triangle = 'data:model/obj,v 4 0 0%0Av 6 0 0%0Av 5 1 0%0Af 1 2 3'
 
 const { browser, server } = await openHost()
 
-/** Returns a context in which other hosts serve only `files`, which maps addresses to contents; `requests` lists the requested addresses. */
+/**
+ * Returns a context in which other hosts serve only `files`, which maps addresses to contents; `requests` lists the requested addresses.
+ */
 async function withHosts(files) {
   const context = await browser.newContext()
   const requests = []

@@ -1,4 +1,5 @@
-// Computes what sketches in p5.strands should draw on WEBGPU, in double precision: functions of p5, and meshes that a sketch's `move` moves.
+// Computes what sketches in p5.strands should draw on WEBGPU, in double precision: functions of p5, and meshes that a sketch's `move`
+// moves.
 export const millis = 1700
 export const seconds = millis / 1000
 const { abs, cos, floor, fround, hypot, max, min, sin } = Math
@@ -17,7 +18,9 @@ export const scale = (a, factor) => a.map((x) => x * factor)
 const gap = fround(2 * fround(0.142857142857))
 const start = fround(fround(0.5 * fround(0.142857142857)) - 1)
 
-/** Returns one of 49 directions on an octahedron, of about length 1. Rounds like float32, which decides on which face a point at an edge is. */
+/**
+ * Returns one of 49 directions on an octahedron, of about length 1. Rounds like float32, which decides on which face a point at an edge is.
+ */
 function gradient(hash) {
   const j = mod(hash, 49)
   const [x, y] = [floor(j / 7), mod(j, 7)].map((k) => fround(fround(k * gap) + start))

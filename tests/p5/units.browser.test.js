@@ -47,7 +47,10 @@ const bounds = (points) =>
     return [Math.min(...coordinates), Math.max(...coordinates)]
   })
 
-/** Returns the ranges of a draw call's vertices in each space. The camera looks along -z, so that from camera to world space is a translation. */
+/**
+ * Returns the ranges of a draw call's vertices in each space. The camera looks along -z, so that from camera to world space is a
+ * translation.
+ */
 function rangesInSpaces({ numbers, view, modelView }) {
   assert.deepEqual(view, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -eye, 1])
   const local = Array.from({ length: numbers.length / 3 }, (_, i) =>

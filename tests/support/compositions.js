@@ -1,4 +1,5 @@
-// Compares compositions of deformers with the same compositions of functions of numbers, which are evaluated one by one in double precision.
+// Compares compositions of deformers with the same compositions of functions of numbers, which are evaluated one by one in double
+// precision.
 import assert from 'node:assert/strict'
 import { bend, twist, wave } from '../../dist/deformers.js'
 import { compile } from '../../dist/warpjet.js'
@@ -17,8 +18,8 @@ export const vertices = Array.from({ length: 40 }, () => ({
 export const step = 0.02
 
 /**
- * Returns a function that evaluates a warp in double precision: it maps a vertex and uniforms to the offset, the columns of the offset's Jacobian,
- * and the warped normal.
+ * Returns a function that evaluates a warp in double precision: it maps a vertex and uniforms to the offset, the columns of the offset's
+ * Jacobian, and the warped normal.
  */
 export function inDouble(warp) {
   return compile((glsl) => {

@@ -49,7 +49,10 @@ export function deviation(mesh, warp, uniforms, spacing) {
   return max
 }
 
-/** Returns the edges, identified by positions, that are not in exactly `times` triangles. If `times` is 2, these are the cracks of a closed mesh. */
+/**
+ * Returns the edges, identified by positions, that are not in exactly `times` triangles. If `times` is 2, these are the cracks of a closed
+ * mesh.
+ */
 export function edgesNotUsed(times, { positions, indices }) {
   const used = new Map()
   const key = (v) => point(positions, v).join()

@@ -17,8 +17,8 @@ export const few = 1500
 export const many = 12000
 
 /**
- * Asserts that the time of `work(count)` grows about linearly. Compares two counts with a ratio of 8: linear work takes 8 times as long, and
- * quadratic work 64 times. Repeats a comparison that fails, since garbage collection or the engine's compiler may have disturbed it.
+ * Asserts that the time of `work(count)` grows about linearly. Compares two counts with a ratio of 8: linear work takes 8 times as long,
+ * and quadratic work 64 times. Repeats a comparison that fails, since garbage collection or the engine's compiler may have disturbed it.
  */
 export async function assertLinear(work) {
   let ratio

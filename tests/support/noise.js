@@ -62,7 +62,8 @@ const addUp = (terms, scale = 1) => ({
 
 /**
  * Interpolates values at the corners of a grid, each with the weight Π b(t) or 1 - b(t); returns { value, gradient }. `corner.value` and
- * `corner.gradient` return the value at a corner and its gradient, from the hash of the corner and the position of the point relative to it.
+ * `corner.gradient` return the value at a corner and its gradient, from the hash of the corner and the position of the point relative to
+ * it.
  */
 function lattice(p, seed, corner) {
   const cell = p.map(Math.floor)

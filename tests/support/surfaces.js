@@ -1,12 +1,13 @@
-// Surfaces defined by formulas, and the normals that warps should produce on them: an oracle in double precision that does not use derivatives
+// Surfaces defined by formulas, and the normals that warps should produce on them: an oracle in double precision that does not use
+// derivatives
 // of the warp.
 import { cross, dot, normalize } from './browser/matrix.js'
 
 const { sin, cos, PI } = Math
 
 /**
- * Each function returns, at u and v from 0 to 1, { position, normal, shape, uGradient, vGradient }. `shape` has the rows of the derivative of
- * the normal, which is computed from the principal curvatures (do Carmo, Differential Geometry of Curves and Surfaces, section 3.3).
+ * Each function returns, at u and v from 0 to 1, { position, normal, shape, uGradient, vGradient }. `shape` has the rows of the derivative
+ * of the normal, which is computed from the principal curvatures (do Carmo, Differential Geometry of Curves and Surfaces, section 3.3).
  */
 export const surfaces = {
   sphere(u, v, radius = 1.2) {
@@ -74,7 +75,9 @@ export function surfaceMesh(surface, columns, rows) {
   return { mesh, exact }
 }
 
-/** Returns the normal of the surface that `offset(position, normal, uv)` moves, from finite differences of fourth order; `null` at a pole. */
+/**
+ * Returns the normal of the surface that `offset(position, normal, uv)` moves, from finite differences of fourth order; `null` at a pole.
+ */
 export function movedNormal(surface, offset, u, v) {
   const movedPoint = (u, v) => {
     const { position, normal } = surface(u, v)

@@ -4,8 +4,8 @@
 export const eye = 800
 
 /**
- * `call` is code that draws the shape without a translation; `title`, if present, is a shorter form for the picture. `local` and `world` have
- * the ranges of x, y and z.
+ * `call` is code that draws the shape without a translation; `title`, if present, is a shorter form for the picture. `local` and `world`
+ * have the ranges of x, y and z.
  */
 export const shapes = [
   {

@@ -22,7 +22,10 @@ export function wavedNormal([x, y, z], normal) {
   return normalize([0, 1, 2].map((c) => cofactors.reduce((sum, k, i) => sum + k[c] * normal[i], 0)))
 }
 
-/** The bound of errors from rounding to 8 bits, in degrees: half a step in each channel, which is sqrt(3) / 255, plus 2% for float32 and the scale of the colour. */
+/**
+ * The bound of errors from rounding to 8 bits, in degrees: half a step in each channel, which is sqrt(3) / 255, plus 2% for float32 and the
+ * scale of the colour.
+ */
 export const rounding = 1.02 * (Math.sqrt(3) / 255) * (180 / Math.PI)
 
 export const plainSphere = (columns = 24, rows = 16) => {
@@ -48,8 +51,8 @@ export const sphereAt = ([u, v]) => {
 export const squareAt = ([x, y]) => [x, y, 0]
 
 /**
- * Returns the max angles, in degrees, between `exact(position, normal)` and two others: the normals of the map (`map`), and interpolated vertex
- * normals (`vertices`). `restAt` and `normalAt` return the unwarped position and normal at a uv.
+ * Returns the max angles, in degrees, between `exact(position, normal)` and two others: the normals of the map (`map`), and interpolated
+ * vertex normals (`vertices`). `restAt` and `normalAt` return the unwarped position and normal at a uv.
  */
 export function maxAngles(map, restAt, normalAt, exact, read = shownNormal) {
   const { NORMAL, TEXCOORD_0: uvs } = map

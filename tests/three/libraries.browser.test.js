@@ -1,4 +1,4 @@
-// 'warpjet/three' with packages that have their own rendering, deformation or instancing; each row works like those of company.browser.test.js.
+// 'warpjet/three' with packages that have their own rendering, deformation or instancing. Rows work as in company.browser.test.js.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { bundledPage } from '../support/browser/bundled-page.js'

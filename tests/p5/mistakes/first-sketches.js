@@ -127,7 +127,9 @@ export const calls = {
   'warp({ amount: 1 })': `The warp has no uniform "amount"; createWarp's option "uniforms" must declare it: { uniforms: { amount: 0.5 } }.`,
 }
 
-/** Messages that differ on WEBGPU; null if there is none: there, defs are WGSL, which is compiled on first use (see webgpu.browser.test.js). */
+/**
+ * Messages that differ on WEBGPU; null if there is none: there, defs are WGSL, which is compiled on first use (see webgpu.browser.test.js).
+ */
 export const onWebGPU = {
   'glsl.vec3(glsl.param("amount"), 0, 0)':
     'createWarp: the warp reads "amount", which nothing declares; give it a value by the option { uniforms: { amount: 0.5 } }, and read it as uniforms.amount.',

@@ -12,8 +12,8 @@ export const setup = `
 `
 
 /**
- * Maps a name to [warp, shape, view]. Scenes in world space have no view, since a rotation by p5 applies before the warp if it is drawn, but
- * after it in a built shape.
+ * Maps a name to [warp, shape, view]. Scenes in world space have no view, since a rotation by p5 applies before the warp if it is drawn,
+ * but after it in a built shape.
  */
 const shapes = {
   'local space': ['warps.wave()', 'sphere(60, 40, 30)', 'rotateX(0.3)'],

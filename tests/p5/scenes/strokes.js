@@ -75,7 +75,9 @@ const shapes = {
   },
 }
 
-/** Points of a line, so close that chords approximate tangents after it is bent; and the warp, as a function of numbers and as an offset. */
+/**
+ * Points of a line, so close that chords approximate tangents after it is bent; and the warp, as a function of numbers and as an offset.
+ */
 const straight = Array.from({ length: 161 }, (_, i) => [i - 80, 0.3 * i - 24, 20])
 const bent = ([x, y, z]) => [x, y + 40 * Math.sin(x / 20), z + 30 * Math.cos(x / 30)]
 const bending = `({ glsl, position: { x } }) => glsl.vec3(0, x.div(20).sin().mult(40), x.div(30).cos().mult(30))`

@@ -1,6 +1,7 @@
 // Checks that a baked mesh equals what the GPU draws: compares `evaluate` with a vertex shader.
 //
-// Positions agree to 1e-5 of `reach`, the size of the numbers in the formula, normals to 0.02° or the bound of the warp, with an accurate sine in
+// Positions agree to 1e-5 of `reach`, the size of the numbers in the formula, normals to 0.02° or the bound of the warp, with an accurate
+// sine in
 // GLSL instead of the built-in one. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5,
 // positions agree to 2e-5, as they do with the oracle in double. SwiftShader's built-in sine is 2e-4 off, and with it positions
 // agree to 1e-3. We skip vertices where the oracle finds a kink nearby, since two roundings may be on different sides, and
@@ -13,8 +14,8 @@ import { angleBetween, distanceBetween, warpVertex } from './oracle.js'
 const positionBound = { exact: 1e-5, late: 2e-5, builtIn: 1e-3 }
 
 /**
- * Returns the max differences of `baked` from the shader's results with the built-in sine (`builtIn`) and with an accurate one (`exact`, the
- * same list if there is none). Each list has six numbers per vertex, for each of `draws`. Differences of positions are relative to the
+ * Returns the max differences of `baked` from the shader's results with the built-in sine (`builtIn`) and with an accurate one (`exact`,
+ * the same list if there is none). Each list has six numbers per vertex, for each of `draws`. Differences of positions are relative to the
  * bound, except with the built-in sine. `expected`, if present, has the results of the oracle.
  */
 export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected) {

@@ -60,7 +60,9 @@ export async function leavePage(page) {
   unused.set(browser, page)
 }
 
-/** Returns the content of the file that the page has saved. Streams it, since a browser shared by several test files has no download path. */
+/**
+ * Returns the content of the file that the page has saved. Streams it, since a browser shared by several test files has no download path.
+ */
 export async function bytesOf(download) {
   const chunks = []
   for await (const chunk of await download.createReadStream()) chunks.push(chunk)

@@ -24,8 +24,9 @@ export const positionAndNormal = (results, i) => [
 
 /**
  * Returns the max differences between `results` and `expected`. Both have a list per moment: `results` with six numbers per vertex,
- * `expected` with the results of `warpVertex`. Errors of positions are relative to `reach`, the size of the numbers in the formula. For vertices
- * with a kink nearby, checks only whether the result is finite. `beyond` counts the normals that are more than `bound` degrees off.
+ * `expected` with the results of `warpVertex`. Errors of positions are relative to `reach`, the size of the numbers in the formula. For
+ * vertices with a kink nearby, checks only whether the result is finite. `beyond` counts the normals that are more than `bound` degrees
+ * off.
  */
 export function compare(results, expected, reach, bound = maxDegrees) {
   const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }

@@ -7,8 +7,9 @@ export const glslAddon = '/dist/warpjet.glsl.min.js'
 export const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
 
 /**
- * Opens the browsers of the hosts until the tests of the calling file have finished → an object for each host. `hosts` are rows of the table
- * in sketch.js, and the scripts `more` are loaded after p5 and the addon. The code of a sketch starts with `async function setup() { ${host.canvas(100, 100)}`.
+ * Opens the browsers of the hosts until the tests of the calling file have finished → an object for each host. `hosts` are rows of the
+ * table in sketch.js, and the scripts `more` are loaded after p5 and the addon. The code of a sketch starts with `async function setup() {
+ * ${host.canvas(100, 100)}`.
  */
 export async function openP5Hosts({ hosts = p5HostsInThisRun, more = [] } = {}) {
   const { browsers, server } = await openHosts([['2.x', 'WEBGL'], ...hosts])

@@ -84,8 +84,8 @@ export const describeShape = `(shape) => {
 }`
 
 /**
- * Asserts that 99.9% of the drawn normals are off by less than 0.1 degrees; returns the angle that they do not exceed. `restAt` is passed to
- * `exactNormals`; `shownAt` returns the drawn normal of a pixel, in view space.
+ * Asserts that 99.9% of the drawn normals are off by less than 0.1 degrees; returns the angle that they do not exceed. `restAt` is passed
+ * to `exactNormals`; `shownAt` returns the drawn normal of a pixel, in view space.
  */
 export function checkNormals(warp, shape, mesh, { restAt, shownAt }) {
   const { exact, share } = exactNormals(warp, mesh, { toScreen, restAt, width: size, height: size })

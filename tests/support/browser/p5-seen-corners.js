@@ -74,8 +74,8 @@ export const isTorn = ({ side, where: [, v] }) =>
   side.edges?.some((edge) => Math.abs(v - edge) < 1e-9)
 
 /**
- * Tests for torn corners whose normal cannot be compared, since it depends on the direction of approach. At the apex of p5's own cones, which
- * have several sides, it can.
+ * Tests for torn corners whose normal cannot be compared, since it depends on the direction of approach. At the apex of p5's own cones,
+ * which have several sides, it can.
  */
 const isAmbiguous = (corner, { isBuilt, sides }) =>
   isTorn(corner) && (isBuilt || sides.length === 1)

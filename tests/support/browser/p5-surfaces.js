@@ -62,8 +62,8 @@ const pillar = (size, taper) => {
 }
 
 /**
- * Makes a shape of buildGeometry. p5 does not record how it was built, so a pole has only the data of its triangles; and p5 does not normalize
- * the normals after it has scaled them.
+ * Makes a shape of buildGeometry. p5 does not record how it was built, so a pole has only the data of its triangles; and p5 does not
+ * normalize the normals after it has scaled them.
  */
 const builtShape = (name, code, sides) => ({
   isBuilt: true,
@@ -74,9 +74,9 @@ const builtShape = (name, code, sides) => ({
 })
 
 /**
- * Maps names → shapes. p5 scales its own shapes, of size 1, to the `scale` of the draw call; the vertices of built shapes include their size.
- * In `grain`, `height` multiplies the offset, `length` divides the positions that it reads, and `normals` multiplies normals to length 1.
- * Shapes without `sides` consist of flat faces.
+ * Maps names → shapes. p5 scales its own shapes, of size 1, to the `scale` of the draw call; the vertices of built shapes include their
+ * size. In `grain`, `height` multiplies the offset, `length` divides the positions that it reads, and `normals` multiplies normals to
+ * length 1. Shapes without `sides` consist of flat faces.
  */
 export const surfaces = {
   sphere: { code: `sphere(${radius})`, sides: ball([1, 1, 1]), scale: [radius, radius, radius] },

@@ -44,7 +44,8 @@ export const targetsInThisRun = targets.filter(
  * `images`, which is optional, maps names to { width, height, data }, with four bytes per texel. Inputs are the variables that the code
  * reads, outputs those that it declares: lists of { name, shape }, where `shape` is 1 for a number, 2 to 4 for vectors, 'mat2' to 'mat4'
  * (column-major), or 'bool' (1 or 0). A point is a list of the floats of all inputs; its result is a Float32Array of the floats of all
- * outputs. `run` throws if the browser has no such pipeline, or, with the compiler's log and the whole shader, if the code does not compile.
+ * outputs. `run` throws if the browser has no such pipeline, or, with the compiler's log and the whole shader, if the code does not
+ * compile.
  */
 export async function openPipelines() {
   const browser = await launchBrowser(webgpuFlags)

@@ -10,8 +10,8 @@ const scale = (p, factor) => p.map((x) => x * factor)
 const along = (height) => (p) => scale(p, height(p))
 
 /**
- * Maps a name → `offset`, the source of an offset function for a mesh of radius 1, and `at`, the same function of numbers. Offsets that read
- * normal or uv have no `at`: their warped normals depend on how these inputs vary over the mesh.
+ * Maps a name → `offset`, the source of an offset function for a mesh of radius 1, and `at`, the same function of numbers. Offsets that
+ * read normal or uv have no `at`: their warped normals depend on how these inputs vary over the mesh.
  */
 export const pixelWarps = {
   fbm: {
@@ -49,11 +49,11 @@ const names = ['normalXGradient', 'normalYGradient', 'normalZGradient', 'uGradie
 const vectorAt = (numbers, start) => numbers.slice(start, start + 3)
 
 /**
- * Returns { share, exact }; `exact` lists { pixel, normal }, the exact outward normal in the mesh's own space, for about `count` of the pixels that the warped mesh
- * covers. A mesh has `vertices`, `normals`, `uvs`, `faces` and, for offsets of normal or uv, `gradients`. `toScreen` maps a warped
- * position to [x, y, depth, w]. `restAt` returns position, normal and uv at a pixel as the GPU interpolated them, nine numbers, since GPUs
- * snap vertices to fractions of a pixel; pixels at silhouettes, where they differ much from ours, are left out. `share` is the fraction of
- * pixels that remain.
+ * Returns { share, exact }; `exact` lists { pixel, normal }, the exact outward normal in the mesh's own space, for about `count` of the
+ * pixels that the warped mesh covers. A mesh has `vertices`, `normals`, `uvs`, `faces` and, for offsets of normal or uv, `gradients`.
+ * `toScreen` maps a warped position to [x, y, depth, w]. `restAt` returns position, normal and uv at a pixel as the GPU interpolated them,
+ * nine numbers, since GPUs snap vertices to fractions of a pixel; pixels at silhouettes, where they differ much from ours, are left out.
+ * `share` is the fraction of pixels that remain.
  */
 export function exactNormals(name, mesh, { toScreen, restAt, width, height, count = 1200 }) {
   const { offset, at } = pixelWarps[name]
@@ -126,8 +126,8 @@ function evaluateNormals(warp, places) {
 }
 
 /**
- * Compares the drawn normals, which `shownAt(pixel)` returns, with the exact ones. Returns { median, max, count }: angles in degrees, where 99.9%
- * of the pixels are within `max`, and the number of pixels.
+ * Compares the drawn normals, which `shownAt(pixel)` returns, with the exact ones. Returns { median, max, count }: angles in degrees, where
+ * 99.9% of the pixels are within `max`, and the number of pixels.
  */
 export function anglesOf(exact, shownAt) {
   const angles = exact.map(({ pixel, normal }) => angleBetween(shownAt(pixel), normal))

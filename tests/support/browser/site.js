@@ -16,8 +16,8 @@ export async function serveSite(port, base = './') {
 }
 
 /**
- * Serves the sources like `npm start` → Vite's server. Each port has its own folder for the libraries that Vite bundles: in a shared folder,
- * a server with other plugins would bundle everything again, and so replace files that another server is about to send.
+ * Serves the sources like `npm start` → Vite's server. Each port has its own folder for the libraries that Vite bundles: in a shared
+ * folder, a server with other plugins would bundle everything again, and so replace files that another server is about to send.
  */
 export async function serveSources(port, plugins = []) {
   const server = await createServer({

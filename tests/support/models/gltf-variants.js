@@ -1,4 +1,5 @@
-// glTF files in many forms. Each is a function that maps a shape to { file, files?, triangles, tolerance? }, with the triangles that the file
+// glTF files in many forms. Each is a function that maps a shape to { file, files?, triangles, tolerance? }, with the triangles that the
+// file
 // must have.
 import { reverseTriangles, trianglesOf } from './shapes.js'
 import { GltfWriter, extent } from './writer.js'
@@ -11,8 +12,8 @@ const addAttributes = (writer, shape, own = {}) => ({
 })
 
 /**
- * Makes a file of one node with one mesh. `node`, `mesh` and `more` have further properties of the node, the mesh and the primitive; `own` makes
- * other accessors for attributes; `change` modifies the document before it is written.
+ * Makes a file of one node with one mesh. `node`, `mesh` and `more` have further properties of the node, the mesh and the primitive; `own`
+ * makes other accessors for attributes; `change` modifies the document before it is written.
  */
 function plain(shape, { indices = Uint16Array, node, mesh, more, own } = {}, change = () => {}) {
   const writer = new GltfWriter()

@@ -9,8 +9,8 @@ await MeshoptEncoder.ready
 const encoderModule = await draco.createEncoderModule({})
 
 /**
- * Compresses the views of a writer into its buffer. The document refers to the uncompressed data in a second buffer, which exists if `fallback`
- * is its URI.
+ * Compresses the views of a writer into its buffer. The document refers to the uncompressed data in a second buffer, which exists if
+ * `fallback` is its URI.
  */
 class Packer {
   #uncompressed = []

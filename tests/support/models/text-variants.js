@@ -36,7 +36,9 @@ function encodeUtf16(isBigEndian, hasMark) {
   }
 }
 
-/** Encodes lines with a byte order mark. Adds an unused vertex, so that the file loads with wrong corners if the mark hides its first line. */
+/**
+ * Encodes lines with a byte order mark. Adds an unused vertex, so that the file loads with wrong corners if the mark hides its first line.
+ */
 const encodeWithMark = (lines) => encode('\uFEFF' + [...lines, 'v 9 9 9'].join('\n'))
 
 const makeRelative = (shape) => {

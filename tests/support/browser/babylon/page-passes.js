@@ -148,7 +148,10 @@ const renderColor = (scene) => {
   }
 }
 
-/** Maps the name of a pass → a function that prepares it and returns another that draws it → the picture, with one or four numbers per pixel. */
+/**
+ * Maps the name of a pass → a function that prepares it and returns another that draws it → the picture, with one or four numbers per
+ * pixel.
+ */
 const passes = {
   depth(scene) {
     const map = scene.enableDepthRenderer(scene.activeCamera, false, true).getDepthMap()

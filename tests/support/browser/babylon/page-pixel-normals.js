@@ -1,4 +1,5 @@
-// Draws meshes with a warped material into float pictures: the normal that is shown at each pixel, and the unwarped position, normal and uv.
+// Draws meshes with a warped material into float pictures: the normal that is shown at each pixel, and the unwarped position, normal and
+// uv.
 import '@babylonjs/core/Engines/Extensions/engine.readTexture.js'
 import '@babylonjs/core/Engines/WebGPU/Extensions/engine.readTexture.js'
 import '@babylonjs/core/Materials/Textures/baseTexture.polynomial.js'

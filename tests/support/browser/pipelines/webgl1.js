@@ -1,5 +1,6 @@
 // Runs a program in a vertex shader of WebGL 1, which can only draw: each point becomes a pixel of a float texture, which is then read. A
-// draw returns four floats of each point. An infinite float is returned as NaN, since the rasterizer multiplies it by zero. Runs in the page.
+// draw returns four floats of each point. An infinite float is returned as NaN, since the rasterizer multiplies it by zero. Runs in the
+// page.
 import { totalSize } from './text.js'
 import {
   bindImages,

@@ -1,4 +1,5 @@
-// The company tests with WebGPURenderer, which combine warps with other code: a row draws a warped object, and compares it with an object that
+// The company tests with WebGPURenderer, which combine warps with other code: a row draws a warped object, and compares it with an object
+// that
 // has the same motion without a warp.
 import * as THREE from 'three/webgpu'
 import { warp } from 'warpjet/three'
@@ -65,8 +66,8 @@ const makeVariants = (make) => ({
 const overrideMaterials = (scene) => (scene.overrideMaterial = new THREE.MeshNormalNodeMaterial())
 
 /**
- * Maps a name → { object, reference, still }: the object to warp, one that is moved without a warp, and one that is not moved. `warp` warps the
- * object in another way than `warpByMotion`, and `afterwards` changes the objects once it is warped.
+ * Maps a name → { object, reference, still }: the object to warp, one that is moved without a warp, and one that is not moved. `warp` warps
+ * the object in another way than `warpByMotion`, and `afterwards` changes the objects once it is warped.
  */
 const rows = {
   'positionNode on an InstancedMesh': () =>

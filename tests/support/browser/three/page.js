@@ -96,7 +96,10 @@ export function compare(
   }
 }
 
-/** Does the same for a motion that mirrors and double-sided materials. The matrix is constant if `isKnown`, otherwise it consists of uniforms. */
+/**
+ * Does the same for a motion that mirrors and double-sided materials. The matrix is constant if `isKnown`, otherwise it consists of
+ * uniforms.
+ */
 export function mirror(name, { light = 'directional', space, normals, isKnown = false }) {
   const make = scenes.shapes[name]
   renderer = rendererFor({})

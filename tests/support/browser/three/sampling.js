@@ -1,4 +1,5 @@
-// A sphere displaced by the heights in an image: by a warp, and vertex by vertex on the CPU, which samples in double precision at coordinates
+// A sphere displaced by the heights in an image: by a warp, and vertex by vertex on the CPU, which samples in double precision at
+// coordinates
 // that three's texture matrix transforms.
 import * as THREE from 'three'
 import { glslOffset } from 'warpjet/glsl'

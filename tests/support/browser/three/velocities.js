@@ -43,7 +43,10 @@ const setMotion = ({ uniforms }, matrix) => {
   uniforms.shift.value = new THREE.Vector3().setFromMatrixPosition(matrix)
 }
 
-/** Maps a name → { make, space, isMoving }: `make` makes the object, `space` is that of the warp, and `isMoving` says whether the warp changes. */
+/**
+ * Maps a name → { make, space, isMoving }: `make` makes the object, `space` is that of the warp, and `isMoving` says whether the warp
+ * changes.
+ */
 export const rows = {
   'a still mesh': { make: () => new THREE.Mesh(makeKnot(), makeStandard()) },
   'a still mesh with a classic material': {

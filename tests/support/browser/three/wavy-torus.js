@@ -59,7 +59,9 @@ function makeTorus({ isMoved, hasTangents }) {
   return geometry
 }
 
-/** Counts differing and moved pixels. With `hasTangents`, the geometry also has a second uv, and the material reads tangents and second uv. */
+/**
+ * Counts differing and moved pixels. With `hasTangents`, the geometry also has a second uv, and the material reads tangents and second uv.
+ */
 export async function compare(backend, { hasTangents, exact = true }, addSurfaceVariation) {
   const renderer = await rendererFor(backend)
   const ao = new THREE.DataTexture(new Uint8Array([200, 255, 220, 255]), 1, 1)

@@ -150,7 +150,10 @@ export async function run(row) {
   return { differing: count, moved: compare(none, byHand).count, worst }
 }
 
-/** Makes a row that draws one object. `after` runs once it is warped, and may return a camera; `then` runs between the first and a second frame. */
+/**
+ * Makes a row that draws one object. `after` runs once it is warped, and may return a camera; `then` runs between the first and a second
+ * frame.
+ */
 export const makeRow =
   (make, { after, then, shadow = false, view = camera } = {}) =>
   ({ put, way, renderer }) => {

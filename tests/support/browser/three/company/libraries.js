@@ -211,8 +211,8 @@ export const rows = {
 }
 
 /**
- * Casts rays at an instance of @three.ez/instanced-mesh that a warp lifts → maps the warp's space to the heights of two hits: before and after
- * the instance moves.
+ * Casts rays at an instance of @three.ez/instanced-mesh that a warp lifts → maps the warp's space to the heights of two hits: before and
+ * after the instance moves.
  */
 function hitHeights() {
   const result = {}

@@ -3,7 +3,10 @@ import * as THREE from 'three'
 import { CSM } from 'three/addons/csm/CSM.js'
 import { camera, floor, litScene, makeRow, mesh, standard } from './lib.js'
 
-/** Makes a row with cascades, which are set up for the materials of the object and the floor 'before' the warp, 'after' it, or 'after a frame'. */
+/**
+ * Makes a row with cascades, which are set up for the materials of the object and the floor 'before' the warp, 'after' it, or 'after a
+ * frame'.
+ */
 const makeCascadeRow =
   (when, { isShared = false } = {}) =>
   ({ put, renderer }) => {

@@ -16,7 +16,9 @@ import {
 const { sin, cos } = Math
 const time = 0.7
 
-/** Adds an `onBeforeCompile` to a material: it puts functions above `main`, and statements after a chunk or, with `replaces`, in its place. */
+/**
+ * Adds an `onBeforeCompile` to a material: it puts functions above `main`, and statements after a chunk or, with `replaces`, in its place.
+ */
 function changeShader(
   material,
   functions,
@@ -410,7 +412,9 @@ const makeWavy = (chunk, material = standard()) =>
   )
 const moveWavy = ([x, y, z]) => [x + 0.1 * sin(4 * y), y, z + 0.2 * sin(3 * x + time)]
 
-/** Materials on meshes with bones or morph targets, and others. If `isPosedFirst`, bones and morph targets apply before the displacement. */
+/**
+ * Materials on meshes with bones or morph targets, and others. If `isPosedFirst`, bones and morph targets apply before the displacement.
+ */
 export const objects = {
   'bones after the displacement': {
     shape: 'plane',

@@ -102,9 +102,9 @@ const raisedBy = (map) => positionLocal.add(vec3(0, 0, texture(map, uv()).r.mul(
 const lifts = [0.15, 0.3]
 
 /**
- * `position()` makes the positionNode, and `first()` another that is drawn before. `move(p, n, uv, { instance, matrixWorld })` moves a vertex.
- * `prepare` changes the object. If `ignoresPose`, the positionNode reads the geometry, so that the skin has no effect. Planes are two triangles
- * that face the viewer, and up is towards the viewer.
+ * `position()` makes the positionNode, and `first()` another that is drawn before. `move(p, n, uv, { instance, matrixWorld })` moves a
+ * vertex. `prepare` changes the object. If `ignoresPose`, the positionNode reads the geometry, so that the skin has no effect. Planes are
+ * two triangles that face the viewer, and up is towards the viewer.
  */
 export const displacements = {
   'a sine': {

@@ -1,4 +1,5 @@
-// Other habits of people who write vertex shaders. Normals are compared with finite differences: those of positions that the GPU computes for
+// Other habits of people who write vertex shaders. Normals are compared with finite differences: those of positions that the GPU computes
+// for
 // slightly shifted vertices.
 import * as THREE from 'three'
 import CustomShaderMaterial from 'three-custom-shader-material/vanilla'
@@ -8,7 +9,9 @@ import { probe, renderer } from './probe.js'
 
 const uniform = (value) => ({ value })
 
-/** Returns a function that creates a material whose `onBeforeCompile` replaces parts of its vertex shader: `pairs` of [part, replacement]. */
+/**
+ * Returns a function that creates a material whose `onBeforeCompile` replaces parts of its vertex shader: `pairs` of [part, replacement].
+ */
 const withReplacements =
   (pairs, uniforms = {}, Material = THREE.MeshStandardMaterial, options = {}) =>
   () => {

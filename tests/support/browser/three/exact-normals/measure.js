@@ -83,8 +83,8 @@ function localPosition(row, { p, n, uv }, instance, world) {
 }
 
 /**
- * Measures the errors of a row's normals, with `exactNormals` if `normals` is present. `hasChunks` says whether the material's shaders consist
- * of three's chunks. With `isRaw`, returns the computed values instead.
+ * Measures the errors of a row's normals, with `exactNormals` if `normals` is present. `hasChunks` says whether the material's shaders
+ * consist of three's chunks. With `isRaw`, returns the computed values instead.
  */
 export async function measure(row, normals, hasChunks, isRaw) {
   const { shape, space = 'view' } = row

@@ -97,8 +97,8 @@ const lights = {
 }
 
 /**
- * Counts pixels in which a shadow differs from that of vertices moved by hand. The shadow follows the displacement if `exactNormals` is called
- * on the mesh (`isFollowing`) rather than on its material.
+ * Counts pixels in which a shadow differs from that of vertices moved by hand. The shadow follows the displacement if `exactNormals` is
+ * called on the mesh (`isFollowing`) rather than on its material.
  */
 export function shadow(kind, isFollowing = true) {
   time.value = 0.4
@@ -128,8 +128,8 @@ fromBelow.position.set(0.6, -0.35, 0)
 fromBelow.lookAt(0.6, -2, 0)
 
 /**
- * Counts pixels of the floor in which the shadow differs from that of vertices moved by hand (`differing`), and in which this differs from the
- * shadow without displacement (`moved`). `place` moves a vertex.
+ * Counts pixels of the floor in which the shadow differs from that of vertices moved by hand (`differing`), and in which this differs from
+ * the shadow without displacement (`moved`). `place` moves a vertex.
  */
 export function shadowOnFloor(geometry, material, place) {
   const renderer = getRenderer(true)
@@ -156,7 +156,9 @@ export async function shadowOfMap() {
   return shadowOnFloor(geometry, material, (p) => p.map((x) => (x * 0.8) / 0.6))
 }
 
-/** Changes a material that has been drawn → counts of differing pixels of the floor, and the height at which a ray from above hits the mesh. */
+/**
+ * Changes a material that has been drawn → counts of differing pixels of the floor, and the height at which a ray from above hits the mesh.
+ */
 export function recompile(kind) {
   const renderer = getRenderer(true)
   const makeMaterial = (lift) => {

@@ -266,7 +266,8 @@ async function velocities({ backend }) {
     renderer.render(scene, camera())
     renderer.setRenderTarget(null)
     const numbers = await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size, 1)
-    // The middle is the same whether the top or the bottom row is first. A velocity is in units of half a picture, which is 1.5 units of the scene high.
+    // The middle is the same whether the top or the bottom row is first. A velocity is in units of half a picture, which is 1.5 units of
+    // the scene high.
     results.push(numbers[4 * (size / 2) * (size + 1) + 1] * 1.5)
   }
   renderer.setMRT(null)

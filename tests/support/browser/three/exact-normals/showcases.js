@@ -1,4 +1,5 @@
-// Two of three's example scenes, reconstructed in TSL from their formulas: a raging sea and a procedural terrain. With `isByHand`, `material`
+// Two of three's example scenes, reconstructed in TSL from their formulas: a raging sea and a procedural terrain. With `isByHand`,
+// `material`
 // computes normals as the example does, from heights at two shifted points. `heightNear(x, z)(dx, dz)` is the height in double precision at
 // (x + dx, z + dz); the points at which its octaves are evaluated have the rounding errors that float32 has at (x, z).
 import * as TSL from 'three/tsl'

@@ -1,4 +1,5 @@
-// Three-dimensional simplex noise in double precision, with the hash and the gradients of the common implementation for GLSL without integers.
+// Three-dimensional simplex noise in double precision, with the hash and the gradients of the common implementation for GLSL without
+// integers.
 const { abs, floor, fround, max, sign } = Math
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 const mod = (x, y) => x - y * floor(x / y)
@@ -7,7 +8,9 @@ const scramble = (x) => mod((x * 34 + 1) * x, 289)
 const step = fround(2 * fround(0.142857142857))
 const start = fround(fround(0.5 * fround(0.142857142857)) - 1)
 
-/** Returns one of 49 directions on an octahedron, of about length 1. Rounds like float32, which decides on which face a point at an edge is. */
+/**
+ * Returns one of 49 directions on an octahedron, of about length 1. Rounds like float32, which decides on which face a point at an edge is.
+ */
 function gradient(hash) {
   const j = mod(hash, 49)
   const [x, y] = [floor(j / 7), mod(j, 7)].map((k) => fround(fround(k * step) + start))

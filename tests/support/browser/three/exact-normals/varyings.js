@@ -1,4 +1,5 @@
-// Nodes that assign varyings: `position` is a positionNode that does so, `colour` a fragmentNode that outputs the varyings. Each position has
+// Nodes that assign varyings: `position` is a positionNode that does so, `colour` a fragmentNode that outputs the varyings. Each position
+// has
 // one loop, so that heights.js can count its evaluations.
 import * as TSL from 'three/tsl'
 

@@ -1,4 +1,5 @@
-// Meshes that have both a warp and a material with `exactNormals`. Each is compared with a mesh to which one of the two motions is applied by
+// Meshes that have both a warp and a material with `exactNormals`. Each is compared with a mesh to which one of the two motions is applied
+// by
 // hand.
 import * as THREE from 'three/webgpu'
 import { exactNormals, tslOffset, warp } from 'warpjet/three/webgpu'

@@ -23,8 +23,8 @@ export function makeMover(offset) {
 }
 
 /**
- * Returns the unit normal and, if the vertex has a tangent, the warped tangent, which is not normalized; null near a kink. `gradients` are those
- * of the normal's components and of u and v, in the order of the attributes.
+ * Returns the unit normal and, if the vertex has a tangent, the warped tangent, which is not normalized; null near a kink. `gradients` are
+ * those of the normal's components and of u and v, in the order of the attributes.
  */
 export function exactVertex(move, { position, normal, uv, gradients, tangent }) {
   const n = normalize(normal)

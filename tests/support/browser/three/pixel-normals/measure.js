@@ -1,4 +1,5 @@
-// Compares drawn normals with exact ones at each pixel. The first parameter describes a renderer: `draw(scene, camera)` returns a picture, four
+// Compares drawn normals with exact ones at each pixel. The first parameter describes a renderer: `draw(scene, camera)` returns a picture,
+// four
 // floats per pixel from the bottom left; `normalMaterial` makes a material that draws normals as colours, which `decode` converts to those
 // of WebGLRenderer; `attributeMaterial` makes one that draws the attribute `shownAttribute`.
 import * as THREE from 'three'
@@ -20,7 +21,10 @@ function makeNormalMap(direction) {
   return map
 }
 
-/** Draws a warped object and measures the errors of its normals. `map` is the direction in a normal map, in the frame of the vertex tangents. */
+/**
+ * Draws a warped object and measures the errors of its normals. `map` is the direction in a normal map, in the frame of the vertex
+ * tangents.
+ */
 export async function measure(
   { draw, decode = (picture) => picture, normalMaterial, attributeMaterial },
   {

@@ -20,8 +20,8 @@ import { warps } from './warps.js'
 const floatTarget = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
 
 /**
- * A target of bytes for transmission, which reads mipmaps of the background: WebGPU cannot filter those of floats. It is read in rows of 256
- * bytes, which are 64 pixels.
+ * A target of bytes for transmission, which reads mipmaps of the background: WebGPU cannot filter those of floats. It is read in rows of
+ * 256 bytes, which are 64 pixels.
  */
 const byteTarget = new THREE.RenderTarget(64, 64, { type: THREE.UnsignedByteType })
 
@@ -96,7 +96,10 @@ async function reflection(backend) {
   return { differing: countDifferences(...pictures), ...summarize(pictures[1]) }
 }
 
-/** Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices → the number of pixels that differ from these. */
+/**
+ * Draws a mesh with morph targets and a warp in the space 'rest', whose normals stay at vertices → the number of pixels that differ from
+ * these.
+ */
 async function obstacle(backend, normals) {
   const { draw } = await makeHost(backend)
   const pictures = []

@@ -81,7 +81,9 @@ export async function collapse({ draw, makers }, name, { normals, side = 'FrontS
   }
 }
 
-/** Counts the pixels that differ between normals at vertices and at pixels with flat shading. None may differ: warps do not smooth facets. */
+/**
+ * Counts the pixels that differ between normals at vertices and at pixels with flat shading. None may differ: warps do not smooth facets.
+ */
 export async function countFacetDifferences({ draw, makers }, name) {
   const pictures = []
   for (const normals of ['vertex', 'pixel']) {
