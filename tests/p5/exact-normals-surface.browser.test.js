@@ -54,7 +54,7 @@ const inStrands = {
   ],
 }
 
-/** The same for hooks that read an image. */
+/** Such warps in hooks that read an image. */
 const inImages = {
   'with an image': [
     strands(`const heights = uniformTexture(() => warps.image)
@@ -98,7 +98,7 @@ const byDifferences = `
     let byY = (heightAt(x, y + 0.05) - heightAt(x, y - 0.05)) * 10
     inputs.normal = normalize(inputs.normal - [byX, byY, 0] * inputs.normal.z)`
 
-/** The same for hooks of p5 1.11. */
+/** Such warps in hooks of p5 1.11. */
 const inOldHooks = {
   'along the normal': [
     `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {

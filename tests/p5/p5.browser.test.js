@@ -326,7 +326,7 @@ for (const { name: host, renderer, isV1, p5, draw } of hosts)
       })
   })
 
-// By default, this is the only test of p5 1.11; `npm test -- --all` also runs the other tests of sketches on it.
+// Without `--all`, no other test of sketches runs on p5 1.11.
 test('p5 1.11 draws warps that move, are lit by their normals, and read uniforms', async () => {
   const scripts = [p5Versions['1.11'], addon, '/dist/warpjet.deformers.min.js']
   const { moved, slope } = await drawScenes(hosts[0].webgl, hosts[0].server, scripts, {

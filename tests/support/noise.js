@@ -120,8 +120,8 @@ export const bases = {
     const skew = n === 1 ? 0 : (Math.sqrt(n + 1) - 1) / n
     const unskew = n === 1 ? 0 : (1 - 1 / Math.sqrt(n + 1)) / n
     const cell = p.map((x) => Math.floor(x + skew * sum(p)))
-    const unskewed = (corner) => corner.map((c) => c - unskew * sum(corner))
-    const offsetFrom = (corner) => unskewed(corner).map((x, i) => p[i] - x)
+    const positionOf = (corner) => corner.map((c) => c - unskew * sum(corner))
+    const offsetFrom = (corner) => positionOf(corner).map((x, i) => p[i] - x)
     // Orders the axes by descending coordinate; axes with equal coordinates keep their order.
     const first = offsetFrom(cell)
     const order = [...p.keys()].sort((a, b) => first[b] - first[a])

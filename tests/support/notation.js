@@ -84,7 +84,7 @@ function parse(text) {
     return left
   }
 
-  /** Whether the next bar closes an absolute value. */
+  /** If true, the next bar closes an absolute value. */
   let isBarOpen = false
   /** Parses a list up to the token `close`. */
   function parseList(close, isBar) {

@@ -25,7 +25,7 @@ async function computeContours(text, { webgl, server }) {
   return contours
 }
 
-/** The same rotation in p5 and as an offset. */
+/** One rotation, in p5 and as an offset. */
 const turn = 'rotateZ(0.6); rotateX(0.5)'
 const turned = `({ glsl, position }) =>
   glsl.rotateZ(0.6).mult(glsl.rotateX(0.5)).mult(position).sub(position)`

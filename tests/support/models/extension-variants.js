@@ -44,7 +44,7 @@ const quaternions = [
   [0, 0, Math.SQRT1_2, Math.SQRT1_2],
   [1, 0, 0, 0],
 ]
-/** The same rotations as functions. */
+/** These rotations as functions. */
 const rotations = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, z]) => [x, -y, -z]]
 
 /** Makes a file with instances that have these attributes. `toArray` makes the typed array of quaternions. */
