@@ -1,7 +1,7 @@
 // Measures the precision of the gallery's warps after a week of uptime, with and without precomputing numbers once per frame.
 import { launchBrowser } from '../../tests/support/browser/browser.js'
 import { openPipeline } from '../../tests/support/browser/transform-feedback.js'
-import { afterAWeek, isMeasured } from '../../tests/support/browser/uptime.js'
+import { isMeasured, measureAfterAWeek } from '../../tests/support/browser/uptime.js'
 import { warps } from '../../tests/warps/index.js'
 import { markdownTable } from '../reference/parts.mjs'
 
@@ -20,8 +20,8 @@ export async function measure() {
   const gpu = await openPipeline(browser)
   const rows = []
   for (const warp of warps.filter(isMeasured)) {
-    const without = await afterAWeek(gpu, warp, {})
-    const withPerFrame = await afterAWeek(gpu, warp, { perFrame: true })
+    const without = await measureAfterAWeek(gpu, warp, {})
+    const withPerFrame = await measureAfterAWeek(gpu, warp, { perFrame: true })
     const start = [formatSize(withPerFrame.start.position), formatDegrees(withPerFrame.start.angle)]
     rows.push([`\`${warp.name}\``, ...start, ...cells(without), ...cells(withPerFrame)])
   }

@@ -7,11 +7,11 @@ import { path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import {
   assertPicture,
-  plain,
+  measurePicture,
   reduceSketches,
   sketchesForTests,
-  statistics,
   still,
+  withoutEdges,
 } from '../../tests/support/browser/examples.js'
 import { drawLittle, fewFrames, keepFrames } from '../../tests/support/browser/frames.js'
 import { serveSite, serveSources } from '../../tests/support/browser/site.js'
@@ -91,7 +91,7 @@ describe('the gallery of npm start', () => {
       test(name, async () => {
         await page.goto(`${url}examples/${name}/gallery.html`, patience)
         await page.waitForFunction(() => window.frameCount >= 1, null, patience)
-        assertPicture(await statistics(page))
+        assertPicture(await measurePicture(page))
         assert.deepEqual(messages.splice(0), [])
       })
   })
@@ -100,7 +100,7 @@ describe('the gallery of npm start', () => {
     let page, messages, session
     before(async () => {
       const context = await browser.newContext(desktop)
-      await reduceSketches(context, url, { exceptions: [fullExample], before: plain })
+      await reduceSketches(context, url, { exceptions: [fullExample], before: withoutEdges })
       for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
@@ -124,7 +124,7 @@ describe('the gallery of npm start', () => {
       test(`shows ${name}`, async () => {
         const frame = await openPlaying(page, url, name)
         await page.getByText(/^frame \d+ · [\d.]+ fps$/).waitFor(patience)
-        assertPicture(await statistics(frame))
+        assertPicture(await measurePicture(frame))
         const code = page.locator('.block code')
         assert.match(await code.textContent(), /^(\/\/|import) /)
         await page.getByRole('button', { name: 'GLSL' }).click()
@@ -163,7 +163,7 @@ describe('the gallery of npm start', () => {
 
       for (const name of names.filter(isOpenedOnPhone)) {
         const frame = await openPlaying(page, url, name, 1)
-        if (name === names[0]) assertPicture(await statistics(frame))
+        if (name === names[0]) assertPicture(await measurePicture(frame))
         await assertFits(page, frame, name)
         assert.equal(await frame.locator('.lil-gui.root:not(.closed)').count(), 0, name)
         await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
@@ -181,7 +181,7 @@ if (isRun('the built gallery, and the gallery on a phone'))
       const context = await browser.newContext(desktop)
       await drawLittle(context)
       const { page, messages } = await openPage(context, url)
-      assertPicture(await statistics(await openPlaying(page, url, 'text-bulge')))
+      assertPicture(await measurePicture(await openPlaying(page, url, 'text-bulge')))
       await context.close()
       assert.deepEqual(messages, [])
     } finally {
