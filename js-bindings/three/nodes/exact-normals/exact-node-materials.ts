@@ -6,7 +6,7 @@ export interface ExactNodeMaterial {
   settings: Settings
   /** Distinguishes the program from that of a material without, whose nodes may be the same. */
   key: string
-  /** Maps the code of a positionNode → the warp that it is, or the message why it cannot be one. */
+  /** Maps the code of a positionNode with textures → the warp that it is, or the message why it cannot be one. */
   warps: Map<string, ExactWarp | string>
   /** The messages that the console has. */
   warned: Set<string>

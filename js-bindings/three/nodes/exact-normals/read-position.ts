@@ -20,6 +20,8 @@ export interface PositionSource {
   text: string
   /** A function that also returns the numbers of `effects`, behind the position in a mat4; `undefined` if there are none, or too many. */
   textWithEffects: string | undefined
+  /** The functions in both texts that it calls. Three.js writes them in another order when it first builds a node. */
+  functions: readonly string[]
   /** Maps names in the source → values that the shader passes. */
   values: ReadonlyMap<string, OuterValue>
   /** Maps names in the source → nodes of textures. */
@@ -99,6 +101,7 @@ export function readPosition(
     language: isWebGPU ? 'wgsl' : 'glsl',
     text: write(),
     textWithEffects: canReturn ? write(returnMatrix(flow, effects, isWebGPU)) : undefined,
+    functions: parts.functions,
     values: reading.values,
     textures: reading.textures,
     base: baseOf(parts),

@@ -89,6 +89,13 @@ function moveExactly(
   vertex?.pass()
 }
 
+/**
+ * Maps the option `normals` and the code of a position without textures → the warp that it is, or the message why it cannot be one. Materials
+ * with the same displacement share its warp, since making it takes several milliseconds.
+ */
+const sharedWarps = new Map<string, ExactWarp | string>()
+const maxShared = 32
+
 const numbers = new WeakMap<object, number>()
 let count = 0
 
@@ -112,12 +119,22 @@ function warpFor(exact: ExactNodeMaterial, source: PositionSource, { geometry }:
 }
 
 function knownWarp(exact: ExactNodeMaterial, source: PositionSource, withEffects?: string) {
-  // The warp reads the nodes of its textures, which equal texts may not share.
-  const key = [withEffects ?? source.text, ...Array.from(source.textures.values(), numberOf)].join(
-    '\n',
+  const { functions, textures } = source
+  const others = functions.reduce(
+    (text, each) => text.replace(each, ''),
+    withEffects ?? source.text,
   )
-  let warp = exact.warps.get(key)
-  if (!warp) exact.warps.set(key, (warp = compile(exact, source, withEffects)))
+  // The warp reads the nodes of its textures, which equal texts may not share.
+  const key = [
+    exact.settings.normals,
+    ...[...functions].sort(),
+    others,
+    ...Array.from(textures.values(), numberOf),
+  ].join('\n')
+  const warps = textures.size > 0 ? exact.warps : sharedWarps
+  let warp = warps.get(key)
+  if (!warp) warps.set(key, (warp = compile(exact, source, withEffects)))
+  if (sharedWarps.size > maxShared) sharedWarps.delete(sharedWarps.keys().next().value!)
   return warp
 }
 
